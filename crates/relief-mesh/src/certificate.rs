@@ -8,8 +8,8 @@ pub struct Certificate {
     /// Greatest distance in metres.
     ///
     /// On a plane it is exact but for the rounding of positions to `f32`. On other meshes it is a
-    /// bound: it includes the most that turning directions can add over a triangle, and it takes
-    /// the longest direction of a base triangle for all its points.
+    /// bound. It includes the most that turning directions can add over a triangle. It takes the
+    /// longest direction of a base triangle for all its points.
     pub error_m: f64,
     /// Texture coordinates of the greatest distance.
     pub uv: [f64; 2],

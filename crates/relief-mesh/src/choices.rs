@@ -85,7 +85,7 @@ choice! {
     /// 9 of Szirmay-Kalos and Umenhoffer 2008. The error grows with the relief's height relative to
     /// the radius of a curved base.
     Derivative = "derivative",
-    /// The interpolated normal, turned by two angles whose tangents are the slopes of the relief
+    /// The interpolated normal, turned by two angles. Their tangents are the slopes of the relief
     /// along `u` and `v`, as Kugler stores them in a map (Gumhold and Hüttner 1999, sections 1 and
     /// 2.1). It is exact on level ground whose texture has right angles. Elsewhere it is off by the
     /// turning of the base and the shear of the texture.

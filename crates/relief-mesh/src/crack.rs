@@ -53,8 +53,8 @@ impl Sides {
 ///
 /// An edge with both sides in one part is finished. Other edges are stored until a later part has
 /// their second side, so that memory grows with the borders between parts. A mesh added in one part
-/// is tested completely. In a mesh of several parts, a finished edge with further sides in a later
-/// part is not seen to branch; the later sides count as an edge of their own.
+/// is tested completely. In a mesh of several parts, further sides of a finished edge may come in a
+/// later part. They count as an edge of their own, and the branch is missed.
 #[derive(Clone, Debug, Default)]
 pub struct CrackTest {
     edges: Map<Ends, Sides>,

@@ -221,9 +221,9 @@ impl ViewVolume {
         [near - margin, far + margin]
     }
 
-    /// Returns whether no rasteriser sees the front of a triangle: it has no area, or its corners
-    /// run clockwise in the picture and lie far enough from one line that rounding cannot turn it
-    /// over.
+    /// Returns whether no rasteriser sees the front of a triangle. It then has no area, or its
+    /// corners run clockwise in the picture. They lie far enough from one line that rounding cannot
+    /// turn it over.
     #[inline(always)]
     pub fn is_back(&self, corners: [Vec3; 3]) -> bool {
         let [a, b, c] = corners.map(Vec3::as_dvec3);

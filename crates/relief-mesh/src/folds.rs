@@ -7,10 +7,10 @@ const ROUNDING: f64 = 1.0 / (1 << 22) as f64;
 
 /// Folds of a mesh.
 ///
-/// A triangle is folded if the normal by its corners points against the direction of displacement,
-/// the sum of the directions of its corners: it was turned over and shows its back. A triangle does
-/// not count if rounded positions could have turned it, or if it has no area. A mesh that is
-/// displaced along one direction, such as a plane, does not fold.
+/// A triangle is folded if the normal by its corners points against the direction of displacement.
+/// That is the sum of the directions of its corners. The triangle was turned over and shows its
+/// back. A triangle does not count if rounded positions could have turned it, or if it has no area.
+/// A mesh that is displaced along one direction, such as a plane, does not fold.
 /// [`Mesh::fold_range`](relief_core::mesh::Mesh::fold_range) gives the displacement at which a mesh
 /// begins to fold.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -28,7 +28,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod at_most;
 mod cache_order;
 mod certificate;
 mod choices;
@@ -51,6 +50,7 @@ mod slices;
 mod smooth;
 mod stream;
 mod surface;
+mod triangle_budget;
 mod triangles;
 mod vertex_set;
 mod view;

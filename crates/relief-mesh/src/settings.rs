@@ -37,7 +37,7 @@ pub struct MeshSettings {
     ///
     /// Under a plane the bottom is flat, this far below the lowest point of the relief. Another
     /// mesh gets its own triangles once more, all displaced by the same amount. Under each vertex
-    /// of the relief the solid has this thickness along the direction there, as long as
+    /// of the relief the solid has this thickness along the direction there. This holds while
     /// interpolated normals are at least half as long as normals. The underside faces as the mesh
     /// does. Closed pieces do not change.
     ///

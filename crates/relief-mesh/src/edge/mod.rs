@@ -53,8 +53,8 @@ pub enum Divides {
 
 /// Returns which knots of a side are its points, rising, first and last included.
 ///
-/// Each edge of a height map that the side lies on is one row of knots, at the same places: one row
-/// on a plane, two at a seam. The tolerance is a height of the map.
+/// There is a row of knots for each edge of a height map on which the side lies: one on a plane,
+/// two at a seam. All rows have the same places. The tolerance is a height of the map.
 pub type Along = fn(rows: &[&[Knot]], tolerance: f64) -> Vec<usize>;
 
 /// Divides a side by `divide`, with the knots `fixed` as points in any case. They rise and exclude

@@ -15,8 +15,8 @@ use super::{SliceAnchor, SliceBlock, SliceError, SliceVertex, Slicer};
 /// Greatest number of flat polygons of a mesh.
 const MOST_POLYGONS: usize = 256;
 
-/// Tolerance for the corners of one polygon, as a part of the polygon, and for the area of the map
-/// that they show, as a part of the whole map.
+/// Tolerance for the corners of one polygon, as a part of the polygon. Also the tolerance for the
+/// area of the map that they show, as a part of the map.
 const APART: f64 = 1e-4;
 
 /// Flat polygon that shows the whole map once.

@@ -257,9 +257,9 @@ fn first_used(point_of: &[u32], used: &[u32]) -> Vec<u32> {
 }
 
 /// Returns one direction of displacement for each position. Where all normals there are the same,
-/// it is that normal. At hard edges it is the sum `S` of the normals, weighted by the angles of
-/// their triangles, in such a length that the faces on both sides move by the displacement:
-/// `S W / |S|²`, `W` the sum of the weights. It is at most twice as long as a normal.
+/// it is that normal. At hard edges it follows from the sum `S` of the normals, weighted by the
+/// angles of their triangles. Its length is such that the faces on both sides move by the
+/// displacement: `S W / |S|²`, `W` the sum of the weights. It is at most twice as long as a normal.
 fn welded_directions(mesh: &Mesh, point_of: &[u32]) -> Vec<Vec3> {
     let vertices = mesh.vertices();
     let differs = |at: usize| vertices[at].normal != vertices[point_of[at] as usize].normal;

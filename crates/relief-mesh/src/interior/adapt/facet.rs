@@ -84,8 +84,9 @@ impl Facet {
         [(at[0] * c[1] - at[1] * c[0]) * scale, (b[0] * at[1] - b[1] * at[0]) * scale]
     }
 
-    /// Calls `each` for each row of cell corners within a triangle, with the row and its first
-    /// corner, the triangle's height there and its rise per corner, and the heights of the map.
+    /// Calls `each` for each row of cell corners within a triangle. The arguments are the first
+    /// corner and its row, the triangle's height there and its rise per corner, and the heights of
+    /// the map.
     fn rows(&self, corners: [Corner; 3], mut each: impl FnMut([i32; 2], [f64; 2], &[f32])) {
         let mut sorted = corners.map(|(at, height)| (self.place(at), height));
         for [a, b] in [[0, 1], [1, 2], [0, 1]] {

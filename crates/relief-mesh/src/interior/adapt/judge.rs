@@ -91,9 +91,9 @@ fn worst_within(window: &Window, corners: [Corner; 3]) -> Option<Gap> {
     worst.gap(window)
 }
 
-/// Calls `each` with distances at the corners of cells within a triangle and on its edges, four
-/// along a row at a time: the distances, the numbers of the corners, and which of them are within.
-/// Rows are short: four corners on average.
+/// Measures distances at the corners of cells within a triangle and on its edges, four along a row
+/// at a time. Calls `each` with the distances, the numbers of the corners, and which of them are
+/// within. Rows are short: four corners on average.
 #[inline(always)]
 fn fours(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Vec4, Vec4, BVec4A)) {
     each_row(corners, |row, count| {
