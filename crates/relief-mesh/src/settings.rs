@@ -10,27 +10,30 @@ use crate::{
 /// Settings of a displaced mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshSettings {
-    /// Rule that divides the sides of patches.
+    /// Rule that divides the sides of patches. Default: `texels`.
     pub edges: &'static EdgeRule,
-    /// Rule that fills a patch.
+    /// Rule that fills a patch. Default: `dice`.
     pub interior: &'static Interior,
     /// Edge rule `texels`: the distance between points in texels, at least 1. Default: 1.
     pub texels: u32,
-    /// Edge rule `pixels`: the view for which the mesh is made.
+    /// Edge rule `pixels`: the view for which the mesh is made. Default: none.
     pub view: Option<View>,
     /// Edge rule `pixels`: the parts that are left out because the view does not show them.
+    /// Default: none.
     pub cull: Option<Cull>,
     /// Edge rule `pixels`, interior `dice`: weights that give edges more or fewer parts than
-    /// voxels.
+    /// voxels. Default: none.
     pub weights: Weights,
     /// Edge rule `error`, interior `adapt`: the tolerance. It is the greatest distance of the
     /// relief from the triangles along the direction of displacement, in metres.
+    /// Must be greater than 0 and finite. Default: infinite, so that it must be set.
     pub error_m: f64,
-    /// Edge rule `error`, interior `adapt`: the places at which this distance is measured.
+    /// Edge rule `error`, interior `adapt`: the places at which this distance is measured. Default:
+    /// everywhere on the surface.
     pub judge: Judge,
-    /// Edge rule `error`, interior `adapt`: the heights of inserted points.
+    /// Edge rule `error`, interior `adapt`: the heights of inserted points. Default: fitted ones.
     pub fit: Fit,
-    /// Edge rule `error`, interior `adapt`: the side of the relief on which triangles lie.
+    /// Edge rule `error`, interior `adapt`: the side of the relief on which triangles lie. Default: both.
     pub side: Side,
     /// Least thickness in metres of a solid: walls and an underside close an open mesh. Default:
     /// none.
@@ -51,14 +54,15 @@ pub struct MeshSettings {
     /// Part of a plane that is made. Default: the whole plane.
     pub part: Part,
     /// Greatest memory in bytes for a mesh whose triangles must be made to be counted.
+    /// Default: no limit.
     pub max_bytes: u64,
-    /// Surface that is displaced.
+    /// Surface that is displaced. Default: flat triangles.
     pub base: BaseSurface,
-    /// Direction of displacement.
+    /// Direction of displacement. Default: interpolated normals, not normalised.
     pub directions: Directions,
-    /// Method that computes the normals of the vertices.
+    /// Method that computes the normals of the vertices. Default: exact.
     pub shading: Shading,
-    /// Treatment of seams and hard edges.
+    /// Treatment of seams and hard edges. Default: welded.
     pub seams: Seams,
     /// Whether triangles over holes are left out, with the vertices that no other triangle has.
     /// Default: no.
@@ -68,7 +72,7 @@ pub struct MeshSettings {
     /// holes, so that outlines are within a texel. With other interiors outlines are as fine as the
     /// triangles.
     pub holes: bool,
-    /// Pose of the finished mesh.
+    /// Pose of the finished mesh. Default: no turn and no lift.
     pub pose: Pose,
 }
 
