@@ -4,10 +4,11 @@
 //! which is interpolated between the piece's corners. Beside that it is off by `ρ`, at most the
 //! bend of the piece (see `Turning`). The base point to which it really belongs, and the
 //! displacement there, follow it from `ρ = 0` on. Where the point moves by `dx`, `J⁻¹ dx` gives the
-//! moves of the base point and of the displacement, with `J = (E₁ + d N₁, E₂ + d N₂, N)`. `E` are
-//! the sides of the base triangle, `N₁` and `N₂` the differences of the directions at its corners.
-//! So the piece stays above the relief if it is raised by two amounts. The first is the height of
-//! the relief above it over the same base points. The second is `|ρ|` times the greatest value of
+//! moves of the base point and of the displacement, with
+//! `J = (J₁, J₂, N) = (E₁ + d N₁, E₂ + d N₂, N)`. `E` are the sides of the base triangle, `N₁` and
+//! `N₂` the differences of the directions at its corners. So the piece stays above the relief if it
+//! is raised by two amounts. The first is the height of the relief above it over the same base
+//! points. The second is `|ρ|` times the greatest value of
 //!
 //! ```text
 //! (|J₁ × J₂| + G₁ |J₂ × N| + G₂ |J₁ × N|) / det J
