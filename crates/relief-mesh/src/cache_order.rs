@@ -211,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_is_handed_over_comes_back() {
+    fn every_triangle_comes_back_once() {
         assert!(cache_order(&[], 0).is_none() && cache_order(&[], 5).is_none());
         // A triangle without an area, one twice, vertices of none, and pieces apart.
         let triangles = [[7, 7, 7], [1, 2, 3], [1, 2, 3], [9, 8, 9], [3, 2, 5]];

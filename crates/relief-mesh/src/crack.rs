@@ -301,7 +301,7 @@ mod tests {
     }
 
     #[test]
-    fn closed_open_and_branching_meshes_are_told_apart() {
+    fn closed_open_and_branching_meshes_are_distinguished() {
         let closed = CrackTest::of_mesh(&cube(3).expect("a mesh"));
         assert_eq!(closed, Cracks { triangles: 108, open: 0, branching: 0, pieces: 1 });
         assert!(closed.is_closed());

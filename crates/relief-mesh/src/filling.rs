@@ -17,10 +17,10 @@ const LEAST: f64 = 1e-6;
 const FINEST: f64 = 0.25 / (STEPS * STEPS) as f64;
 
 /// Bytes per triangle while its patch is filled.
-const BYTES_MADE: u64 = 200;
+const BYTES_IN_WORK: u64 = 200;
 
 /// Bytes per triangle afterwards, with its share of the points.
-const BYTES_HELD: u64 = 20;
+const BYTES_FILLED: u64 = 20;
 
 /// Method by which patches are filled.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +59,7 @@ pub struct FillBudget<'a> {
 impl<'a> FillBudget<'a> {
     pub fn new(settings: &MeshSettings, most: u64, watch: Watch<'a>) -> Self {
         let limit = settings.max_bytes;
-        let (held, in_work) = (limit / 2 / BYTES_HELD, limit / 4 / BYTES_MADE);
+        let (held, in_work) = (limit / 2 / BYTES_FILLED, limit / 4 / BYTES_IN_WORK);
         let MeshSettings { judge, fit, .. } = *settings;
         Self { judge, fit, most, held, in_work, limit, triangles: AtomicU64::new(0), watch }
     }

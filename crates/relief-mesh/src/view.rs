@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn voxels_that_are_told_apart_stay_so_however_fine_they_are() {
+    fn distinct_voxels_stay_distinct_however_fine_they_are() {
         for projection in
             [Projection::Perspective { fov_degrees: 0.1 }, Projection::Orthographic { height_m: 0.1 }]
         {
@@ -227,7 +227,7 @@ mod tests {
                 let found = f64::from(deep[1] - deep[0]);
                 assert!((found - most).abs() < 0.01 * most + 2.0, "{found} of {most}");
             }
-            // Beyond what the grid holds nothing is told apart at the picture's edges.
+            // Finer grids are refused: corners at the picture's edges would be clamped.
             for (size, pixels) in [([1000, 800], 0.003), ([800, 1000], 1e-9), ([32768, 16], 0.06)] {
                 let view = View { pixels, ..View::new(camera, size) };
                 let refused = view.voxels();

@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn planes_are_told_from_other_meshes() {
+    fn planes_are_distinguished_from_other_meshes() {
         let map = HeightMap::from_fn(300, 7, Wrap::Repeat, |_, _| 0.5).expect("a valid map");
         let relief = Relief::new(&map, Directions::Raw, Shading::Exact);
         let plane = |mesh: &Mesh| Rectangle::of_mesh(mesh).map(|found| grid(found, &relief));

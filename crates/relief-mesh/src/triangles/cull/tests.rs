@@ -227,7 +227,7 @@ fn sees(view: &View, cull: Cull, triangles: &[[DVec3; 3]]) -> bool {
 }
 
 #[test]
-fn no_patch_that_is_seen_is_left_out_and_most_that_are_not_are() {
+fn no_visible_patch_is_left_out_and_most_others_are() {
     let mut all = Tally::default();
     for case in cases() {
         let (view, made) = (case.view(), case.triangles());
@@ -246,7 +246,7 @@ fn no_patch_that_is_seen_is_left_out_and_most_that_are_not_are() {
 }
 
 #[test]
-fn planes_that_are_not_moved_out_and_backs_of_the_base_leave_out_what_is_seen() {
+fn unmoved_planes_and_backs_of_the_base_leave_out_visible_patches() {
     let [mut unmoved, mut corners_alone] = [(); 2].map(|()| Tally::default());
     for case in cases() {
         let (view, base) = (case.view(), case.whole());
@@ -285,7 +285,7 @@ fn by_vertices(mesher: &Mesher) -> Vec<[Vertex; 3]> {
 }
 
 #[test]
-fn no_triangle_that_is_seen_is_left_out_most_that_are_not_are_and_the_rest_is_as_it_was() {
+fn no_visible_triangle_is_left_out_and_the_rest_has_the_same_bits() {
     let mut sums = [(); 3].map(|()| Tally::default());
     let (mut empty, mut uncut) = (0, 0);
     for case in cases() {
@@ -350,7 +350,7 @@ fn nothing_is_left_out_where_there_is_no_view_or_normals_need_all_triangles() {
 }
 
 #[test]
-fn nothing_on_the_way_from_what_is_seen_to_a_light_is_left_out() {
+fn nothing_between_visible_points_and_lights_is_left_out() {
     let lights = [
         [DVec4::new(0.3, 0.9, 0.2, 0.0), DVec4::new(-0.7, 0.4, 0.5, 0.0)],
         [DVec4::new(0.2, 1.5, 0.4, 1.0), DVec4::new(0.1, 1.0, 0.9, 0.0)],
