@@ -37,7 +37,7 @@ impl Up {
     pub const fn usual(format: MeshFormat) -> Self {
         match format {
             MeshFormat::Stl => Self::Z,
-            MeshFormat::Gltf | MeshFormat::Obj | MeshFormat::Ply => Self::Y,
+            _ => Self::Y,
         }
     }
 
