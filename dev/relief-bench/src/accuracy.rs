@@ -89,7 +89,7 @@ const SEARCHES: [&str; 8] = [
     "relaxed-cone-resting",
 ];
 
-/// The angle at which costs are told.
+/// Angle at which costs are reported.
 const GRAZING: f64 = 85.0;
 
 /// Searches whose costs are compared: of the first, divided by the second's.

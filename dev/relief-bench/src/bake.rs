@@ -177,8 +177,8 @@ impl Row {
 }
 
 impl Brute {
-    /// Its seconds, the share of the texels that was done, and the lead over it of a bake that takes so many
-    /// milliseconds.
+    /// Returns its seconds, the share of the texels that was done, and the lead of a bake with the given
+    /// milliseconds over it.
     fn cells(&self, bake_ms: f64) -> [String; 3] {
         let lead = 1e3 * self.seconds / bake_ms;
         [format!("{:.3}", self.seconds), percent(self.share), format!("{lead:.0}")]

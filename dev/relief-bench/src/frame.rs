@@ -18,7 +18,7 @@ use crate::table::table;
 /// The most bytes that a second frame may upload.
 const AIM_UPLOADED: u64 = 1024;
 
-/// The most time that it may take, over that of a whole rendering.
+/// Most time that it may take, as a part of a whole rendering's.
 const AIM_TIME: f64 = 0.5;
 
 /// What `frame` is given.
@@ -51,7 +51,7 @@ struct Measured {
     render: Samples,
     /// Milliseconds of a picture from elsewhere by a renderer that has made one.
     frame: Samples,
-    /// Of these milliseconds those of drawing alone, where a GPU reads nothing back.
+    /// Milliseconds of drawing alone, where a GPU reads nothing back.
     drawn: Samples,
     /// The most that such a picture uploaded and compiled.
     work: Work,

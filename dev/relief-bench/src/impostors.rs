@@ -114,7 +114,7 @@ fn texels(object: &ImageObject) -> usize {
     object.views().iter().map(|view| view.size().map(|side| side as usize).iter().product::<usize>()).sum()
 }
 
-/// The object of images of a mesh, of so many texels a side.
+/// Depth object of a mesh, with images of the given number of texels a side.
 pub fn captured(
     mesh: &Mesh,
     arrangement: Arrangement,

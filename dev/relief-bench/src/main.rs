@@ -57,7 +57,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// How near every method comes to the truth, and what its rays cost
+    /// Error of every method against the truth, and the cost of its rays
     Accuracy(accuracy::Arguments),
     /// Triangles and seconds that a plane to an error takes, beside packages of PyPI
     Adapt(adapt::Arguments),
@@ -101,7 +101,7 @@ enum Command {
     Readers(readers::Arguments),
     /// What Gumhold and Hüttner 1999 say of their remesher, beside what it does
     Remesh(remesh::Arguments),
-    /// How near every shadow comes to rays of the exact search
+    /// Error of every shadow against rays of the exact search
     Shadow(shadow::Arguments),
     /// What a new user sees of every map in a folder
     Sheet(sheet::Arguments),
@@ -113,9 +113,9 @@ enum Command {
     Slices(slices::Arguments),
     /// Solids around holes in every format, read by trimesh and manifold3d: fails where one is open
     Solids(solids::Arguments),
-    /// How near every surface comes to the exact judge on curved meshes
+    /// Error of every surface against the exact judge on curved meshes
     Surfaces(surfaces::Arguments),
-    /// Triangles a second that a GPU makes of a height map
+    /// Triangles per second that a GPU makes from a height map
     Tessellate(tessellate::Arguments),
     /// Rays a second of the exact tracer, beside other tracers and two other programs
     Trace(trace::Arguments),

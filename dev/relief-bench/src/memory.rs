@@ -25,7 +25,7 @@ pub fn peak() -> usize {
 pub fn held<T>(make: impl FnOnce() -> T) -> (T, usize) {
     reset();
     let made = make();
-    // The allocator tells of peaks alone: that of a block on top of what is held.
+    // The allocator reports peaks alone: a block's peak on top of the memory held before it.
     drop(black_box(Vec::<u8>::with_capacity(PROBE)));
     let held = peak().saturating_sub(PROBE);
     (made, held)

@@ -36,7 +36,7 @@ pub struct Arguments {
     gpu: bool,
 }
 
-/// Sides of the pictures, which are about as wide as the object: those of the paper.
+/// Sides of the pictures, as in the paper. The object is about as wide as a picture.
 const SIZES: [u32; 2] = [150, 400];
 
 /// Slices over the ball that the images show.

@@ -1,4 +1,4 @@
-//! `tessellate`: triangles a second that a GPU makes of a height map for a camera that moves.
+//! `tessellate`: triangles per second that a GPU makes from a height map for a moving camera.
 
 use clap::Args;
 use glam::{DQuat, DVec3, Vec2};

@@ -1,8 +1,8 @@
 //! `trace`: rays a second of the exact tracer that renderers use, beside the truth, the shaders, parry3d and
 //! POV-Ray.
 //!
-//! Everything is measured in rounds, in each of which everyone has a turn, so that what else the machine does
-//! hits all alike; ratios are taken round by round.
+//! Everything is measured in rounds. Each program has a turn in each round, so that other work of the
+//! machine affects all alike. Ratios are taken round by round.
 
 mod agreement;
 mod maps;

@@ -63,9 +63,10 @@ pub fn corners_of(mesh: &Mesh) -> Vec<[DVec3; 3]> {
         .collect()
 }
 
-/// Distances of a simple mesh, displaced by a map and so many metres more, from the triangles of a detailed
-/// one, at places all over its triangles, in texels: sorted, and the part of the texels on which all of them
-/// are within half a texel. A texel is as large as those are on the mean that lie on the mesh.
+/// Distances in texels of a displaced simple mesh from the triangles of a detailed one, at places all over
+/// its triangles. The mesh is displaced by a map and a constant in metres. Returns the sorted distances, and
+/// the part of the texels whose distances are all within half a texel. The length of a texel is the mean over
+/// the mesh.
 pub fn apart(low: &Mesh, high: &[[DVec3; 3]], map: &HeightMap, move_m: f64) -> (Vec<f64>, f64) {
     let [width, height] = [map.width(), map.height()].map(f64::from);
     let (mut area_m2, mut texels) = (0.0, 0.0);

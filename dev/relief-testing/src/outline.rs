@@ -12,7 +12,7 @@ pub struct Mask {
 }
 
 impl Mask {
-    /// The mask of a picture of so many columns and rows, from the top row on.
+    /// Mask of a picture of the given columns and rows, from the top row on.
     ///
     /// # Panics
     ///
@@ -34,7 +34,7 @@ impl Mask {
         self.covered.iter().filter(|covered| **covered).count()
     }
 
-    /// The mask moved to the right by so many pixels.
+    /// Mask moved to the right by a number of pixels.
     #[must_use]
     pub fn moved(&self, by: i64) -> Self {
         let covered = self.places().map(|[x, y]| self.at(x - by, y)).collect();

@@ -1,5 +1,5 @@
-//! How near every method comes to the truth: the maps, and what `relief-compare` finds of a pair of stages on
-//! them.
+//! Errors of every method against the truth: the maps, and the results of `relief-compare` for a pair of
+//! stages on them.
 
 use std::path::{Path as FilePath, PathBuf};
 

@@ -38,7 +38,7 @@ impl Leeway {
     const OF_SOFTWARE: Self = Self { rounding: 1.0, outliers: 1.0 };
     const OF_HARDWARE: Self = Self { rounding: 10.0, outliers: 6.0 };
 
-    /// That of the adapter that [`AdapterChoice::Any`] chooses.
+    /// Leeway of the adapter that [`AdapterChoice::Any`] chooses.
     pub fn of_any() -> Self {
         static LEEWAY: OnceLock<Leeway> = OnceLock::new();
         *LEEWAY.get_or_init(|| match Gpu::new(AdapterChoice::Real) {
@@ -47,7 +47,7 @@ impl Leeway {
         })
     }
 
-    /// The share of pixels that must agree where so many must on a software adapter.
+    /// Share of pixels that must agree, from the share on a software adapter.
     pub fn share(self, of_software: f64) -> f64 {
         1.0 - self.outliers * (1.0 - of_software)
     }

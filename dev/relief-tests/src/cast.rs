@@ -149,12 +149,12 @@ impl Default for Meeting {
     }
 }
 
-/// The pixels of which something holds.
+/// Pixels for which a condition holds.
 pub fn mask(shown: &[Option<Shown>], size: [u32; 2], holds: impl Fn(Shown) -> bool) -> Mask {
     Mask::new(size, shown.iter().map(|shown| shown.is_some_and(&holds)).collect())
 }
 
-/// The part of the pixels that both show the same surface in of which they also agree whether it is lit.
+/// Of the pixels in which both show the same surface, the part in which they agree whether it is lit.
 pub fn agreement(a: &[Option<Shown>], b: &[Option<Shown>]) -> f64 {
     let both = a.iter().zip(b).filter_map(|(a, b)| a.zip(*b)).filter(|(a, b)| a.surface == b.surface);
     let (same, all) = both.fold((0, 0), |(same, all), (a, b)| (same + usize::from(a.lit == b.lit), all + 1));

@@ -41,21 +41,21 @@ pub struct Seen<'a> {
     pub side: u32,
 }
 
-/// What one detail makes of it, beside many samples in the finest level.
+/// Results of one detail, beside many samples in the finest level.
 #[derive(Clone, Copy, Debug)]
 pub struct Shown {
     /// Root of the mean squared error of the linear colour.
     pub error: f64,
-    /// The same between two frames a tenth of a pixel apart, less that of the truth.
+    /// Difference between two frames a tenth of a pixel apart, less the truth's difference.
     pub flicker: f64,
-    /// Mean brightness over that of the truth.
+    /// Mean brightness, as a multiple of the truth's.
     pub brightness: f64,
     /// Mean reads of a pixel.
     pub reads: f64,
 }
 
 impl Seen<'_> {
-    /// What each of these details makes of it.
+    /// Results of each of these details.
     ///
     /// # Panics
     ///
@@ -97,8 +97,8 @@ impl Seen<'_> {
         self.pixels_of(self.selection(detail), [1.0, -1.0], samples, step)
     }
 
-    /// The picture with that selection, where the heights 1 and 0 lie so many depths of the relief apart and
-    /// 0 so many above the plane, moved by so many pixels.
+    /// Picture with that selection, moved by a number of pixels. The distance between the heights 1 and 0,
+    /// and the height of 0 above the plane, are in depths of the relief.
     ///
     /// # Panics
     ///

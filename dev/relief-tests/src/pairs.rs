@@ -9,7 +9,7 @@ use relief_shaders::{Selection, refine, search};
 ///
 /// # Panics
 ///
-/// Never: the names are those of the lists.
+/// Never: the names come from the lists.
 pub fn all() -> impl Iterator<Item = Selection> {
     let names = search::ENTRIES.iter().flat_map(|a| refine::ENTRIES.iter().map(move |b| (a.name, b.name)));
     names

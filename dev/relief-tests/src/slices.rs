@@ -17,7 +17,7 @@ use relief_shaders::cpu::PixelOut;
 /// How far around its middle the plane is looked at, in tiles: rays there stay over it.
 const MIDDLE: f32 = 0.22;
 
-/// A plane of a metre under a map, seen from so many degrees beside its normal.
+/// Plane of a metre under a map, seen at the given angle from its normal, in degrees.
 #[derive(Clone, Copy, Debug)]
 pub struct PlaneView<'a> {
     /// The map.
@@ -71,7 +71,7 @@ impl PlaneView<'_> {
         render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
     }
 
-    /// The slices of so many over the displacement.
+    /// Slices of the given number over the displacement.
     pub fn settings(&self, method: &str, count: u32) -> SliceSettings {
         let direction = direction_of(method, self.camera());
         SliceSettings { count, direction }
@@ -116,7 +116,7 @@ impl PlaneView<'_> {
         spacing * self.map.scale_m() / faces
     }
 
-    /// How far what slices show is from the truth, where they are so many metres apart along the rays.
+    /// Error of slices that are the given metres apart along the rays.
     pub fn errors(&self, truth: &[PixelOut], slices: &[PixelOut], along_m: f64) -> SliceErrors {
         let pairs = || truth.iter().zip(slices).filter(|(truth, _)| is_in_middle(truth));
         let mut apart: Vec<f64> = pairs().map(|(a, b)| self.texels_apart(a, b)).collect();
@@ -158,7 +158,7 @@ impl PlaneView<'_> {
         if b.hit == 1 { apart } else { f64::INFINITY }
     }
 
-    /// The share of the pixels in the middle that another picture shows within so many texels.
+    /// Share of the pixels in the middle that another picture shows within the given texels.
     ///
     /// # Panics
     ///
@@ -180,7 +180,7 @@ pub fn direction_of(method: &str, camera: Camera) -> SliceDirection {
     }
 }
 
-/// How many slices the ray of each pixel crosses, drawn or not, in a picture of so many columns and rows.
+/// Number of slices that each pixel's ray crosses, drawn or not, in a picture of the given columns and rows.
 ///
 /// # Panics
 ///

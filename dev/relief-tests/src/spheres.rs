@@ -49,8 +49,7 @@ pub fn map_of_spheres(view: &View) -> HeightMap {
     map.expect("a map")
 }
 
-/// Views of so many texels a side by parallel rays, that look at the spheres from these directions, and what
-/// they see.
+/// Orthographic views of the spheres from these directions, with the given texels a side, and their images.
 pub fn views_of_spheres(directions: &[DVec3], side: u32) -> (Vec<View>, Vec<HeightMap>) {
     let view = |from: &DVec3| {
         let view = View::orthographic(DVec3::ZERO, RADIUS, *from, None, [side, side]).expect("a view");
@@ -60,8 +59,8 @@ pub fn views_of_spheres(directions: &[DVec3], side: u32) -> (Vec<View>, Vec<Heig
     directions.iter().map(view).unzip()
 }
 
-/// The same from eyes that are so many metres away, in which the spheres fit, every other one by parallel
-/// rays.
+/// Views from eyes at the given distance in metres, into which the spheres fit. Every other view is
+/// orthographic.
 pub fn eyes_on_spheres(directions: &[DVec3], away_m: f64, side: u32) -> (Vec<View>, Vec<HeightMap>) {
     let fov = 2.0 * (RADIUS / away_m).asin().to_degrees();
     let view = |(place, from): (usize, &DVec3)| {
@@ -83,7 +82,7 @@ pub fn object_of_spheres(directions: &[DVec3], side: u32, cells: JumpCells) -> I
     ImageObject::new(views, &maps, cells, 4.0).expect("an object")
 }
 
-/// The same of a grid of so many frames a side.
+/// Views of a grid with the given frames a side.
 pub fn grid_of_spheres(mapping: GridMapping, frames: u32, side: u32) -> ImageObject {
     let part = |at: u32| f64::from(at) / f64::from(frames - 1);
     let from = |at: u32| mapping.direction([part(at % frames), part(at / frames)]);

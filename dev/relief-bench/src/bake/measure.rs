@@ -68,8 +68,8 @@ impl Sink for Nowhere {
     }
 }
 
-/// Bakes so many times on the threads of a pool, and until that has taken [`LEAST_S`]; once only where that
-/// takes more than `once_s`.
+/// Bakes on the threads of a pool until the given number of times and [`LEAST_S`] are reached. A bake
+/// that takes more than `once_s` runs once.
 pub fn measure(
     kind: &Kind,
     map: &HeightMap,

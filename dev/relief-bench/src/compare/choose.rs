@@ -9,7 +9,7 @@ use super::maps::maps;
 use super::{Arguments, compared, on_square};
 use crate::table::table;
 
-/// Milliseconds of a frame, over that of the fastest search, and texels that are asked for.
+/// Milliseconds of a frame as multiples of the fastest search's, and the requested texels.
 const BUDGETS: [f64; 3] = [1.2, 1.5, 2.5];
 const ERRORS: [f64; 3] = [2.0, 0.1, 0.01];
 

@@ -15,7 +15,7 @@ const SIDES: [u32; 4] = [2048, 1024, 512, 256];
 const METHODS: [&str; 7] =
     ["bump", "quadtree", "pyramidal-bilinear", "frustum", "cone", "sphere-tracing", "relief"];
 
-/// How many times the frames of the least map those of the greatest may take.
+/// Most time of the greatest map's frames, as a multiple of the least map's.
 const PUBLISHED: f64 = 1.28;
 
 /// Prints a table a machine.

@@ -16,7 +16,7 @@ const STEPS: [u32; 6] = [8, 16, 32, 64, 128, 256];
 /// The most bytes of map a texel of what these are compared with.
 const MOST_BYTES: f64 = 8.0;
 
-/// The part of the time that the best method should take at the error of so many steps.
+/// Part of the time that the best method should take at the error of the given number of steps.
 const AIMS: [(u32, f64); 2] = [(16, 0.5), (256, 0.2)];
 
 fn contenders() -> Result<Vec<Contender>, String> {

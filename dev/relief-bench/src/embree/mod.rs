@@ -100,14 +100,14 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     Ok(())
 }
 
-/// A map as large as so many tiles of another, with its texels.
+/// Map of several tiles of another one, with its texels.
 fn repeated(map: &HeightMap, [across, down]: [u32; 2]) -> Result<HeightMap, String> {
     let texel = |i: u32, j: u32| map.texel(i.into(), j.into());
     let once = HeightMap::from_fn(across * map.width(), down * map.height(), map.wrap(), texel);
     once.map_err(|error| error.to_string())
 }
 
-/// A picture's rays in its order, and those of many small ones in no order.
+/// Rays of one picture in order, and rays of many small pictures in no order.
 fn views(arguments: &Arguments, curved: &Curved) -> Views {
     let rays = |camera: &relief_core::camera::Camera, [columns, rows]: [u32; 2]| -> Vec<Ray> {
         (0..columns * rows).map(|at| camera.ray(at % columns, at / columns, columns, rows)).collect()

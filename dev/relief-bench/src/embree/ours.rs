@@ -24,13 +24,13 @@ const TURN: Duration = Duration::from_millis(1500);
 pub struct Views {
     /// The picture's, row by row.
     pub picture: Vec<Ray>,
-    /// Those of small pictures, shuffled.
+    /// Rays of small pictures, shuffled.
     pub scattered: Vec<Ray>,
     /// The picture's camera.
     pub camera: Camera,
     /// Its columns and rows.
     pub size: [u32; 2],
-    /// Those of the small pictures.
+    /// Rays of the small pictures.
     pub cameras: Vec<Camera>,
     /// Their columns and rows.
     pub small: [u32; 2],

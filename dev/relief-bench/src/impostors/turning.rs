@@ -1,5 +1,5 @@
-//! How much pictures of objects change when the eye goes a degree around them, and what they cost, beside
-//! those of the mesh.
+//! Changes of pictures of depth objects when the eye moves a degree around them, and their costs, beside
+//! the mesh's pictures.
 
 use std::path::Path;
 

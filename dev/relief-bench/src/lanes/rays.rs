@@ -13,7 +13,7 @@ const ROUGHNESS: f32 = 0.55;
 /// Rays from anywhere to anywhere.
 const SCATTERED: usize = 200_000;
 
-/// Fractal ground of so many texels a side, in 65536 levels.
+/// Fractal ground with the given number of texels a side, in 65536 levels.
 pub fn ground(side: u32, wrap: Wrap) -> Result<HeightMap, String> {
     let levels = f32::from(u16::MAX);
     let texels = fractal(11, side, side, ROUGHNESS).iter().map(|x| (x * levels).round() / levels).collect();

@@ -32,7 +32,7 @@ const OTHERS: [&str; 4] = ["md", "txt", "obj", "toml"];
 const READING: [(&str, &[&str]); 2] =
     [("rock023_alb_ht.png", &["--channel", "a"]), ("_403x344_le.r16", &["--raw", "403x344,le"])];
 
-/// Meshes that are built in, and those of the project's data.
+/// Built-in meshes, and meshes of the project's data.
 const MESHES: [&str; 6] = ["cube", "cylinder", "sphere", "torus", "column.obj", "pot.obj"];
 
 const SCENES: [&str; 2] = ["still-life.toml", "jacksboro.toml"];

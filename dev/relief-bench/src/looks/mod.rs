@@ -23,8 +23,8 @@ pub struct Arguments {
     /// The command that renders
     #[arg(long, value_name = "FILE", default_value = "target/release/relief")]
     relief: PathBuf,
-    /// Look of the pictures, or of the times that are compared with those of `plain` [default: none for
-    /// pictures, so that the command chooses; studio for times]
+    /// Look of the pictures, or of the times that are compared with `plain` [default: none for pictures,
+    /// so that the command chooses; studio for times]
     #[arg(long, value_name = "NAME")]
     look: Option<String>,
     /// Only pictures whose name has this text in it

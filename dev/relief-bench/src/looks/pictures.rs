@@ -20,7 +20,7 @@ const MARGINS: f64 = 0.02;
 /// The least median of the deviations in shadow, in bytes, and in medians of those in light.
 const SHADOWS: [f64; 2] = [2.0, 0.5];
 
-/// The fewest windows of which a median is taken.
+/// Least number of windows for a median.
 const WINDOWS: usize = 20;
 
 /// The part of the covered pixels that fewer than are clipped.

@@ -14,7 +14,7 @@ const SAMPLES: u32 = 64;
 const LONGEST: f64 = 20.0;
 
 /// Prints how often the discriminant of equation 6 is negative, for quadrics whose curvatures have these
-/// signs: those of the paper's, positive where the base is convex. The relief is 1 deep.
+/// signs: the paper's, positive where the base is convex. The relief is 1 deep.
 pub fn measured(rays: u32) -> Table {
     let mut rows = table(&[
         "curvatures",

@@ -33,7 +33,7 @@ struct Star {
     nearest: f64,
 }
 
-/// The star of every vertex that is the first one at its place; those of others are empty.
+/// Star of every vertex that is the first one at its place; empty for other vertices.
 fn stars(mesh: &Mesh) -> Vec<Star> {
     let welded = mesh.welded();
     let mut stars = vec![Star::default(); mesh.vertices().len()];

@@ -79,7 +79,7 @@ impl Plot<'_> {
     }
 }
 
-/// Grid space of a picture of so many pixels, of which the sides are as far apart as they are away.
+/// Grid space of a picture of the given pixels. Its sides are as far apart as they are away.
 fn grid(pixels: u32) -> Result<GridSpace, String> {
     let camera = Camera::new(DVec3::ZERO, DVec3::NEG_Z, 90.0).map_err(|error| error.to_string())?;
     let view = View { near_m: NEAR_M, ..View::new(camera, [pixels, pixels]) };

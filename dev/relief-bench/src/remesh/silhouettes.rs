@@ -1,4 +1,4 @@
-//! How near outlines of meshes that are made for a view come to those of all texels.
+//! Outlines of meshes that are made for a view, beside outlines of meshes of all texels.
 
 use comfy_table::Table;
 use glam::{DVec3, Vec2};

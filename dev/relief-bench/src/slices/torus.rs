@@ -1,5 +1,5 @@
-//! Slices over a torus: beside the relief that `prism` finds there, slices at equal depths beside that of
-//! `tetrahedra`, of which they are made; and what they cost.
+//! Slices over a torus and their costs: beside the relief that `prism` finds, and slices at equal depths
+//! beside the relief of `tetrahedra`, from which they are made.
 
 use std::sync::Arc;
 

@@ -87,8 +87,8 @@ struct Measured {
     name: &'static str,
     drawn: Drawn,
     beside: Beside,
-    /// Whether its hits are told from those at silhouettes, beside the mesh itself: that takes long where
-    /// most differ.
+    /// Whether hits at silhouettes are counted apart, beside the mesh itself. This takes long if most hits
+    /// differ.
     hits: bool,
 }
 
@@ -176,7 +176,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
 }
 
 impl Row<'_> {
-    /// Whether hits are told from those at silhouettes.
+    /// Whether hits at silhouettes are counted apart.
     fn hits(&self) -> bool {
         self.of.hits && !self.smooth
     }

@@ -29,8 +29,8 @@ pub const SUBJECTS: &[Subject] = &[
     Subject { name: "jacksboro", origin: Origin::Sample("jacksboro.png") },
 ];
 
-/// Height of an octave over that of the one before, which is twice as coarse: above a half, so that slopes
-/// grow with resolution, as those of natural ground do.
+/// Height of an octave as a multiple of the previous octave's, which is twice as coarse. Above a half,
+/// slopes grow with resolution, as on natural ground.
 const ROUGHNESS: f32 = 0.55;
 
 impl Subject {

@@ -18,8 +18,8 @@ pub fn extremes(map: &HeightMap) -> [f32; 2] {
     map.texels().iter().fold([1.0f32, 0.0], |[low, high], &h| [h.min(low), h.max(high)])
 }
 
-/// Least and greatest height around one dual cell grown by `radius` texels. Stops looking where no height can
-/// be lower or higher than `all`, those of the map.
+/// Least and greatest height around one dual cell grown by `radius` texels. Stops at the map's least and
+/// greatest heights, `all`.
 pub fn bounds(map: &HeightMap, radius: u32, [i, j]: [i64; 2], all: [f32; 2]) -> [f32; 2] {
     let radius = i64::from(radius);
     let mut extremes = [1.0f32, 0.0];

@@ -21,8 +21,8 @@ pub fn level(map: &HeightMap, level: u32) -> Vec<[f32; 2]> {
         .collect()
 }
 
-/// Least and greatest height over the dual cells of every node of a level, those of the coarser levels of the
-/// map below it among them, row by row.
+/// Least and greatest height over the dual cells of every node of a level, row by row. The coarser levels
+/// of the map below a node count, too.
 pub fn level_over_levels(map: &HeightMap, level: u32) -> Vec<[f32; 2]> {
     let mut nodes = self::level(map, level);
     let columns = map.width().div_ceil(1 << level) as usize;

@@ -7,9 +7,9 @@ const ROUNDING: f64 = 1e-14;
 
 /// The steepest slope, in heights a metre of `texel_m`, from an apex to a sampled point of the surface at
 /// which it falls along the ray from there, and is not level: no cone of a smaller slope is left after one
-/// entry at most, and the least that is lies above by what is between samples. Of these each patch has
-/// `samples + 1` along either side, and on its edges `finer` times as many. The apex is the surface so many
-/// texels from the texel's centre. Cells are looked at ring by ring, up to `most` rings, until even
+/// entry at most, and the least that is lies above by what is between samples. Each patch has
+/// `samples + 1` samples along either side, and `finer` times as many on its edges. The apex is the surface
+/// at the given distance from the texel's centre, in texels. Cells are looked at ring by ring, up to `most` rings, until even
 /// `highest`, the map's highest texel, would not be steeper.
 pub fn slope(
     map: &HeightMap,
@@ -85,7 +85,7 @@ fn patch_slope(
             let along_u = (h10 - h00) * (1.0 - v) + (h11 - h01) * v;
             let along_v = (h01 - h00) * (1.0 - u) + (h11 - h10) * u;
             let far = (x * texel_m[0]).hypot(y * texel_m[1]);
-            // Level ground gives exactly 0; what rounding makes of 0 elsewhere is no fall.
+            // Level ground gives exactly 0. Elsewhere a rounded 0 is no fall.
             let (fall_u, fall_v) = (along_u * x, along_v * y);
             if far == 0.0 || fall_u + fall_v >= -ROUNDING * (fall_u.abs() + fall_v.abs()) {
                 continue;

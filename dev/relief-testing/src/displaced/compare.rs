@@ -24,7 +24,7 @@ const ON_SHEET_GRAZING: f64 = 2e-9;
 pub enum Fault {
     /// A number of the hit does not belong to the others.
     Inconsistent,
-    /// The hit is not on the sheet or not on the ray, by so many metres.
+    /// The hit is off the sheet or off the ray, by this distance in metres.
     NotOnSheet(f64),
     /// The sheet is certainly crossed before.
     Late {
@@ -124,7 +124,7 @@ pub fn fault(
     loses.map(|target| Fault::LosesTarget { target })
 }
 
-/// Whether the weights of a hit are those of a point of a flat triangle.
+/// Whether the weights of a hit belong to a point of a flat triangle.
 fn holds(flat: &Flat, hit: &DisplacedHit) -> bool {
     let turn = |[a, b, c]: [[f64; 3]; 3]| {
         let [a, b, c] = [a, b, c].map(|w| DVec2::new(w[1], w[2]));

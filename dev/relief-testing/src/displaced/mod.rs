@@ -35,7 +35,7 @@ pub struct Counts {
     pub rays: usize,
     /// Those that hit a side.
     pub hits: usize,
-    /// Those of which the tessellation proves a crossing.
+    /// Rays whose crossing the tessellation proves.
     pub proved: usize,
     /// Those whose hit is not told from a touch.
     pub grazing: usize,
@@ -85,7 +85,7 @@ pub fn rays_of(sheet: &Sheet, count: usize) -> Vec<Ray> {
     (0..count).map(|kind| ray(sheet, kind, &mut rng)).collect()
 }
 
-/// Compares a judge of a scene with its tessellation along so many rays.
+/// Compares a judge of a scene with its tessellation along the given number of rays.
 pub fn compare(scene: &Scene, groups: &[Group], count: usize, judge: Judge) -> Tally {
     let rays = rays_of(&scene.sheet, count);
     let one = |mut tally: Tally, (number, ray): (usize, &Ray)| {

@@ -32,7 +32,7 @@ pub enum Heights {
     Smooth,
 }
 
-/// A map of so many columns and rows.
+/// Map of the given columns and rows.
 ///
 /// # Panics
 ///

@@ -7,7 +7,7 @@ use super::place::{Place, ROUNDING};
 use super::pyramid::room;
 use relief_core::rng::Rng;
 
-/// Probes so many pairs of places; `bounds` is the least and the greatest height that a cell, not wrapped,
+/// Probes the given number of pairs of places; `bounds` is the least and the greatest height that a cell, not wrapped,
 /// has for the surface within `radius` texels. Finds room in heights, for a cell at a place.
 pub fn attack(
     map: &HeightMap,

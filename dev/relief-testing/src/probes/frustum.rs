@@ -53,7 +53,7 @@ pub struct Contact {
     pub place: Place,
 }
 
-/// Probes so many places ahead of cells: at every distance up to three tiles, more of the near ones, on the
+/// Probes the given number of places ahead of cells: at every distance up to three tiles, more of the near ones, on the
 /// diagonal and beside it as often as elsewhere. `read` is the frustum for a ray over a cell, not wrapped, in
 /// a quadrant. Finds room in heights.
 pub fn attack(

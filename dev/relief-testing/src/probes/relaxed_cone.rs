@@ -22,7 +22,7 @@ pub struct Exit {
 
 /// Depth by which a ray must have been below, and height by which it must be above again, to have come out.
 const CLEAR: f64 = 1e-11;
-/// Rays are followed through so many cells.
+/// Number of cells through which a ray is followed.
 const CELLS: usize = 200;
 
 /// Endless deterministic rays over the texels of a map.

@@ -302,8 +302,8 @@ fn height_in_cup(method: &str) -> f64 {
     heights.iter().sum::<f64>() / heights.len() as f64
 }
 
-/// How far behind the object the median pixel of so many slices lies, in pixels of a picture in which the
-/// ball is 150 pixels wide.
+/// Distance of the median pixel behind the object with a number of slices, in pixels of a picture in which
+/// the ball is 150 pixels wide.
 fn behind(count: f64) -> f64 {
     let object = object_of_spheres(&CUBE, 96, JumpCells::Highest);
     let [slices, whole] = [("depth-object-slices", &[("slices.count", count)][..]), ("depth-object", &[])]

@@ -3,7 +3,7 @@
 use super::{Curved, Judged, Met, Picture};
 use relief_testing::outline::{distances, overlap};
 
-/// Hits that differ by so many texels or more are looked at more closely: whether they lie at a silhouette.
+/// Difference of hits in texels from which they are tested for lying at a silhouette.
 const LOOKED_AT_TEXELS: f64 = 0.05;
 
 /// How far three depths in a row may be beside a straight line where there is no silhouette, in scales of the

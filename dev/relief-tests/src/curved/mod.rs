@@ -212,8 +212,8 @@ impl<'a> Judged<'a> {
         Self { judge, camera, picture: Picture { size, met: met.collect() } }
     }
 
-    /// Whether a silhouette runs through a pixel near its middle: of depths in a row there, one is beside the
-    /// straight line by more than so many metres.
+    /// Whether a silhouette runs through a pixel near its middle: one of the depths in a row there is off the
+    /// straight line by more than the given metres.
     fn is_at_silhouette(&self, pixel: u32, jump_m: f64) -> bool {
         let [columns, rows] = self.picture.size;
         let [x, y] = [pixel % columns, pixel / columns];

@@ -1,4 +1,4 @@
-//! Pictures by exports beside those of the renderer.
+//! Pictures by exports beside the renderer's.
 
 use relief_core::Watch;
 use relief_export::{Exported, Options, Placement, Profile, export};
@@ -50,7 +50,7 @@ pub fn rendered(device: &Device, job: &Job) -> Vec<[f32; 4]> {
 pub struct Difference {
     /// Pixels with other bits.
     pub bits: usize,
-    /// Pixels of which a colour is off by more than rounding explains.
+    /// Pixels with a colour that is off by more than rounding explains.
     pub far: usize,
     /// Pixels that show a surface.
     pub covered: usize,

@@ -82,7 +82,7 @@ impl Device {
             spirv: Some(Cow::Owned(words)),
             ..Default::default()
         };
-        // SAFETY: the words are those of a compiler, and `spirv-val` accepts them.
+        // SAFETY: a compiler wrote the words, and `spirv-val` accepts them.
         #[allow(unsafe_code)]
         unsafe {
             self.device.create_shader_module_passthrough(descriptor)
@@ -253,7 +253,7 @@ fn pipeline(
     })
 }
 
-/// Draws so many vertices of so many instances, and reads the colours back.
+/// Draws the given numbers of vertices and instances, and reads the colours back.
 fn picture(
     Device { device, queue }: &Device,
     pipeline: &wgpu::RenderPipeline,

@@ -218,8 +218,8 @@ impl Subject {
     }
 }
 
-/// All adversarial objects with cells of a kind: from 1 to 17 images, of which some are as an object is seen
-/// and others agree in nothing.
+/// All adversarial objects with cells of a kind, of 1 to 17 images. Some are true views of an object, others
+/// agree in nothing.
 pub fn subjects(cells: JumpCells) -> Vec<Subject> {
     let mut rng = Rng::new(17 + cells as u64);
     let named = |name: &str| maps::ALL.iter().find(|map| map.name == name).expect("it is in the list");

@@ -15,7 +15,7 @@ use relief_testing::maps::NamedMap;
 /// that.
 const LONGEST_LOOP: f32 = 16_384.0;
 
-/// The same for each of the rays of a shadow, of which there may be many.
+/// Longest loop for each ray of a shadow, which may have many rays.
 const LONGEST_LOOP_OF_SHADOW: f32 = 1_024.0;
 
 /// The most rays of a shadow in these tests.

@@ -5,7 +5,7 @@ use relief_shaders::cpu::{PixelIn, Probe, Program, Shared};
 
 use super::cases::{Case, probe};
 
-/// Of so many rays fewer than one may have other bits.
+/// Number of rays among which fewer than one may have other bits.
 const RAYS_PER_DIFFERENCE: usize = 10_000;
 
 /// How far a ray whose bits differ may be from the decision that came out differently, in heights. It must be
@@ -27,7 +27,7 @@ pub struct Comparison {
     pub rays: usize,
     /// Rays with other bits.
     pub different: usize,
-    /// Those of them that no decision within the margin explains.
+    /// Differences that no decision within the margin explains.
     pub unexplained: usize,
     /// The first of these, or else of the different ones.
     pub example: Option<String>,
@@ -109,7 +109,7 @@ fn bits(probe: &Probe) -> [u8; Probe::SIZE] {
     bytes
 }
 
-/// Whether an answer is that of a path which lies at most the margin higher or lower than the ray's own.
+/// Whether an answer is right for a path that lies at most the margin above or below the ray's own.
 fn is_explained(case: &Case, program: &Program, ray: &PixelIn, gpu: &Probe) -> bool {
     let moved = (-ROUNDINGS..=ROUNDINGS).map(|by| probe(program, ray, f32::from(by) * f32::EPSILON));
     let alike: Vec<Option<Probe>> = moved

@@ -1,5 +1,5 @@
-//! One source, two backends: what a GPU makes of the shaders and what their translation to Rust makes of the
-//! same input.
+//! One source, two backends: results of the shaders on a GPU, and of their translation to Rust for the same
+//! input.
 //!
 //! The stages are given the same rays and must give the same bits; pictures must agree to rounding. The GPU
 //! is a software adapter, which computes as IEEE 754 says.
@@ -103,11 +103,11 @@ impl Pair {
     }
 }
 
-/// So many tests share the pairs: most of the time goes into compiling programs.
+/// Number of tests that share the pairs. Most of the time goes into compiling programs.
 pub const PARTS: usize = 4;
 
-/// Compares the backends over a part of all legal pairs of search and refinement: of so many parts that of
-/// the number. Nothing where there is no adapter.
+/// Compares the backends over one part of all legal pairs of search and refinement, by its number and the
+/// number of parts. Does nothing without an adapter.
 ///
 /// # Panics
 ///

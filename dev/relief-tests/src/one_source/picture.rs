@@ -39,7 +39,7 @@ const NORMALS: [u32; 2] = [5, 3];
 const COLORS: [u32; 2] = [3, 2];
 
 impl Picture {
-    /// The scene, seen in so many columns and rows.
+    /// Scene in a picture of the given columns and rows.
     ///
     /// # Panics
     ///

@@ -61,8 +61,8 @@ pub fn bent_pixels(map: &HeightMap, count: usize, seed: u64) -> Vec<PixelIn> {
     pixels
 }
 
-/// The same rays at triangles that are slices through the relief: they lie aslant in it, and are told
-/// apart by each of the axes in turn.
+/// Rays at triangles that are slices through the relief. The slices lie aslant in it, and differ along each
+/// of the axes in turn.
 pub fn sliced_pixels(map: &HeightMap, count: usize, seed: u64) -> Vec<PixelIn> {
     let mut rng = Rng::new(seed ^ 0x51ce);
     let mut pixels = pixels(map, count, seed);

@@ -74,8 +74,8 @@ pub fn cases(kind: &'static str, bits: u32) -> Vec<Case> {
     maps.flat_map(|map| apexes.clone().map(move |apex| Case { kind, map, bits, apex })).collect()
 }
 
-/// Runs `count` probes, in parallel; the outcome does not depend on the number of threads. `done` is told of
-/// probes as they are done.
+/// Runs `count` probes, in parallel; the outcome does not depend on the number of threads. `done` receives
+/// the number of probes as they end.
 ///
 /// # Errors
 ///

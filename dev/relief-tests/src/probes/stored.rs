@@ -31,7 +31,7 @@ pub fn textures(
     Ok(sink.textures)
 }
 
-/// The heights that a map baked with so many bits promises something about.
+/// Heights for which the promise of a map baked with a number of bits holds.
 ///
 /// # Errors
 ///
@@ -51,8 +51,7 @@ pub fn ratios(texture: &CollectedTexture) -> Vec<f64> {
     texture.levels[0][0].iter().map(|&value| encoding::cone::decode(value, half)).collect()
 }
 
-/// The least ratio above `limit` that a cone map of so many bits in that metric can store, in metres per
-/// height.
+/// Least ratio above `limit` that a cone map can store, in metres per height, by its bits and metric.
 pub fn ratio_above(limit: f64, metric: &Metric, bits: u32) -> f64 {
     let half = encoding::cone::half_ratio(metric);
     let most = f64::from((1u32 << bits) - 1);

@@ -172,7 +172,7 @@ fn with_holes(map: HeightMap) -> HeightMap {
     map.with_holes(holes).expect("a mask of the map's size")
 }
 
-/// Those of 4 x 4 pixels.
+/// Blocks of 4 x 4 pixels.
 fn points() -> [Row<f32>; 2] {
     let of = |place: fn(usize) -> usize| std::array::from_fn(|at| place(at) as f32);
     [of(|at| at % 4), of(|at| at / 4)]

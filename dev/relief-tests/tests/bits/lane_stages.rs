@@ -27,7 +27,7 @@ fn bits(hit: &Hit) -> [u64; 8] {
     ]
 }
 
-/// Adversarial paths, some of which are no paths at all.
+/// Adversarial paths, and some values that are no paths at all.
 fn paths(map: &HeightMap) -> Vec<Path> {
     let broken = |(number, mut path): (usize, Path)| {
         match number % 97 {
@@ -43,7 +43,7 @@ fn paths(map: &HeightMap) -> Vec<Path> {
     finite.map(|(_, path)| path).take(PATHS).enumerate().map(broken).collect()
 }
 
-/// The first of some hits over lanes that differs from that of another tracer.
+/// First hit over lanes that differs from another tracer's.
 fn first_different(
     tracer: &MethodTracer,
     oracle: &MethodTracer,

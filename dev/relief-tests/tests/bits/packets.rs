@@ -45,7 +45,7 @@ fn pictures(map: &HeightMap, count: usize) -> Vec<Path> {
     (0..count).map(pixel).collect()
 }
 
-/// Adversarial ones, some of which are no paths at all.
+/// Adversarial paths, and some values that are no paths at all.
 fn adversarial(map: &HeightMap, count: usize) -> Vec<Path> {
     let broken = |(number, mut path): (usize, Path)| {
         match number % 101 {
@@ -61,7 +61,7 @@ fn adversarial(map: &HeightMap, count: usize) -> Vec<Path> {
     Rays::new(map, 5).map(|(_, path)| path).take(count).enumerate().map(broken).collect()
 }
 
-/// The first of some answers in packets that differs from that of another tracer one by one.
+/// First answer in packets that differs from another tracer's single one.
 fn first_different(tracer: &FastTracer, oracle: &FastTracer, paths: &[Path], lanes: Lanes) -> Option<usize> {
     let mut answers = vec![ExactHit::miss(Cost::default(), 0.0); paths.len()];
     tracer.trace_all(paths, lanes, &mut answers);

@@ -77,7 +77,7 @@ fn an_export_bound_by_its_manifest_gives_the_bits_of_the_renderer() {
             assert!(is_same, "{method} {surface} in {language:?}: {bits}, {far}");
         };
         check(&exported(&selection, None), Language::Wgsl);
-        // The device numbers what it binds one after the other, whatever numbers it is told.
+        // The device numbers its bindings one after the other, whatever numbers are given.
         let export = exported(&selection, Some(Placement { group: 0, first_binding: 0 }));
         languages.iter().for_each(|language| check(&export, *language));
     }

@@ -94,8 +94,8 @@ fn relief(corners: &[Vertex; 3], at: [f64; 3], map: &HeightMap, settings: &MeshS
     point.displaced(metres)
 }
 
-/// Of samples of a piece the displacement that each has over its own base point, less that of the relief
-/// there: the least and the greatest. Those over no point of the triangle are left out.
+/// Least and greatest displacement of a piece's samples over their own base points, less the relief's
+/// displacement there. Samples over no point of the triangle are left out.
 fn above(base: &[Vertex; 3], corners: [&Vertex; 3], map: &HeightMap, is_lifted: bool) -> [f64; 2] {
     let point = |at: [f64; 3]| BasePoint::weighted(base.map(|corner| (&corner).into()), at);
     let [p, n] = [0, 1].map(|of| {

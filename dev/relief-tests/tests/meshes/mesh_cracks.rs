@@ -9,7 +9,8 @@ use relief_mesh::{
 };
 use relief_testing::maps;
 
-/// All pairs of an edge rule and an interior that make sense on any mesh, with a point every so many texels.
+/// All pairs of an edge rule and an interior that make sense on any mesh, with the given texels between
+/// points.
 fn settings(texels: u32) -> Vec<MeshSettings> {
     let pairs = EDGE_RULES.iter().flat_map(|edges| INTERIORS.iter().map(move |interior| (edges, interior)));
     pairs

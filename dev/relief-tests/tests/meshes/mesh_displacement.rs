@@ -235,8 +235,7 @@ fn rotations_know_nothing_of_sheared_textures() {
     assert!(most(&derivative) < 0.01 && most(&rotation) > 5.0, "{} {}", most(&derivative), most(&rotation));
 }
 
-/// The greatest angle between the normals of a mesh and those of a displaced torus, in degrees, by
-/// differences.
+/// Greatest angle between the normals of a mesh and of a displaced torus, in degrees, by differences.
 fn degrees_off_torus(mesh: &Mesh, map: &HeightMap) -> f64 {
     let mut worst = 0.0_f64;
     for vertex in mesh.vertices() {

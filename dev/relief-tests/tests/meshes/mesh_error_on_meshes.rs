@@ -96,8 +96,8 @@ fn farthest_over(
     (most, all.iter().map(|(_, area)| area).sum())
 }
 
-/// Bases whose normals are the same on all sides, and whose charts fill the texture; those of poles leave out
-/// triangles.
+/// Bases whose normals are the same on all sides, and whose charts fill the texture. Bases with poles leave
+/// out triangles.
 fn smooth_bases() -> Vec<(&'static str, Mesh, f64)> {
     vec![
         ("torus", torus(12, 6).expect("a mesh"), 1.0),

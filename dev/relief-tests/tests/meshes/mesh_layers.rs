@@ -41,8 +41,8 @@ fn together(meshes: &[Mesh]) -> RayCaster {
 
 #[test]
 fn the_surface_is_right_up_to_the_border_of_a_chart() {
-    // Two charts that lie askew with other parts of the map between them, of which the heights rise in a
-    // straight line: whatever is interpolated on them is then exact.
+    // Two charts that lie askew, with other parts of the map between them. Heights rise in a straight line,
+    // so that interpolation is exact.
     let points = [[-1.0, 0.0, -1.0], [-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, -1.0]];
     let uvs = [[0.13, 0.11], [0.08, 0.83], [0.42, 0.89], [0.47, 0.17]];
     let far = points.map(|[x, y, z]: [f32; 3]| [x + 2.0, y, z]);

@@ -12,7 +12,7 @@ use relief_mesh::{
 use relief_tests::glb;
 use serde_json::{Value, json};
 
-/// Moves everything by so many metres.
+/// Moves everything by a distance in metres.
 fn moved(by_m: f64) -> HeightMap {
     let map = HeightMap::from_fn(64, 32, Wrap::Repeat, |_, _| 1.0).expect("a map");
     map.with_displacement(0.0, by_m).expect("lengths")
@@ -66,8 +66,8 @@ fn folds_are_those_that_brute_force_finds() {
     for settings in [MeshSettings { texels: 2, ..MeshSettings::default() }, MeshSettings::within(0.02)] {
         let mesher = Mesher::new(&base, &map, &settings).expect("a mesh");
         let found = streamed(&mesher, 1.0).folds;
-        // The directions of a torus point away from the circle in its middle: those of the base, interpolated
-        // over its flat triangles, are near enough to tell what is far from either.
+        // The directions of a torus point away from the circle in its middle. The base's directions,
+        // interpolated over flat triangles, are near enough to find what is far from either.
         let mesh = mesher.mesh().expect("finite");
         let [mut certain, mut possible] = [0, 0];
         for corners in mesh.triangles() {
@@ -88,7 +88,7 @@ fn folds_are_those_that_brute_force_finds() {
             let sum: Vec3 = corners.map(|corner| base.vertices()[corner as usize].position).iter().sum();
             assert!(folded.middle_m.distance(sum.as_dvec3() / 3.0) < 1e-6);
         }
-        // Places are those of the mesh that is written.
+        // Places belong to the mesh that is written.
         let larger = streamed(&mesher, 3.0).folds;
         assert_eq!(larger.first[0].middle_m, found.first[0].middle_m * 3.0);
         assert_eq!((larger.triangles, larger.base_triangles), (found.triangles, found.base_triangles));
@@ -131,7 +131,7 @@ fn folds_do_not_depend_on_threads_or_blocks() {
     assert_eq!(pool.install(|| streamed(&mesher, 1.0)).folds, found);
 }
 
-/// The mesh on a lattice of so many bits: its blocks, and what is said of it.
+/// Mesh on a lattice of the given bits: its blocks and its report.
 fn rounded(mesher: &Mesher, grid: Option<PositionGrid>) -> (Vec<MeshBlock>, Streamed) {
     let how = Stream { size: 1.0, check: true, grid, cache_order: false, watch: Watch::none() };
     let mut blocks = Vec::new();

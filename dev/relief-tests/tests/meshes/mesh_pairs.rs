@@ -41,8 +41,8 @@ fn found(low: &Mesh, high: &RayCaster, pair: &MeshPair) -> PairedHeights {
     heights_from_meshes(low, high, pair, &Watch::none()).expect("heights")
 }
 
-/// How far the heights of a map are from known ones at the most, in metres, where its texels have their
-/// centres moved by so many texels.
+/// Greatest distance of a map's heights from known ones, in metres, with texel centres moved by the given
+/// texels.
 fn furthest(heights: &PairedHeights, centres: &[(BasePoint, usize)], moved: f64) -> f64 {
     let moved = DVec2::splat(moved) / DVec2::from(heights.size.map(f64::from));
     let error =
@@ -171,7 +171,7 @@ fn a_mesh_of_many_charts_lies_on_the_detailed_one() {
     }
 }
 
-/// The first triangles of a mesh, so many times two: a cylinder's side without its caps.
+/// First triangles of a mesh, by the number of pairs: a cylinder's side without its caps.
 fn side(mesh: &Mesh, quads: usize) -> Mesh {
     Mesh::new(mesh.vertices().to_vec(), mesh.triangles()[..2 * quads].to_vec()).expect("a mesh")
 }

@@ -69,7 +69,7 @@ fn hollow() -> Mesh {
     })
 }
 
-/// The triangles of an underside: those of walls have a corner at the surface.
+/// Triangles of an underside. Triangles of walls have a corner at the surface.
 fn underside(mesh: &Mesh, surface: usize) -> Vec<[DVec3; 3]> {
     let bits = |at: &DVec3| at.to_array().map(f64::to_bits);
     let all = points(mesh);
@@ -136,7 +136,7 @@ fn stored(mesh: &Mesh) -> Vec<[Vec3; 3]> {
     mesh.triangles().iter().map(|corners| corners.map(position)).collect()
 }
 
-/// The mesh, and how many of its triangles and vertices are those of the displaced surface.
+/// Mesh, and the numbers of its triangles and vertices on the displaced surface.
 fn made(base: &Mesh, map: &HeightMap, settings: &MeshSettings) -> (Mesh, usize, usize) {
     let mesher = Mesher::new(base, map, settings).expect("a solid");
     let open = MeshSettings { solid_m: None, ..*settings };

@@ -32,7 +32,7 @@ const LIFTED: Drawn = Drawn { lifted: true, ..PRISM };
 /// Views in which cracks are looked for, of each mesh on the CPU.
 const CRACK_VIEWS: usize = 24;
 
-/// The same on the GPU, of which the CPU is one in tests.
+/// Views for each mesh on the GPU, which in tests is the CPU.
 const CRACK_VIEWS_GPU: usize = 6;
 
 fn cobbles() -> &'static HeightMap {
@@ -153,7 +153,7 @@ fn a_smooth_base_has_the_outline_of_the_smooth_torus() {
     }
 }
 
-/// Looks for what shines through reliefs from so many random sides, far and near.
+/// Looks for background that shows through reliefs, from a number of random sides, far and near.
 fn look_for_cracks(backend: BackendChoice, views: usize) {
     let mut rng = Rng::new(3);
     let mut renderer = Renderer::new(backend, Sampling::default()).expect("a renderer");

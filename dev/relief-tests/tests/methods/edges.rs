@@ -228,7 +228,7 @@ fn slope(pixel: &PixelOut) -> f32 {
     -pixel.normal.x / pixel.normal.y
 }
 
-/// How far at most the slopes of a picture are from those of the surface itself.
+/// Greatest difference between the slopes of a picture and of the surface itself.
 fn slope_error(map: &HeightMap, seen: &[(f32, PixelOut)], of_surface: impl Fn(i32) -> f32) -> f32 {
     let inside = seen.iter().filter(|(at, _)| (1.0..map.width() as f32 - 2.0).contains(at));
     inside.map(|(_, pixel)| (slope(pixel) - of_surface(pixel.cell.x)).abs()).fold(0.0, f32::max)

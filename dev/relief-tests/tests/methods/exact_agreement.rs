@@ -16,8 +16,8 @@ fn every_map() -> Vec<(String, HeightMap)> {
     maps::ALL.iter().flat_map(both).collect()
 }
 
-/// Judges a tracer's answers on a map by those of the cell walk; prints the rays on which they
-/// differ as to hit or miss, as long as their clearance grows.
+/// Judges a tracer's answers on a map by the cell walk's. Prints the rays on which they differ in hit
+/// or miss, as long as their clearance grows.
 fn agreement(
     name: &str,
     map: &HeightMap,
@@ -118,7 +118,7 @@ fn the_cell_walk_agrees_with_dense_samples() {
     });
 }
 
-/// The slope and the cell that come with a hit are those of the surface there.
+/// The slope and the cell of a hit match the surface there.
 #[test]
 fn slope_and_cell_belong_to_the_hit() {
     every_map().into_par_iter().for_each(|(name, map)| {

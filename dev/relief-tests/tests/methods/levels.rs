@@ -1,4 +1,4 @@
-//! Levels of detail: each is traced as the map that it is, and pictures come near to those of many samples.
+//! Levels of detail: each is traced as the map that it is, and pictures are near to pictures of many samples.
 
 use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;

@@ -42,7 +42,7 @@ fn of_surfaces_that_go_through_each_other_the_nearest_is_seen() {
             let nearest = depth(torus).min(depth(sphere));
             of_torus += usize::from(torus.hit == 1 && depth(torus) < depth(sphere));
             of_sphere += usize::from(sphere.hit == 1 && depth(sphere) < depth(torus));
-            // Depths along the ray and those of the displaced points differ a little on curved meshes.
+            // Depths along the ray and depths of the displaced points differ a little on curved meshes.
             wrong += usize::from(both.hit == 1 && (both.depth - nearest).abs() > 0.02);
             wrong += usize::from((both.hit == 1) != (torus.hit == 1 || sphere.hit == 1));
         }

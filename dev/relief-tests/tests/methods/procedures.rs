@@ -38,7 +38,7 @@ fn shaders_compute_what_fills_maps() {
         };
         let same = filled.texels().iter().zip(&computed).filter(|(a, b)| a == b).count();
         println!("{}: {same} of {} alike, {} apart", entry.name, computed.len(), apart(&computed));
-        // Places are divided by the GPU, and may lie a rounding beside those of the map.
+        // The GPU divides places, which may lie a rounding beside the map's.
         assert!(apart(&computed) < 1e-5, "{}: {}", entry.name, apart(&computed));
         // Another time is noticed.
         let later = device.computed(&program(&procedure.at_time(0.5)), SIZE[0] * SIZE[1]);

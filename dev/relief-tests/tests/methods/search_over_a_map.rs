@@ -109,7 +109,7 @@ fn no_first_hit_is_missed_or_passed_on_any_map_in_any_wrap() {
     }
 }
 
-/// The pair of which one map serves all levels of detail, with and without these.
+/// Pair whose one map serves all levels of detail, with and without these.
 fn quadtree(detail: &str) -> Selection {
     let mut selection = Selection::method("quadtree").expect("a method");
     selection.choose("detail", detail).expect("a listed name");

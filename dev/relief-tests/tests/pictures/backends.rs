@@ -26,7 +26,7 @@ const SAME_T_M: f32 = 4e-6;
 /// Share of the covered pixels that must agree for a method that runs the same code on both backends.
 const SAME_CODE: f64 = 0.999;
 
-/// The same for `exact`, and for displaced triangles, of which many are about a pixel wide.
+/// Share for `exact`, and for displaced triangles, many about a pixel wide.
 const OTHER_CODE: f64 = 0.995;
 
 /// Colours that differ by less in every channel are the same.

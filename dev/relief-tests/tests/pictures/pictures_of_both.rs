@@ -1,4 +1,4 @@
-//! Pictures of the GPU beside those of the translated shaders.
+//! Pictures of the GPU beside pictures of the translated shaders.
 
 use std::collections::BTreeSet;
 

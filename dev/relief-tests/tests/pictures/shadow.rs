@@ -84,8 +84,8 @@ fn level_and_tilted_ground_has_no_shadow_at_any_light() {
     }
 }
 
-/// What is in the way of a light from a pixel's hit: how far the ray is below the surface at most, and how
-/// near it comes to it after it has left the hit's own cell.
+/// Obstacle on the way from a pixel's hit to a light: the ray's greatest depth below the surface, and its
+/// least distance from it after it has left the hit's own cell.
 fn truth(map: &HeightMap, pixel: &PixelOut, light: DVec3) -> (f64, f64) {
     let uv = [f64::from(pixel.uv.x), f64::from(pixel.uv.y)];
     let height = map.height_at(uv[0], uv[1]);

@@ -12,8 +12,8 @@ mod record;
 
 use record::Record;
 
-/// Whether the bits recorded are those of this machine: cosines and the like come from the system's library,
-/// which is another one elsewhere.
+/// Whether the recorded bits hold on this machine. Cosines and the like come from the system's library,
+/// which differs elsewhere.
 fn is_recorded_here() -> bool {
     let here = cfg!(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"));
     if !here {

@@ -14,7 +14,7 @@ use relief_tests::object_pictures::{
 };
 use relief_tests::spheres::{CUBE, eyes_on_spheres, normal_on_spheres, object_of_spheres};
 
-/// What is seen of the spheres through images of so many texels a side.
+/// Picture of the spheres through images with the given texels a side.
 fn seen(side: u32, settings: &[(&str, f64)], eye: DVec3, backend: BackendChoice) -> Vec<PixelOut> {
     let object = object_of_spheres(&CUBE, side, JumpCells::Highest);
     pixels(&object, selection("depth-object", settings), eye, backend)
@@ -103,7 +103,7 @@ fn what_an_image_says_elsewhere_is_noticed() {
     assert!(wrong.0 < truth.0 - 0.002 && wrong.1 > 2.0 * truth.1, "{wrong:?} beside {truth:?}");
 }
 
-/// An object of which every other image is seen from an eye.
+/// Object with every other image in perspective.
 fn seen_from_eyes(away_m: f64, cells: JumpCells) -> ImageObject {
     let (views, maps) = eyes_on_spheres(&CUBE, away_m, 72);
     ImageObject::new(views, &maps, cells, 4.0).expect("an object")
@@ -148,7 +148,7 @@ fn images_from_eyes_show_what_the_core_says() {
 
 #[test]
 fn normals_of_images_from_eyes_are_those_of_what_they_saw() {
-    // Degrees between the normal that a pixel shows and that of the sphere, the median.
+    // Median of the degrees between a pixel's normal and the sphere's.
     let off = |object: &ImageObject| {
         let shown = pixels(object, selection("depth-object", &[]), EYES[0], BackendChoice::Cpu);
         let mut all: Vec<f64> = shown

@@ -119,7 +119,7 @@ fn the_more_images_the_later_the_hit() {
     });
 }
 
-/// A hull of six silhouettes that opposite sides share is that of three of them, to the last bit.
+/// A hull of six silhouettes that opposite sides share has the bits of a hull of three of them.
 #[test]
 fn opposite_silhouettes_of_a_cube_are_not_needed() {
     let view = |from| View::orthographic(DVec3::ZERO, RADIUS, from, None, [33, 33]).expect("a view");

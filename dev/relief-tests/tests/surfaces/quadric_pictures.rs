@@ -1,4 +1,4 @@
-//! Pictures of surfaces of quadrics: beside those of the plane, outlines, saddles, and both backends.
+//! Pictures of surfaces of quadrics: beside the plane's, outlines, saddles, and both backends.
 
 use glam::{DVec3, Vec2, Vec3};
 use relief_core::camera::{Camera, Projection};
@@ -67,7 +67,7 @@ fn flat_quadrics_are_the_plane_to_the_bit() {
     }
 }
 
-/// By how many pixels the outline is off that of a circle, and how many pixels lie outside of it.
+/// Distance of the outline from a circle's in pixels, and the number of pixels outside of it.
 fn outline(found: &[PixelOut], radius_m: f64) -> (f64, usize) {
     let pixel_m = 1.4 / f64::from(SIZE[1]);
     let (mut covered, mut outside) = (0, 0);

@@ -166,7 +166,7 @@ fn slices_at_equal_depths_come_to_the_tetrahedra_that_they_are_cut_from() {
         selection.set("slices.count", count).expect("a setting");
         let slices = pixels(selection);
         let seen = truth.iter().zip(&slices).filter(|(truth, _)| truth.hit == 1);
-        // In texels, of which 256 make a tile.
+        // In texels; 256 make a tile.
         let texels = |(a, b): (&PixelOut, &PixelOut)| {
             let [u, v] = [a.uv.x - b.uv.x, a.uv.y - b.uv.y].map(|beside| 256.0 * (beside - beside.round()));
             if b.hit == 1 { u.hypot(v) } else { f32::INFINITY }

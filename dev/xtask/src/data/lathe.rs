@@ -56,7 +56,7 @@ pub fn pot() -> String {
     obj("A pot, 0.8 m high, turned on a lathe.", &smooth(POT, 3))
 }
 
-/// A smooth line through points (Catmull and Rom 1974), in so many pieces from each to the next.
+/// Smooth line through points (Catmull and Rom 1974), with a number of pieces from each to the next.
 fn smooth(points: &[[f64; 2]], pieces: usize) -> Vec<[f64; 2]> {
     let last = points.len() - 1;
     let mut line = Vec::new();

@@ -9,7 +9,7 @@ use super::picture::Grid;
 /// Leaf cards.
 const CARDS: u32 = 2000;
 
-/// Sides of the stem: each has so many of the directions around an axis.
+/// Directions around an axis that each side of the stem spans.
 const STEM_STEP: usize = 4;
 
 /// Radius of the stem, and its lower and its upper end, in metres.

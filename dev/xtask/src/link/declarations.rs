@@ -1,6 +1,6 @@
-//! Every declaration of the modules as it is written, with its comment and the names that it uses: what the
-//! library assembles shaders from. The linker drops comments; this reads the sources, and is held to what the
-//! linker makes of them.
+//! Declarations of the modules as written, with their comments and the names that they use. The library
+//! assembles shaders from them. The linker drops comments. This module reads the sources, and is checked
+//! against the linker's result.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -25,7 +25,7 @@ pub struct Declaration {
     pub uses: Vec<String>,
 }
 
-/// All declarations but those of the dispatch, module by module in the order in which a reader wants them.
+/// All declarations except the dispatch's, module by module in the order in which a reader wants them.
 pub fn all(modules: &Modules) -> Result<Vec<Declaration>, String> {
     let mut all = Vec::new();
     let mut paths: Vec<&str> = modules.paths().filter(|path| !path.starts_with("dispatch/")).collect();
@@ -111,8 +111,7 @@ fn comment_before(before: &str) -> String {
     })
 }
 
-/// Whether the declarations are those that the linker makes of the modules, for a linked program in one
-/// sampling.
+/// Whether the declarations match the linker's result, for a linked program in one sampling.
 pub fn check(declarations: &[Declaration], linked: &TranslationUnit, fast: bool) -> Result<(), String> {
     let chosen = declarations.iter().filter(|declaration| declaration.fast.is_none_or(|of| of == fast));
     let texts: BTreeMap<&str, &str> =

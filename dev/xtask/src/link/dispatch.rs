@@ -33,7 +33,7 @@ fn procedures() -> String {
     format!("{imports}\nfn {PROCEDURE}({inputs}) -> f32 {{\n    switch (number) {{\n{arms}    }}\n}}\n")
 }
 
-/// What a `switch` calls that number of so many.
+/// Label of a `switch` for a number, given how many there are.
 fn label(number: usize, count: usize) -> String {
     if number + 1 == count { "default".to_owned() } else { format!("case {number}u") }
 }

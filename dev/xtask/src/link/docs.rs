@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use super::declarations::Declaration;
 
-/// The comments by struct, and in it by member; that of the struct itself stands under the empty name.
+/// Comments by struct, and in it by member. The struct's own comment has the empty name.
 pub struct Docs(BTreeMap<String, BTreeMap<String, Vec<String>>>);
 
 impl Docs {

@@ -23,7 +23,7 @@ mod names;
 mod rust;
 mod wesl_link;
 
-/// The roots of what GPUs run, whose declarations are held to what the linker makes of them.
+/// Roots of the programs that GPUs run. Their declarations are checked against the linker's result.
 const GPU_ROOTS: [&str; 11] = [
     "roots/trace",
     "roots/trace_shells",

@@ -7,8 +7,8 @@ use wgsl_parse::syntax::{GlobalDeclaration, TranslationUnit};
 use super::modules::{Modules, module_path};
 use super::names::{identifiers, name_of};
 
-/// Links a root module, of which the named declarations are kept, or its entry points. Names are kept as
-/// written. Comments do not survive.
+/// Links a root module and keeps its named declarations, or its entry points. Names stay as written. Comments
+/// do not survive.
 pub fn link(modules: &Modules, root: &str, keep: &[&str], fast: bool) -> Result<TranslationUnit, String> {
     let mut linker = wesl::Wesl::new_barebones().set_custom_resolver(modules.resolver());
     linker

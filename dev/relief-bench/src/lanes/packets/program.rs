@@ -84,7 +84,7 @@ impl Embree {
         self.write(&format!("{name}.rays"), &rays.flatten().flat_map(f32::to_le_bytes).collect::<Vec<_>>())
     }
 
-    /// Traces the sets with the instructions that vectors of so many lanes have.
+    /// Traces the sets with the instructions for vectors of the given width.
     pub fn measured(&self, sets: &[&str], lanes: Lanes, rounds: u16) -> Result<Answer, String> {
         let isa = if lanes == Lanes::Sixteen { "best" } else { "avx2" };
         let folder: &Path = self.folder.path();

@@ -1,8 +1,7 @@
-//! A validated module to Rust over lanes: every value is that of several rays at once, control flow goes by
-//! masks, and what the settings alone say stays a single number.
+//! Translation of a validated module to Rust over lanes. Every value belongs to several rays at once, control
+//! flow uses masks, and values that depend on the settings alone stay scalars.
 //!
-//! Functions that give the same in all lanes are those of the translation to single numbers, which are
-//! called.
+//! Functions with the same result in all lanes are calls of the scalar translation.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

@@ -123,8 +123,8 @@ impl<'a> Program<'a> {
         self.text.by_hand.contains(&name)
     }
 
-    /// Whether it does not matter what a function is made of: it is told which lanes run, and its result
-    /// differs from lane to lane.
+    /// Whether a function's body does not matter: it takes a mask of the lanes that run, and its result differs
+    /// from lane to lane.
     fn is_apart(&self, variant: &Variant) -> bool {
         self.is_one_by_one(variant) || self.is_by_hand(variant)
     }
@@ -190,7 +190,7 @@ impl<'a> Program<'a> {
         written
     }
 
-    /// The name of a variant: that of the function, with its arguments' letters where there are several.
+    /// Name of a variant: the function's, with its arguments' letters if there are several.
     pub fn name(&self, variant: &Variant, written: &[Variant]) -> String {
         let name = self.module.functions[variant.function].name.clone().unwrap_or_default();
         let is_alone = written.iter().filter(|other| other.function == variant.function).count() < 2;
@@ -318,7 +318,7 @@ pub fn is_masked_loop(facts: &Facts, body: &Block) -> bool {
     leaves_parted(facts, body, false, true)
 }
 
-/// `own` says that breaks and continues are those of the loop that is asked for.
+/// `own` says whether breaks and continues belong to the given loop.
 fn leaves_parted(facts: &Facts, block: &Block, parted: bool, own: bool) -> bool {
     block.iter().any(|statement| match statement {
         Statement::Block(inner) => leaves_parted(facts, inner, parted, own),
