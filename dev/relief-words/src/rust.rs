@@ -161,7 +161,7 @@ fn comment(whole: &str) -> (Kind, String) {
     (kind, text.trim().to_owned())
 }
 
-/// Bytes of a comment or a literal; of a literal those of its opening and closing quotes, too.
+/// Place of a comment or a literal in bytes, and the lengths of a literal's opening and closing quotes.
 struct Part {
     start: usize,
     end: usize,
@@ -206,7 +206,7 @@ fn word(rest: &[u8]) -> (usize, Option<Option<(usize, usize)>>) {
     literal(rest, before, find(&rest[before..], &closing), closing.len())
 }
 
-/// Length of a literal and of its quotes, of which an unfinished one lacks the last.
+/// Length of a literal and of its quotes. An unfinished literal lacks the closing one.
 fn literal(rest: &[u8], before: usize, len: usize, after: usize) -> (usize, Option<Option<(usize, usize)>>) {
     let after = after.min(rest.len() - before - len);
     (before + len + after, Some(Some((before, after))))

@@ -112,8 +112,8 @@ fn on_square(
     Ok(comparison)
 }
 
-/// One of cobbles in small pictures, on the CPU and as asked for on a GPU, whose frames are timed; what takes
-/// time with displacement is timed on so many times as many pixels.
+/// Comparison of cobbles in small pictures with timed frames, on the CPU and, as requested, on a GPU. The cost
+/// of displacement is timed with `pixels` times as many pixels.
 fn timed_cobbles(arguments: &Arguments, pixels: u32) -> Result<Comparison, String> {
     let named = accuracy::maps()
         .into_iter()

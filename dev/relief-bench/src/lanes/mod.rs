@@ -16,7 +16,7 @@ pub struct Arguments {
     /// Parts to measure [default: all]
     #[arg(value_enum)]
     parts: Vec<Part>,
-    /// Rounds, of which the fastest counts
+    /// Number of rounds; the fastest counts
     #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
     rounds: u16,
 }

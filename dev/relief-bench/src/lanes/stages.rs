@@ -17,7 +17,7 @@ pub const SIDE: u32 = 512;
 /// How many blocks are in the nearest cache together, with their hits.
 const NEAR: usize = 16;
 
-/// The widths that are compared, all of which x86-64 has.
+/// Compared widths. x86-64 has them all.
 const WIDTHS: [Lanes; 3] = [Lanes::One, Lanes::Eight, Lanes::Sixteen];
 
 /// Methods, and how many times faster they are to be over eight and over sixteen lanes.

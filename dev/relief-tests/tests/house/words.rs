@@ -15,7 +15,7 @@ use crate::{crates, root};
 const MOST_FOR_USERS: usize = 124;
 /// Worn phrases allowed in other comments and pages. The limit must not rise: lower it when the
 /// count falls.
-const MOST_ELSEWHERE: usize = 168;
+const MOST_ELSEWHERE: usize = 145;
 /// Pages that the command writes.
 const GENERATED_PAGES: [&str; 2] = ["methods.md", "pairs.md"];
 /// Words of a sentence: at the median, at the 90th percentile, and at most.
