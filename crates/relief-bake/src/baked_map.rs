@@ -96,7 +96,7 @@ impl WantedMap<'_> {
 ///
 /// # Errors
 ///
-/// Fails as [`bake`](crate::bake) does. Fails, too, when the kind has no texture of that name, no
+/// Fails as [`bake()`] does. Fails, too, when the kind has no texture of that name, no
 /// map has its shape, or a value has no stored value on its safe side.
 pub fn baked_map(map: &HeightMap, wanted: &WantedMap, watch: &Watch) -> Result<BakedMap, BakeError> {
     let layout = wanted.layout([map.width(), map.height()])?;

@@ -65,8 +65,8 @@ impl NormalSlopes {
     ///
     /// # Errors
     ///
-    /// When the number of normals does not match the size, when `steepest` is not above 0, or when
-    /// no normal has a direction.
+    /// When the number of normals does not match the size, when `steepest` is not above 0 and at
+    /// most 1e6, or when no normal has a direction.
     pub fn of_normals(
         size: [u32; 2],
         normals: &[[f32; 3]],

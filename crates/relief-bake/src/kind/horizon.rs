@@ -90,8 +90,8 @@ pub const KIND: Kind = Kind {
 /// Receives the number of an azimuth and the sines of the horizons there, which it may change.
 pub type Take<'a> = dyn FnMut(u32, &mut [f32]) -> Result<(), BakeError> + 'a;
 
-/// Computes the sines of the horizons' elevations in `azimuths` azimuths, from 0 to 1. Each azimuth
-/// is handed to `take`, row by row from the top. `tiles` is the reach in tiles. See the
+/// Computes the sines, from 0 to 1, of the horizons' elevations in `azimuths` azimuths. Each
+/// azimuth is handed to `take`, row by row from the top. `tiles` is the reach in tiles. See the
 /// [module](self) for their meaning and accuracy.
 ///
 /// Besides the input, the working set is the map of sines and another quarter of the map, whatever
