@@ -6,8 +6,8 @@ use std::time::Duration;
 /// triangles, reading back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameTime {
-    /// From its beginning until it is done, by the clock of the machine; where a GPU has a frame done sooner
-    /// than it is handed over and waited for, that of one among several in a row.
+    /// Time from its beginning until it is done, by the machine's clock. If a GPU ends a frame sooner than it
+    /// is handed over and waited for, the time of one among several in a row.
     pub elapsed: Duration,
     /// How long its passes took by the clock of the GPU; nothing on the CPU, and where a GPU has no such
     /// clock, or one that stands still.

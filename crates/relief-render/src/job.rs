@@ -125,7 +125,7 @@ fn of_levels(levels: &Mipmaps) -> ColorTexture<'_> {
 /// The result of a job: every pixel, row by row from the top.
 ///
 /// A pixel's colour is the mean of its samples in linear light, black where they show no surface; its fourth
-/// part is the part of them that do. All other numbers are those of the pixel's centre: where that shows no
+/// part is the part of them that do. All other numbers belong to the pixel's centre: where that shows no
 /// surface, `hit` is 0 and they are zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rendering {

@@ -1,7 +1,7 @@
 //! What lights see: from where the pictures are taken that shadows are looked up in.
 //!
-//! A light far away has some pictures of parallel rays, of which each shows what the camera sees in a range
-//! of depths, so far as anything is there; one at a point has those faces of a cube around it that show
+//! A light far away has some pictures of parallel rays. Each shows what the camera sees in a range of depths,
+//! as far as anything is there; one at a point has those faces of a cube around it that show
 //! anything. A picture of parallel rays sees all that lies between the light and what it shows.
 
 use std::ops::RangeInclusive;
@@ -43,7 +43,7 @@ const SAMPLE_WIDTH: f32 = 1e-12;
 pub struct LightViews {
     /// Texels of a side of each.
     pub size: u32,
-    /// How their rays are made: those of a light one after the other.
+    /// Frames of their rays, one light's after the other.
     pub frames: Vec<Frame>,
     views: Vec<LightView>,
     /// Which views a light has, and how many.

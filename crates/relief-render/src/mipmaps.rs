@@ -13,8 +13,8 @@ const LEAST_UPRIGHT: f32 = 0.05;
 
 /// A colour or normal map, with coarser levels or without.
 ///
-/// Normal maps have two layers in their coarser levels. Of the normals `n` and the slopes `s` (of which `n`
-/// is `(-sx, -sy, 1) nz`) in a texel's area they are the means `(nx, ny, nz, sx)` and `(sx² nz, sx sy nz,
+/// Normal maps have two layers in their coarser levels. Of the normals `n` and the slopes `s` (`n` is
+/// `(-sx, -sy, 1) nz`) in a texel's area they are the means `(nx, ny, nz, sx)` and `(sx² nz, sx sy nz,
 /// sy² nz, sy)`, from which follows what an eye at the side sees of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mipmaps {
@@ -148,7 +148,7 @@ mod tests {
         let picture = Picture { width: 5, height: 2, texels: (0..10).map(texel).collect() };
         let levels = Mipmaps::of(Arc::new(picture.clone()));
         assert_eq!((levels.levels(), levels.coarser().len()), (3, 2 + 1));
-        // Rows of 0 to 4 and 5 to 9, of which each half has two and a half texels.
+        // Rows of 0 to 4 and 5 to 9; each half has two and a half texels.
         assert_eq!(levels.coarser(), [[3.3, 0.0, 1.0, 0.5], [5.7, 0.0, 1.0, 0.5], [4.5, 0.0, 1.0, 0.5]]);
         assert_eq!(Mipmaps::finest_only(Arc::new(picture)).levels(), 1);
         for (width, height, texels) in [(5, 2, 9), (0, 0, 0), (0, 3, 0)] {

@@ -116,8 +116,8 @@ impl Renderer {
         Self { backend, reason: None, preparer: Preparer::default() }
     }
 
-    /// Works on so many values at once on the CPU: on the most that the machine has, unless it is told.
-    /// Pictures have the same bits.
+    /// Sets the SIMD width of the CPU backend. Default: the widest that the machine has. Pictures have the
+    /// same bits.
     pub fn set_lanes(&mut self, lanes: Lanes) {
         match &mut self.backend {
             #[cfg(feature = "gpu")]
@@ -126,8 +126,8 @@ impl Renderer {
         }
     }
 
-    /// Renders a scene; its choice of backend and sampling was made when the renderer was. The baked maps
-    /// that its methods read are those of the provider. The watch's tasks are the kinds of maps that are
+    /// Renders a scene; its choice of backend and sampling was made when the renderer was. The
+    /// provider gives the baked maps that its methods read. The watch's tasks are the kinds of maps that are
     /// baked, then [`RENDERING`], each from 0 to 1.
     ///
     /// # Errors
@@ -148,7 +148,7 @@ impl Renderer {
 
     /// As [`Self::render`], for pictures that no memory need hold: each band of rows is handed over when it
     /// is done. With `numbers` all numbers of a pixel are as in a [`Rendering`]; else its colour is, and the
-    /// rest are those of one of its samples, which takes less time.
+    /// rest belong to one of its samples, which takes less time.
     ///
     /// # Errors
     ///
@@ -280,8 +280,8 @@ impl Renderer {
     }
 }
 
-/// Renders a scene once, on the backend and with the sampling that it names. The baked maps that its methods
-/// read are those of the provider. For more pictures than one see [`Renderer`].
+/// Renders a scene once, on the backend and with the sampling that it names. The provider gives the baked
+/// maps that its methods read. For more pictures than one see [`Renderer`].
 ///
 /// # Errors
 ///

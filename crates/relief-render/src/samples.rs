@@ -2,7 +2,7 @@
 //!
 //! `n` samples lie on `n` columns and `n` rows of the pixel, one on each: an edge along either axis is
 //! resolved into `n + 1` steps. They are the points of a lattice of one more, but for the one in its corner;
-//! of all such lattices the one whose points keep the greatest distance, also to those of the pixels beside.
+//! of all such lattices the one whose points keep the greatest distance, also to the points of adjacent pixels.
 
 use relief_scene::MAX_SAMPLES;
 
@@ -20,7 +20,7 @@ impl Sample {
     pub const CENTRE: Sample = Sample { offset: [0.0; 2], weight: 1.0 };
 }
 
-/// The samples of every pixel, so many of them, from 1 to [`MAX_SAMPLES`]. With `centre` the last one is the
+/// Returns the `count` samples of every pixel, from 1 to [`MAX_SAMPLES`]. With `centre` the last one is the
 /// pixel's centre, which has no weight where it is none of them.
 pub fn samples(count: u32, centre: bool) -> Vec<Sample> {
     if count <= 1 {
@@ -38,7 +38,7 @@ pub fn samples(count: u32, centre: bool) -> Vec<Sample> {
     on_lattice.chain(centre.then_some(Sample { weight: 0.0, ..Sample::CENTRE })).collect()
 }
 
-/// The factor of the lattice `(k, factor k)` of so many points whose points are farthest from each other.
+/// Factor of the lattice `(k, factor k)` of `modulus` points whose points are farthest from each other.
 fn best_factor(modulus: u32) -> u32 {
     let coprime = |factor: &u32| gcd(*factor, modulus) == 1;
     let by_distance = (1..modulus).filter(coprime).map(|factor| (least_distance2(modulus, factor), factor));

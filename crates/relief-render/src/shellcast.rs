@@ -19,7 +19,7 @@ use crate::job::JobSurface;
 use crate::prepare::Triangles;
 use relief_core::camera::Ray;
 
-/// Up to so many boxes a better hierarchy is built, with which frames take less time: for more it would take
+/// Number of boxes up to which a better hierarchy is built, with which frames take less time: for more it would take
 /// as long as several frames.
 const MANY_BOXES: usize = 1 << 16;
 
@@ -37,7 +37,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Those of a surface; objects fill the boxes.
+    /// Returns the bounds of a surface; objects fill the boxes.
     pub fn of(surface: &JobSurface) -> Self {
         let JobSurface { settings, selection, height_map, .. } = surface;
         let texels = height_map.width().max(height_map.height()) as f32;
@@ -163,7 +163,7 @@ impl ShellCaster {
     }
 
     /// Those rays of a block that `which` has bits for, at the beginning of their way to shells.
-    /// `before` are those of another block, whose memory they take over.
+    /// `before` are another block's rays, whose memory they take over.
     pub fn block(&self, rays: &Row<Ray>, which: u16, before: BlockRays) -> BlockRays {
         let mut waiting = before.waiting;
         waiting.clear();
@@ -261,7 +261,7 @@ pub struct BlockRays {
     pub reach: Row<f32>,
     /// Nodes that are still to be looked into.
     waiting: Vec<u32>,
-    /// What is left of a leaf, and the box around it.
+    /// Rest of a leaf, and the box around it.
     leaf: Range<u32>,
     leaf_bounds: Aabb,
 }
@@ -269,7 +269,7 @@ pub struct BlockRays {
 /// Directions across which a shell is thin, and between where it lies along each.
 type Hull = [([f32; 3], [f32; 2]); 4];
 
-/// The shell of a triangle between slabs along its normal, and along those of its sides, widened by so much.
+/// Shell of a triangle between slabs along its normal and its sides' normals, widened by `beside_m`.
 /// The box around a shell is far larger, as shells mostly lie aside of the axes.
 fn hull(triangle: &Triangle, points: &[Vec3A], beside_m: f32) -> Hull {
     let Triangle { a, b, c, .. } = triangle;
@@ -419,7 +419,7 @@ mod tests {
     #[test]
     fn a_block_is_proposed_what_its_rays_meet_and_nothing_else() {
         let caster = ShellCaster::new(&row(40), bounds([0.1, 0.3], true));
-        // Along the row, across it, past it, and one that goes nowhere. Its numbers are those of `f32`.
+        // Along the row, across it, past it, and one that goes nowhere. Its numbers are `f32`.
         let ray = |place: usize| {
             let at = place as f64;
             let origin = DVec3::new(2.3 * at - 4.0, 0.25, 0.25 - 0.1 * at.sin());

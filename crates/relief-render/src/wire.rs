@@ -19,7 +19,7 @@ const HIDDEN: f32 = 0.2;
 /// broken.
 const SLACK: f64 = 4.0;
 
-/// The least depth of a point that is drawn, as a part of that of the farthest: none lies behind the eye.
+/// Least depth of a point that is drawn, as a part of the farthest one's depth. None lies behind the eye.
 const LEAST_DEPTH: f64 = 1e-6;
 
 /// How far beside the picture lines begin and end, in pixels.
@@ -29,7 +29,7 @@ const BESIDE: f64 = 2.0;
 /// row, as it comes from a renderer.
 ///
 /// Lines are a pixel wide and fade to both sides. Where they lie behind what a pixel shows, by the depth along
-/// the view axis, they are faint. Edges are those of the flat triangles, whatever lies on them: where a relief
+/// the view axis, they are faint. Edges belong to the flat triangles, whatever lies on them: where a relief
 /// rises out of its base, they are behind it.
 ///
 /// ```
@@ -213,8 +213,7 @@ impl Wire {
         }
     }
 
-    /// Draws over the next row of the picture, from the top: over linear colours, of which there are as many as
-    /// pixels.
+    /// Draws over the next row of the picture, from the top: over linear colours, one for each pixel.
     pub fn next_row(&mut self, pixels: &[PixelOut], colors: &mut [[f32; 3]]) {
         let y = f64::from(self.row) + 0.5;
         self.row += 1;

@@ -30,8 +30,7 @@ pub enum Light {
     },
 }
 
-/// The diameter of the sun's disc, and of the moon's, in degrees: that of a light infinitely far away of
-/// which nothing else is said.
+/// Diameter of the sun's disc, and of the moon's, in degrees. Default of a light that is infinitely far away.
 pub const SUN_DEG: f64 = 0.53;
 
 /// The largest diameter of a light that is infinitely far away, in degrees.

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-/// The greatest index of refraction, that of germanium. A vacuum has the least, 1.
+/// Greatest index of refraction, germanium's. A vacuum has the least, 1.
 pub const MAX_IOR: f32 = 4.0;
 
 /// The greatest shininess. It is a whole number so that shaders can raise to it by multiplication alone, with
@@ -122,7 +122,7 @@ impl Default for Material {
 }
 
 impl Material {
-    /// That of a surface with colours of its own: they are darkened but a little.
+    /// Returns the material of a surface with colours of its own, which it darkens only a little.
     pub fn under_colours() -> Self {
         Self { diffuse: Vec3::splat(0.8), ..Self::default() }
     }

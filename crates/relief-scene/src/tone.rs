@@ -95,7 +95,7 @@ fn times(rows: &Rows, [red, green, blue]: [f32; 3]) -> [f32; 3] {
 mod tests {
     use super::*;
 
-    /// Light, and what three.js (r160 to r180) makes of it, worked out from its shader in 64-bit floats.
+    /// Light, and its colour in three.js (r160 to r180), computed from its shader in 64-bit floats.
     const RAMP: &[([f32; 3], [f32; 3])] = &[
         ([1.0 / 4096.0; 3], [0.0; 3]),
         ([0.0009765625, 0.0009765625, 0.0009765625], [0.000102, 0.000102, 0.000102]),

@@ -20,12 +20,12 @@ pub fn places_where(holds: impl Fn(usize) -> bool) -> u16 {
     (0..BLOCK).fold(0, |which, place| which | u16::from(holds(place)) << place)
 }
 
-/// The lanes for so many places.
+/// SIMD width for the places whose bits `which` has.
 pub fn lanes_for(which: u16, lanes: Lanes) -> Lanes {
     if which.count_ones() < LEAST_IN_LANES { Lanes::One } else { lanes }
 }
 
-/// Which side of which triangle the rays of a block meet.
+/// Triangle and side that each ray of a block meets.
 #[derive(Clone)]
 pub struct Faces {
     /// Whether the mesh is turned over for that, and the triangle.
@@ -40,8 +40,8 @@ impl Faces {
         Self { rank: [(false, 0); BLOCK], side: [1.0; BLOCK] }
     }
 
-    /// Calls `of` with each triangle's rays of those that `which` has bits for, and the lanes that are for so
-    /// many.
+    /// Calls `of` for each triangle, with its rays among the bits of `which`, and with the SIMD width for
+    /// them.
     pub fn each(
         &self,
         surface: &Ready,

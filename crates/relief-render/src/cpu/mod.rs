@@ -34,8 +34,8 @@ mod tiled;
 /// Pixels of a band of rows: enough for all cores, and few enough to keep.
 const BAND_PIXELS: u32 = 1 << 18;
 
-/// So many pixels that nothing covers, unless the memory cannot be had. They are written on all cores, since
-/// the first touch of so much memory takes its time.
+/// Creates `count` pixels that nothing covers, or `None` without the memory. All cores write them, since the
+/// first touch of memory takes time.
 fn all_uncovered(count: usize) -> Option<Vec<PixelOut>> {
     let mut pixels = Vec::new();
     pixels.try_reserve_exact(count).ok()?;
@@ -73,8 +73,7 @@ impl CpuRenderer {
         Self::default()
     }
 
-    /// Works on so many values at once: on the most that the machine has, unless it is told. Pictures have
-    /// the same bits.
+    /// Sets the SIMD width. Default: the widest that the machine has. Pictures have the same bits.
     pub fn set_lanes(&mut self, lanes: Lanes) {
         self.lanes = lanes;
     }
@@ -100,7 +99,7 @@ impl CpuRenderer {
     }
 
     /// Renders a job in bands of whole rows, from the top, and hands over each when it is done. With
-    /// `numbers` all numbers of a pixel are as in a [`Rendering`]; else they are those of one of its samples,
+    /// `numbers` all numbers of a pixel are as in a [`Rendering`]; else they belong to one of its samples,
     /// which takes less time.
     ///
     /// # Errors
@@ -203,7 +202,7 @@ impl<'a> Done<'a> {
         Self { rows: AtomicU32::new(0), all: job.height.saturating_add(light_map::rows(job)), watch }
     }
 
-    /// So many more rows are done, or need not be.
+    /// Adds rows that are done, or that need no work.
     fn add(&self, rows: u32) -> Result<(), Cancelled> {
         let rows = self.rows.fetch_add(rows, Ordering::Relaxed) + rows;
         self.watch.at(rows as f32 / self.all as f32)

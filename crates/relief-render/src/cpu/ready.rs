@@ -82,7 +82,7 @@ pub struct Ready<'a> {
     pub(super) tracers: Option<Arc<[FastTracer]>>,
     /// Whether they serve shadows, too.
     pub(super) traces_shadows: bool,
-    /// Whether shadows are those of rays, and to how many points of a light these go.
+    /// Whether shadows send rays, and the number of points of a light that the rays go to.
     pub(super) sends_rays: bool,
     pub(super) points_of_lights: u32,
     /// The same of shadows by rays through the whole scene.
@@ -136,7 +136,7 @@ impl<'a> Ready<'a> {
         }
     }
 
-    /// What casts the rays of a picture of so many columns and rows by tiles, if anything does.
+    /// Returns the caster by tiles for a picture of the given columns and rows, if the base has one.
     pub fn tiles(&self, size: [u32; 2], lanes: Lanes) -> Option<TileCaster<'_>> {
         match &self.base {
             Base::Polygons(caster) => Some(TileCaster::new(caster, self.rays, size, self.sides, lanes)),
@@ -216,7 +216,7 @@ impl<'a> Ready<'a> {
         self.depth_of(key, DEPTH_SLACK)
     }
 
-    /// A depth beyond that of a key, by as much slack, relatively.
+    /// Depth beyond a key's depth, by a relative slack.
     fn depth_of(&self, key: f32, slack: f64) -> f64 {
         self.near / f64::from(key) * (1.0 + slack) - self.near
     }
@@ -256,7 +256,7 @@ impl<'a> Ready<'a> {
             }
         }
         if let (Some(met), None) = (&mut first, &self.tracers) {
-            // What a search costs on all segments is told, of the tracers what it took to find the hit.
+            // Searches report the cost of all segments, tracers the cost of finding the hit.
             met.first.hit.cost = cost;
         }
         first
@@ -276,7 +276,7 @@ pub struct SceneRays<'a> {
 }
 
 impl<'a> SceneRays<'a> {
-    /// Those of a job, of which so much was made.
+    /// Creates the rays through the scene of a job, from its prepared surfaces.
     pub fn new(job: &'a Job, made: &[Made]) -> Self {
         let points = || job.surfaces.iter().flat_map(relief_points);
         let (low, high) = points().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), point| {
@@ -291,7 +291,7 @@ impl<'a> SceneRays<'a> {
     }
 }
 
-/// The rays of a frame's picture, which are those of the shaders.
+/// Rays of a frame's picture, the same as in the shaders.
 pub fn picture_rays(frame: &Frame) -> PictureRays {
     let three = |v: Vec4<f32>| Vec3::new(v.x, v.y, v.z);
     PictureRays {

@@ -50,8 +50,7 @@ impl Seen {
         (self.which, self.points) = (0, points);
     }
 
-    /// Keeps what a polygon shows where that is the nearest so far, and of equally near ones that of the
-    /// least rank.
+    /// Keeps a polygon's hit if it is the nearest so far. Ties go to the least rank.
     pub fn keep(&mut self, place: usize, rank: (bool, u32), side: f32, met: &Met) {
         if self.is_nearest(place, rank, met.first.key) {
             self.put(place, rank, side, met.first.key);

@@ -93,7 +93,7 @@ impl Ready<'_> {
         }
     }
 
-    /// The part of a light that arrives at a placed hit through a scene, by so many rays from it.
+    /// Part of a light that arrives at a placed hit through a scene, by the given number of rays from it.
     fn lit_through(
         &self,
         scene: &SceneRays,

@@ -1,6 +1,6 @@
 //! Bases tessellated on the CPU, by the functions that GPUs run.
 //!
-//! The passes are those of the shaders' root: each is a loop here, and gives what the GPU's gives.
+//! The passes follow the shaders' root. Each is a loop here, with the GPU's results.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use crate::job::{Job, JobSurface};
 use crate::prepare::Triangles;
 use crate::prepare::{TessellatedBase, Tessellation};
 
-/// What is made of an edge or a triangle of the base: points and triangles, and those of all before it.
+/// Numbers of points and triangles of an edge or a triangle of the base, and of all before it.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tally {
     points: u32,
@@ -90,7 +90,7 @@ pub fn triangles(surface: &JobSurface, frame: Frame, tessellation: &Tessellation
 }
 
 impl<'a> Counted<'a> {
-    /// Counts it on the finest grid on which there are at most so many points and triangles.
+    /// Counts it on the finest grid with at most the given numbers of points and triangles.
     fn new(tessellator: Tessellator<'a>, base: &'a TessellatedBase, most: [u32; 2]) -> Self {
         let voxels = base.vertices.par_iter().map(|vertex| tessellator.voxel_of(vertex.position));
         let voxels: Vec<Voxel> = voxels.collect();
@@ -209,7 +209,7 @@ impl<'a> Counted<'a> {
         self.voxels[vertex as usize].share
     }
 
-    /// The point of an edge that so many parts lie before.
+    /// Point of an edge with the given number of parts before it.
     fn on_edge(&self, edge: u32, at: u32) -> BaseSite {
         let (of, parts) = (&self.base.edges[edge as usize], self.parts[edge as usize]);
         let ends = [self.vertex(of.ends.x, of.seen.x), self.vertex(of.ends.y, of.seen.y)];

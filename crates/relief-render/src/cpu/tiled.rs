@@ -68,7 +68,7 @@ pub struct SeenBlock<'a> {
 }
 
 impl<'a> Tiled<'a> {
-    /// Those that are seen in a picture of so many columns and rows.
+    /// Creates the casters by tiles of all surfaces, for a picture of the given columns and rows.
     pub fn new(surfaces: &'a [Ready<'a>], samples: &'a [Sample], size: [u32; 2], lanes: Lanes) -> Self {
         let surfaces = surfaces.iter().map(|surface| (surface, surface.tiles(size, lanes)));
         Self { size, samples, surfaces: surfaces.collect(), lanes }
@@ -207,7 +207,7 @@ impl<'a> Tiled<'a> {
 }
 
 impl Points {
-    /// Those of the block that begins with that point of a tile, as a sample has them.
+    /// Returns a sample's points in the block that begins at the given point of a tile.
     fn new(area: Area, tile: [u32; 2], first: [usize; 2], sample: &Sample) -> Self {
         let [column, row] = area.pixel(tile);
         let end = [0, 1].map(|axis| area.first[axis] + area.size[axis]);
@@ -234,7 +234,7 @@ fn reach_of(samples: &[Sample]) -> [[f32; 2]; 2] {
     })
 }
 
-/// How many rows of so many a thread does at a time.
+/// Number of rows that a thread does at a time, out of `rows`.
 fn rows_of_piece(rows: u32) -> u32 {
     let pieces = LEAST_PIECES.saturating_mul(rayon::current_num_threads() as u32);
     let whole_tiles = rows / pieces / TILE as u32 * TILE as u32;

@@ -143,7 +143,7 @@ impl Gpu {
     }
 
     /// Runs commands and turns whatever the driver says of them into an error: lack of memory first, then a
-    /// loss of the device, from both of which other errors follow, then the first refusal.
+    /// loss of the device, as other errors follow from both, then the first refusal.
     pub(super) async fn guarded<T>(&self, work: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
         self.check()?;
         let refused = self.device.push_error_scope(ErrorFilter::Validation);

@@ -10,7 +10,7 @@ use crate::job::JobSurface;
 /// How much is drawn.
 #[derive(Clone, Debug)]
 pub enum Drawn {
-    /// So many vertices and instances.
+    /// Numbers of vertices and instances.
     Direct([u32; 2]),
     /// As many as a buffer says, which the GPU wrote.
     Indirect(Buffer),
@@ -36,8 +36,8 @@ impl Drawn {
     }
 }
 
-/// Refuses more triangles than the GPU takes. The number of a triangle travels as a signed integer, that of a
-/// vertex as an unsigned one.
+/// Refuses more triangles than the GPU takes. The number of a triangle travels as a signed integer, a
+/// vertex's number as an unsigned one.
 pub fn check_triangles(gpu: &Gpu, surface: &JobSurface) -> Result<(), GpuError> {
     let (count, corners) = (surface.triangles.len(), surface.triangles.corners().len());
     let of_kind = match surface.selection.paths().proposal {

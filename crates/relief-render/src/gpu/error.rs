@@ -44,7 +44,7 @@ pub enum GpuError {
         /// The most columns or rows.
         limit: u32,
     },
-    /// The settings of so many bands and samples do not fit the adapter's buffers.
+    /// The settings of all bands and samples do not fit the adapter's buffers.
     #[error(
         "{samples} samples of {width}x{height} pixels are more than the GPU takes; use fewer samples, a \
          smaller picture or the CPU"

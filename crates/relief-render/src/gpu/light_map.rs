@@ -16,7 +16,7 @@ use crate::job::LightViews;
 /// What buffers are written in whole ones of, in bytes.
 const WORD: usize = 4;
 
-/// The frames of a picture: the camera's, then those of the views of lights, a stride apart.
+/// Frames of a picture: the camera's, then the lights' views, a stride apart.
 #[derive(Debug)]
 pub struct Frames {
     buffer: Buffer,
@@ -102,7 +102,7 @@ impl LightMap {
         (self.size, self.layers.len()) == (views.size, views.frames.len())
     }
 
-    /// Room for views, of which there is one at least.
+    /// Creates the textures for views, at least one.
     ///
     /// # Errors
     ///

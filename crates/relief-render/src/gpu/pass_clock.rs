@@ -70,7 +70,7 @@ impl PassClock {
         (passes.len() <= MAX_PASSES).then_some(Timed { queries: &self.queries, begin, end: begin + 1 })
     }
 
-    /// What was written for a frame, the mean of so many, once all is done. None where it is no time: some
+    /// Returns the times of a frame, the mean of `frames`, once all is done. None where it is no time: some
     /// passes were not timed, the clock went backward, or it stood still.
     pub async fn read(self, gpu: &Gpu, frames: u32) -> Result<Option<PassTimes>, GpuError> {
         let passes = self.passes.into_inner();

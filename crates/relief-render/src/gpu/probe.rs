@@ -71,7 +71,7 @@ impl Prober {
     }
 
     /// How long [`trace`](Self::trace) takes on the GPU, without what is sent before and read back after. A
-    /// dispatch is a part of the paths: each is done so many times, and the shortest time of each counts.
+    /// dispatch is a part of the paths. Each is repeated, and its shortest time counts.
     ///
     /// # Errors
     ///
@@ -130,7 +130,7 @@ impl Prober {
             .await
     }
 
-    /// What a pass makes of a list.
+    /// Results of a pass for a list.
     async fn results<Given: Shared, Made: Shared>(
         &self,
         pass: &Pass<Given, Made>,

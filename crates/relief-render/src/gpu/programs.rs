@@ -325,7 +325,7 @@ impl Programs {
         let layout = self.layouts.pyramid.clone();
         let text = || assemble(&Selection::default(), Root::Pyramid, Sampling::Exact);
         let compile = |text: &str| {
-            // The program binds none of group 0, of which the maps are that it builds.
+            // The program binds nothing of group 0, whose maps it builds.
             let targets = [Some(ColorTargetState::from(NODES))];
             raster(gpu.device(), text, Root::Pyramid, &[None, Some(&layout)], None, None, &targets)
         };

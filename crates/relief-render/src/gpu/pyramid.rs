@@ -131,7 +131,7 @@ impl Builder {
         Ok(texture)
     }
 
-    /// Draws a level that has so many columns and rows; what it is padded with is zeros.
+    /// Draws a level of the given columns and rows, padded with zeros.
     fn draw(&self, encoder: &mut CommandEncoder, read: &BindGroup, nodes: &TextureView, size: [u32; 2]) {
         let ops = Operations { load: LoadOp::Clear(Color::TRANSPARENT), store: StoreOp::Store };
         let target = RenderPassColorAttachment { view: nodes, depth_slice: None, resolve_target: None, ops };
@@ -150,7 +150,7 @@ impl Builder {
     }
 }
 
-/// The shape of the pyramid of a map of so many columns and rows: that of the one that the CPU bakes.
+/// Shape of the pyramid of a map with the given columns and rows, as the CPU bakes it.
 fn layout(size: [u32; 2]) -> Result<MapLayout, GpuError> {
     let wanted = WantedMap {
         kind: &KIND,

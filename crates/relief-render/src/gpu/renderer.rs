@@ -161,7 +161,7 @@ impl GpuRenderer {
     }
 
     /// Renders a job in bands of whole rows, from the top, and hands over each when it is read back. With
-    /// `numbers` all numbers of a pixel are as in a [`Rendering`]; else they are those of one of its samples,
+    /// `numbers` all numbers of a pixel are as in a [`Rendering`]; else they belong to one of its samples,
     /// which takes less time. Waits for the GPU, which the web does not allow.
     ///
     /// # Errors

@@ -58,7 +58,7 @@ fn nodes(bvh: &Bvh2, both_sides: bool) -> Vec<ShellNode> {
     let sides = if both_sides { SHELL_BOTH_SIDES } else { 0 };
     let mut nodes = Vec::with_capacity(bvh.nodes.len());
     let empty = ShellNode { low: [0.0; 3].into(), first: 0, high: [0.0; 3].into(), above: 0 };
-    // Nodes of `bvh`, where they go to, and what they are told of the node above.
+    // Nodes of `bvh`, their places, and their data about the node above.
     let mut waiting = Vec::new();
     if !bvh.nodes.is_empty() {
         nodes.push(empty);

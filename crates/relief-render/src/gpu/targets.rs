@@ -62,7 +62,7 @@ impl Targets {
     ///
     /// # Errors
     ///
-    /// When the settings of so many passes do not fit into a buffer.
+    /// When the settings of all passes do not fit into a buffer.
     pub fn new(
         gpu: &Gpu,
         [width, height]: [u32; 2],
@@ -167,8 +167,8 @@ impl Targets {
     }
 }
 
-/// The settings of every pass, a stride apart, over targets of so many rows; the last are those of a pass
-/// over all of a picture that a light sees.
+/// Settings of every pass, a stride apart, over targets of the given rows. The last ones are for a pass over
+/// all of a shadow map.
 fn passes(
     gpu: &Gpu,
     [width, height]: [u32; 2],
@@ -233,7 +233,7 @@ fn target(
     })
 }
 
-/// Refuses pictures of which the adapter cannot hold a row.
+/// Refuses pictures whose rows are too long for the adapter.
 pub fn check(gpu: &Gpu, size: [u32; 2]) -> Result<(), GpuError> {
     let fits = size[0] <= gpu.device().limits().max_texture_dimension_2d;
     if fits { Ok(()) } else { check_whole(gpu, size) }

@@ -92,7 +92,7 @@ pub struct Tessellated {
 }
 
 impl Tessellated {
-    /// A base with room for what a view makes of it, or as much as the GPU's buffers hold.
+    /// Creates a base with memory for its tessellation by a view, or as much as the GPU's buffers hold.
     ///
     /// # Errors
     ///
@@ -266,12 +266,12 @@ impl Tessellated {
     }
 }
 
-/// Columns and rows of groups for so many invocations.
+/// Columns and rows of groups for the given number of invocations.
 fn groups_for(count: u32) -> [u32; 2] {
     in_rows(count.div_ceil(TESSELLATE_GROUP))
 }
 
-/// Columns and rows of so many groups.
+/// Columns and rows of the given number of groups.
 fn in_rows(groups: u32) -> [u32; 2] {
     let in_row = TESSELLATE_ROW / TESSELLATE_GROUP;
     [groups.min(in_row), groups.div_ceil(in_row)]
@@ -288,8 +288,8 @@ fn room(gpu: &Gpu, of: &Tessellation) -> Result<Room, GpuError> {
         let limit = corners.min(of_base);
         return Err(GpuError::TooManyVertices { count: base.vertices.len(), limit });
     }
-    // The number of a triangle travels as a signed integer, that of a vertex as an unsigned one; a triangle
-    // has at most three edges for itself.
+    // The number of a triangle travels as a signed integer, a vertex's as an unsigned one; a triangle has at
+    // most three edges for itself.
     let triangles = faces.min(u64::from(u32::MAX / 6)).min(grid.most_triangles.into());
     let limit = triangles.min(of_patches / 3).min(tallies / 4);
     if patches > limit {

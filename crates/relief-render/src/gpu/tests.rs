@@ -275,7 +275,7 @@ fn several_surfaces_are_those_rendered_apart_and_merged_by_depth() {
         for (number, pixels) in shown {
             assert!(pixels > 300, "surface {number} is seen in {pixels} pixels");
         }
-        // The rasteriser's planes are those of the whole scene, which moves its depths, not the hits.
+        // The rasteriser's planes enclose the whole scene, which moves its depths, not the hits.
         let merged = merged(&one_by_one);
         let other = together.pixels.iter().zip(&merged.pixels).filter(|(a, b)| a != b).count();
         assert!(other * 1000 <= merged.pixels.len(), "{other} pixels differ");
@@ -414,7 +414,7 @@ fn a_callers_error_handlers_are_his_own() {
     let told = Arc::new(Mutex::new(0));
     let noted = Arc::clone(&told);
     gpu.device().on_uncaptured_error(Arc::new(move |_| *noted.lock().expect("no panic") += 1));
-    // Errors of what is done here are results; the caller's handler is told of nothing.
+    // Errors of this work are results; the caller's handler receives none.
     let limit = gpu.device().limits().max_texture_dimension_2d;
     let too_large = gpu.device().limits().max_buffer_size + 4;
     let refused = block_on(gpu.guarded(|| Ok(gpu.buffer("too large", too_large, BufferUsages::STORAGE))));

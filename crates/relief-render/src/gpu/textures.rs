@@ -30,13 +30,13 @@ pub enum Precision {
 }
 
 impl Precision {
-    /// That of maps which are read so.
+    /// Precision of maps that are read with a sampling.
     pub fn of(gpu: &Gpu, sampling: Sampling) -> Self {
         if sampling == Sampling::Fast && !gpu.filters_f32() { Precision::F16 } else { Precision::F32 }
     }
 }
 
-/// The height map with so many of its levels.
+/// Height map with the given number of its levels.
 pub fn heights(
     gpu: &Gpu,
     map: &HeightMap,

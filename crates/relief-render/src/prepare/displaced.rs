@@ -29,8 +29,8 @@ pub const BYTES_PER_VERTEX: u64 = 2 * size_of::<Corner>() as u64 + 24;
 /// Memory that a triangle takes: as the shaders have it, and in the hierarchy for rays.
 pub const BYTES_PER_TRIANGLE: u64 = 48 + RayCaster::BYTES_PER_TRIANGLE;
 
-/// The least distance of vertices that a view asks for, in texels: between those of a patch of four texels
-/// there is nothing to be found but a smooth bend.
+/// Least distance of vertices that a view asks for, in texels. Between vertices on a patch of four texels there
+/// is only a smooth bend.
 const FINEST_TEXELS: f64 = 0.25;
 
 /// Why a surface has no displaced triangles.
@@ -80,7 +80,7 @@ struct DisplacedOf {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Cut {
     Texels(u32),
-    /// By the voxels of a view; of so many levels of the height map, without what is not seen.
+    /// By the voxels of a view, with a number of levels of the height map, and culled.
     Seen(View, u32, Option<Cull>),
     /// The same, or by texels, by the backend itself.
     Tessellated(View, u32, Cull, Tessellated),
@@ -92,7 +92,7 @@ enum Cut {
 }
 
 impl DisplacedOf {
-    /// What those of a surface are made of; none where it has none.
+    /// Source of a surface's displaced triangles; none where it has none.
     fn of(surface: &Surface, scene: &Scene) -> Option<Self> {
         let (map, selection) = (surface.height_map(), surface.selection());
         let cut = match selection.geometry()? {
@@ -141,7 +141,7 @@ impl DisplacedOf {
         }
     }
 
-    /// So many levels of the map, without the first.
+    /// The first `levels` levels of the map, without level 0.
     fn coarser(&self, levels: u32) -> Vec<HeightMap> {
         (1..levels).map(|level| self.map.level(level)).collect()
     }
@@ -155,7 +155,7 @@ impl DisplacedOf {
     }
 }
 
-/// The view of a scene, with voxels so many pixels wide, or wider where that is too fine for a surface.
+/// View of a scene, with voxels of the given pixels, or wider where that is too fine for a surface.
 fn view(pixels: f32, surface: &Surface, scene: &Scene) -> View {
     no_finer(View { pixels: pixels.into(), ..View::new(*scene.camera(), scene.size()) }, surface)
 }
@@ -229,8 +229,8 @@ pub struct Displaced {
 }
 
 impl Displaced {
-    /// Those of each surface, none where it has none: those made before, where these are of the same mesh,
-    /// map and, if it matters, view. Others are dropped before any are made.
+    /// Returns the displaced triangles of each surface, none where it has none. Earlier ones are reused for
+    /// the same mesh, map and, if it matters, view. Others are dropped before any are made.
     pub fn of_scene(
         &mut self,
         scene: &Scene,

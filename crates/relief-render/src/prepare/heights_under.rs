@@ -21,7 +21,7 @@ struct Level {
 }
 
 impl HeightsUnder {
-    /// Over a map of which so many levels may be seen, from the finest on.
+    /// Creates it for a map whose first `levels` levels may be seen.
     pub fn new(map: &HeightMap, levels: u32) -> Self {
         let size = |map: &HeightMap| DVec2::new(map.width().into(), map.height().into());
         let level = |number| {
@@ -68,8 +68,8 @@ mod tests {
         HeightMap::from_fn(size[0], size[1], wrap, of).expect("heights from 0 to 1")
     }
 
-    /// By how much the surface of a level is outside of what is said of a triangle, at many points of it and
-    /// up to so many of the finest texels beside them.
+    /// Distance of a level's surface from the stated range of a triangle, at many points of it and up to
+    /// `beyond` of the finest texels beside them.
     fn outside(map: &HeightMap, level: u32, uv: [DVec2; 3], beyond: f64, said: [f32; 2]) -> f64 {
         let seen = map.level(level);
         let finest = DVec2::new(map.width().into(), map.height().into());

@@ -138,8 +138,8 @@ impl KeptTriangles {
     }
 }
 
-/// How far along its normals a surface's base is moved, in metres, so that all relief is carved into it: 0
-/// where its triangles are not those of quadrics.
+/// Distance along its normals by which a surface's base is moved, in metres, so that all relief is carved into
+/// it: 0 unless its triangles belong to quadrics.
 pub fn moved_out_m(surface: &Surface) -> f32 {
     let map = surface.height_map();
     let out_m = map.scale_m() as f32 + map.bias_m() as f32;

@@ -113,7 +113,7 @@ impl Making<'_> {
 
 impl Job {
     /// All that shaders bind to show a scene, for programs that draw it by shaders of their own, such as
-    /// exported ones. The baked maps that its methods read are those of the provider.
+    /// exported ones. The provider gives the baked maps that its methods read.
     ///
     /// # Errors
     ///

@@ -1,5 +1,5 @@
-//! Slices through relief: the triangles that the geometry `slices` makes of base meshes and height maps; and
-//! those through objects, which `object-slices` makes of the box around them.
+//! Slices through relief, which the geometry `slices` makes from base meshes and height maps. Slices through
+//! objects, which `object-slices` makes from the box around them.
 
 use std::sync::Arc;
 
@@ -59,7 +59,7 @@ pub fn triangles(
     Ok((Arc::new(triangles), needed))
 }
 
-/// The same through an object, of which the mesh is the box around it: for a camera from front to back.
+/// Slices through an object, whose mesh is the box around it, from front to back for a camera.
 pub fn triangles_of_object(
     mesh: &Mesh,
     object: &ImageObject,
@@ -113,7 +113,7 @@ struct Room {
 }
 
 impl Room {
-    /// Room for so many at most, where there is so much memory left.
+    /// Memory for at most the given numbers of vertices and triangles, within `left` bytes.
     fn of(vertices: u64, triangles: u64, left: u64) -> Result<Self, GeometryError> {
         let [corners, faces] = [(vertices, BYTES_PER_VERTEX), (triangles, BYTES_PER_TRIANGLE)]
             .map(|(count, bytes)| count.saturating_mul(bytes));

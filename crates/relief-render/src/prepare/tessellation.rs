@@ -22,7 +22,7 @@ pub struct Room {
 }
 
 impl Room {
-    /// Room for so many triangles, and for as many points as these have.
+    /// Capacity for the given number of triangles and for their points.
     pub fn of_triangles(triangles: u32) -> Self {
         Self { triangles, points: triangles / 2 + triangles / 8 }
     }
@@ -70,7 +70,7 @@ impl PartialEq for Tessellation {
 }
 
 impl TessellatedBase {
-    /// The tables of a mesh under a height map that is seen in its levels, of which the map is the first.
+    /// Creates the tables of a mesh under a height map with several levels; the map is the first.
     pub fn new(
         mesh: &Mesh,
         map: &HeightMap,
@@ -105,7 +105,7 @@ impl TessellatedBase {
         }
     }
 
-    /// Room for all triangles whose sides have so many parts for a unit of u and of v.
+    /// Capacity for all triangles, by the parts of sides for a unit of u and of v.
     fn room_for_all(&self, parts_of_uv: [f64; 2]) -> Room {
         let parts = self.edges.iter().map(|edge| {
             let [along, down] = [edge.along.x, edge.along.y].map(f64::from);

@@ -26,7 +26,7 @@ impl Triangles {
         Self { corners, faces: faces.collect(), everything, tessellation, slices }
     }
 
-    /// Triangles that a backend makes of a base, all of which lie there. None are here.
+    /// Creates an empty set for triangles that a backend makes from a base, with their bounds.
     pub(crate) fn to_be_made(tessellation: Tessellation, everything: FullBounds) -> Self {
         let (everything, tessellation) = (Some(everything), Some(tessellation));
         Self { everything, tessellation, ..Self::default() }
@@ -37,13 +37,13 @@ impl Triangles {
         self.tessellation.as_ref()
     }
 
-    /// The same, made for a camera with others that were left out, all of which lie there.
+    /// Adds the bounds of all triangles, including the culled ones.
     #[must_use]
     pub(crate) fn among(self, everything: Option<FullBounds>) -> Self {
         Self { everything, ..self }
     }
 
-    /// The same in slices that lie one after another, of which these are the ends.
+    /// Divides the triangles into consecutive slices that end at `ends`.
     #[must_use]
     pub(crate) fn in_slices(self, ends: Vec<u32>) -> Self {
         Self { slices: ends, ..self }

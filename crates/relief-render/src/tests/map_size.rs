@@ -116,7 +116,7 @@ fn pictures_from_above_have_the_proportions_of_what_is_seen() {
         let scene = seen(sides[0], sides[1], Framing::Volume).build().expect("a scene");
         assert_eq!(scene.size(), [800, 600], "{sides:?}");
     }
-    // A size that is given stays, and so does that of other views.
+    // A given size stays, and so does the size of other views.
     let given = seen(40, 10, Framing::Seen).size(64, 64).build().expect("a scene");
     assert_eq!(given.size(), [64, 64]);
     let front = seen(40, 10, Framing::Seen).fitted_orthographic_camera(View::Front);

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// All faces of so many texels a side, at least 2: what is seen in the direction of each texel, row by row,
+/// Returns all faces with `side` texels a side, at least 2: `seen` in the direction of each texel, row by row,
 /// and a 0. The outer texels lie on the edges of the cube. A direction is the same on every face that has it.
 pub fn faces(side: u32, seen: impl Fn(DVec3) -> [f32; 3] + Sync) -> Vec<[f32; 4]> {
     let face = side as usize * side as usize;

@@ -5,8 +5,8 @@ use glam::DVec3;
 use super::LAST_SIDE;
 use super::sphere::Level;
 
-/// How far a lobe reaches, as 1 less the cosine of its edge, in a level of so many texels a side: half as far
-/// as in the level that follows, which has half the texels. In the last it is all of the half space.
+/// Returns the reach of a lobe, as 1 less the cosine of its edge, in a level with `side` texels a side. It is
+/// half the reach in the next level, which has half the texels. In the last level it is the whole half space.
 pub fn reach(side: u32) -> f64 {
     let ratio = f64::from(LAST_SIDE) / f64::from(side);
     ratio * ratio

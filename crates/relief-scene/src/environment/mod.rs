@@ -23,7 +23,7 @@ const MOST_SIDE: u32 = 512;
 /// Surroundings, ready to be lit by: the faces of a cube, in levels that hold the light of ever wider lobes.
 ///
 /// Radiance is in the units of ambient light: a white surface in surroundings of 1 shows 1. Directions are
-/// those of the world, `y` up. In the picture of a whole sphere the middle is seen along `-z`, a quarter of
+/// the world's, `y` up. In the picture of a whole sphere the middle is seen along `-z`, a quarter of
 /// the width right of it along `x`, the upper row along `y`.
 ///
 /// ```

@@ -121,7 +121,7 @@ impl Sphere {
         self.levels[0].columns.len() as u32
     }
 
-    /// The coarsest level of at least so many columns, or the finest.
+    /// Returns the coarsest level with at least `columns` columns, or the finest.
     pub fn level(&self, columns: u32) -> &Level {
         let fine = |level: &&Level| level.columns.len() >= columns as usize;
         self.levels.iter().rev().find(fine).unwrap_or(&self.levels[0])

@@ -26,7 +26,7 @@ pub(super) static SEEN: LazyLock<String> =
     LazyLock::new(|| format!("{} {}", STAGES[AMBIENT].key, environment()));
 /// The default method.
 pub(super) const DEFAULT_METHOD: &str = "exact";
-/// That of objects.
+/// Default method of depth objects.
 pub(super) const DEFAULT_METHOD_OF_OBJECTS: &str = "depth-object";
 /// The default width and height, in pixels.
 pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
@@ -191,8 +191,7 @@ impl SceneBuilder {
         self
     }
 
-    /// The depth buffer that the picture's `z` are of. By default one of which 0 is near, with planes around
-    /// the scene.
+    /// Sets the depth buffer for the picture's `z`. Default: 0 is near, with planes around the scene.
     pub fn depth_buffer(mut self, depth_buffer: DepthBuffer) -> Self {
         self.depth_buffer = depth_buffer;
         self
@@ -245,8 +244,8 @@ impl SceneBuilder {
         self
     }
 
-    /// Samples of a pixel, from 1 to [`MAX_SAMPLES`]: the colour is their mean in linear light, all else is
-    /// that of the pixel's centre. By default 4.
+    /// Sets the samples per pixel, from 1 to [`MAX_SAMPLES`]. The colour is their mean in linear light; all
+    /// other values belong to the pixel's centre. Default: 4.
     pub fn samples(mut self, samples: u32) -> Self {
         self.samples = samples;
         self
@@ -298,7 +297,7 @@ impl SceneBuilder {
     /// When there is no surface, the size, the samples or the exposure are out of range, there are too many
     /// lights, a colour is negative or not finite, or what a surface selects cannot trace view rays; when
     /// surroundings are given that no surface sees, or a surface refracts light and sees none; when normals
-    /// are chosen for a surface that has those of its vertices.
+    /// are chosen for a surface that uses its vertices' normals.
     pub fn build(mut self) -> Result<Scene, ValueError> {
         let look = self.look.parts();
         let framing = self.framing.unwrap_or(look.framing);

@@ -163,7 +163,7 @@ fn mebibytes(bytes: u64) -> u64 {
     bytes.div_ceil(BYTES_PER_MEBIBYTE)
 }
 
-/// A value that cannot be used, with its key: that of a scene file, or of the same name elsewhere.
+/// Value that cannot be used, with its key: a scene file's, or the same name elsewhere.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{}{key}: {problem}", .surface.map_or(String::new(), |number| format!("surface {}: ", number + 1)))]
 pub struct ValueError {
@@ -220,9 +220,9 @@ pub enum ValueProblem {
         "is for a shadow that sends rays to the light, and the one that is chosen sends none: choose another"
     )]
     NoShadowRays,
-    /// Normals are chosen for pixels, and the surface has those of vertices.
+    /// Normals are chosen for pixels, but the surface uses its vertices' normals.
     #[error(
-        "is for normals of pixels, and the surface {} has those of its triangles' vertices: leave it out, or \
+        "is for normals of pixels, but the surface {} uses the normals of its triangles' vertices: leave it out, or \
          choose a method that finds the relief pixel by pixel",
         Variants::of(SURFACE, |entry| !entry.paths().has_normals_of_relief()).or()
     )]

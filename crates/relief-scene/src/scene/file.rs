@@ -1,7 +1,7 @@
 //! Scene files: TOML.
 //!
-//! The keys of a scene and those of its surfaces stand side by side, so that a scene of one surface is a
-//! plain list; what stands there of a surface holds for every one of `[[surfaces]]`.
+//! The keys of a scene and of its surfaces stand side by side, so a scene of one surface is a plain list. A
+//! surface's key there holds for every one of `[[surfaces]]`.
 
 use super::keys::keys_of;
 use super::{SceneError, SceneSpec, SurfaceSpec};
@@ -42,7 +42,7 @@ pub fn read_scene(path: &Path) -> Result<SceneSpec, SceneError> {
 ///
 /// # Errors
 ///
-/// As [`read_scene`], but for those of reading.
+/// As [`read_scene`], except errors of reading.
 pub fn parse_scene(text: &str, path: &Path) -> Result<SceneSpec, SceneError> {
     let mut spec = parse(text).map_err(|mistake| match mistake {
         Mistake::Toml(mut source) => {

@@ -209,7 +209,7 @@ pub fn amount<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<ByteS
 /// The keys that a struct is read from, as its derived reading names them.
 pub fn keys_of<T: for<'de> Deserialize<'de>>() -> &'static [&'static str] {
     let mut keys: &'static [&'static str] = &[];
-    // It reads nothing: it asks for its fields, which are kept, and is told that there is nothing.
+    // It reads nothing: it asks for its fields, which are stored, and receives no value.
     let _ = T::deserialize(Fields(&mut keys));
     keys
 }

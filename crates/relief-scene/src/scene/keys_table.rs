@@ -30,13 +30,13 @@ pub enum Form {
     Number,
     /// A whole number.
     Whole,
-    /// So many numbers.
+    /// The given number of numbers.
     Numbers(usize),
     /// A number of metres, or a text with a unit, such as `"5cm"`.
     Length,
-    /// So many lengths.
+    /// The given number of lengths.
     Lengths(usize),
-    /// So many whole numbers.
+    /// The given number of whole numbers.
     Wholes(usize),
     /// Two whole numbers, or `"map"`.
     Size,
@@ -99,7 +99,7 @@ pub fn keys() -> Vec<Key> {
             "unit",
             Form::Text,
             "",
-            "unit of the heights, or those of heights and ground, as in \"cm\" or \"cm,ft\"",
+            "unit of the heights, or units of heights and ground, as in \"cm\" or \"cm,ft\"",
         ),
         surface("raw", Form::Text, "", "size and byte order of a headerless file, as in \"403x344,le\""),
         surface(

@@ -63,8 +63,8 @@ impl SceneSpec {
     }
 
     /// Reads the files and completes the scene, with what the files of meshes say of their surfaces (see
-    /// [`Self::with_keys_of_meshes`]). Relative paths start at the current folder; those of a scene file were
-    /// made to start at its own when it was read.
+    /// [`Self::with_keys_of_meshes`]). Relative paths start at the current folder. Paths of a scene
+    /// file start at that file's folder since it was read.
     ///
     /// # Errors
     ///

@@ -420,7 +420,7 @@ impl SurfaceSpec {
         self.selection_in(None, around)
     }
 
-    /// The same with another detail than that of the method.
+    /// Returns the selection with another detail than the method's.
     fn selection_in(&self, detail: Option<&str>, around: &Around) -> Result<Selection, ValueError> {
         let named = |stage: usize| self.stages.get(STAGES[stage].key).map(String::as_str);
         let selection = match (&self.method, named(SEARCH), named(REFINE)) {
@@ -451,7 +451,7 @@ impl SurfaceSpec {
         if self.is_mesh_alone() {
             selection.choose(STAGES[SHADOW].key, SHADOW_OF_MESHES).map_err(of_selection)?;
         }
-        // A shadow takes over the search of the view, with its settings, unless it is told otherwise.
+        // A shadow takes over the view's search with its settings, unless it has its own.
         for is_of_shadow in [false, true] {
             let of_part = |key: &&String| key.starts_with(STAGES[SHADOW].key) == is_of_shadow;
             for key in self.stages.keys().filter(of_part) {

@@ -20,8 +20,8 @@ const BYTES_PER_HEIGHT: u64 = 4 + 7;
 /// of what is built on it, and the normals that are derived, with what is at hand then.
 const BYTES_OF_LEVELS: u64 = 16;
 
-/// Memory that a texel of a normal map takes: as read, and as the shaders take it with its coarser levels, of
-/// which reading sees the first part.
+/// Bytes that a texel of a normal map takes: as read, and as the shaders take it with its coarser levels.
+/// Reading sees the first part.
 const NORMAL_BYTES: [u64; 2] = [12, 16 + 11 + 8];
 
 /// Memory that a texel of a picture takes as it is read.

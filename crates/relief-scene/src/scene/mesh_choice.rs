@@ -12,7 +12,7 @@ use std::str::FromStr;
 pub enum MeshChoice {
     /// One that needs no file.
     Builtin(Builtin),
-    /// That of a file, whose name ends as meshes' do.
+    /// Mesh of a file, whose name has the ending of a mesh format.
     File(PathBuf),
 }
 

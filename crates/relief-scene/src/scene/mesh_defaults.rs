@@ -59,7 +59,7 @@ impl SceneSpec {
     }
 }
 
-/// The keys of a mesh's file, and over them those of a surface on it.
+/// Returns the keys of a mesh's file, overridden by the keys of a surface on it.
 fn over(of_mesh: SurfaceSpec, mut surface: SurfaceSpec) -> SurfaceSpec {
     // The keys are of this very mesh: it is no other one, which would drop some.
     let mesh = surface.mesh.take();

@@ -33,7 +33,7 @@ pub enum ObjectProblem {
     TooMany(usize),
     /// The images make no grid of frames.
     #[error(
-        "its images make no octahedral grid of frames by parallel rays, row by row, of which three could be \
+        "its images make no octahedral grid of orthographic frames, row by row, from which three could be \
          taken: capture it with one, or choose 'depth-object'"
     )]
     NoGrid,
@@ -70,18 +70,19 @@ impl SceneObject {
         &self.object
     }
 
-    /// How many images say all of its visual hull: those of the first rows. Of opposite silhouettes that are
-    /// mirror images one is enough; of a grid of frames, whose rows are in its order, all are asked.
+    /// Returns the number of images that define its visual hull: the images of the first rows. One of two
+    /// opposite silhouettes that are mirror images is enough. A grid of frames, whose rows keep its order, needs
+    /// all.
     pub fn silhouettes(&self) -> usize {
         if self.object.grid().is_some() { self.object.views().len() } else { self.object.silhouettes().len() }
     }
 
-    /// How its images look at it, as the shaders read it: a row for each, of what makes of a point `u`, `v`
-    /// and a height, where it lies among the others, the direction against which it looks, with 1 behind it
-    /// if it does so from an eye, what makes of a point its depth, and the eye, with the depth at which it
-    /// begins to see. After these a row of the grid that they make: its axes, with the frames of a side
-    /// behind the first and 1 behind the second where only the upper half is mapped; zeros where they make
-    /// none.
+    /// Returns the views of its images, as the shaders read them: a row for each. A row holds the map from a
+    /// point to `u`, `v` and a height, the image's place among the others, the direction against which it
+    /// looks, with 1 behind it for a perspective view, the map from a point to its depth, and the eye, with
+    /// the depth at which it begins to see. The last row is the grid that the images make: its axes, with the
+    /// frames of a side behind the first, and 1 behind the second if only the upper half is mapped. It is
+    /// zeros without a grid.
     pub fn images(&self) -> &Arc<BakedMap> {
         &self.images
     }
@@ -159,8 +160,8 @@ fn box_around([low, high]: [DVec3; 2]) -> Option<Mesh> {
     is_solid.then(|| Mesh::new(vertices, unit.triangles().to_vec()).ok()).flatten()
 }
 
-/// The images in the order of their rows: those of the silhouettes that a visual hull needs come first, but
-/// in a grid, of which the frames are known by their numbers.
+/// Returns the images in the order of their rows. Silhouettes that a visual hull needs come first, except in a
+/// grid, whose frames are known by their numbers.
 fn in_order(object: &ImageObject) -> Vec<usize> {
     let mut order: Vec<usize> = (0..object.views().len()).collect();
     if object.grid().is_none() {

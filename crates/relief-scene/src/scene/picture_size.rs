@@ -149,7 +149,7 @@ impl SceneSpec {
         if !(is_whole(0) && is_whole(1)) {
             return Err(of_size(MapSizeProblem::PartTexels(texels)));
         }
-        // A number beyond those of sides is too large as well.
+        // A number beyond the range of sides is too large as well.
         let size = check_size(whole.map(|side| side as u32))?;
         let tile_m = surface.metric().tile_m;
         let wide = tile_m[0] / in_tile[0] / (tile_m[1] / in_tile[1]);

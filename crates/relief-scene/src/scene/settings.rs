@@ -17,7 +17,7 @@ pub fn settings<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<S
 /// Reads the settings of all stages.
 struct Stages<'a>(&'a mut BTreeMap<String, f64>);
 
-/// Reads those of one.
+/// Reads the settings of one stage.
 struct OfStage<'a> {
     stage: String,
     settings: &'a mut BTreeMap<String, f64>,

@@ -47,8 +47,7 @@ pub struct SceneSpec {
     /// another one needs them.
     #[serde(deserialize_with = "length")]
     pub view_height: Option<f64>,
-    /// Which end of the depth buffer is near, of which the picture's `z` are: `standard` (default) or
-    /// `reversed`.
+    /// Near end of the depth buffer for the picture's `z`: `standard` (default) or `reversed`.
     #[serde(deserialize_with = "parsed")]
     pub clip: Option<Clip>,
     /// Metres from the eye to that buffer's near plane. By default it is before the scene.

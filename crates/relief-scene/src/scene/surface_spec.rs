@@ -43,10 +43,10 @@ pub struct SurfaceSpec {
     /// Size and byte order of a headerless file, as in `"403x344,le"`.
     #[serde(deserialize_with = "parsed")]
     pub raw: Option<RawLayout>,
-    /// Whether texels without a value are filled from their surroundings. By default those of elevation
-    /// models and of maps with `nodata` are, and
-    /// [`HeightMap::filled_texels`](relief_core::HeightMap::filled_texels) counts them; those of other files
-    /// are an error.
+    /// Whether texels without a value are filled from their surroundings. Default: elevation models and maps
+    /// with `nodata` are filled, and
+    /// [`HeightMap::filled_texels`](relief_core::HeightMap::filled_texels) counts the texels. In other files
+    /// such a texel is an error.
     pub fill: Option<bool>,
     /// Whether texels without a value are holes, which show what is behind them: rays pass dual cells with
     /// such a texel. By default they are not. Where they are, texels without a value are filled in files of
@@ -127,8 +127,8 @@ pub struct SurfaceSpec {
     pub two_sided: Option<bool>,
 }
 
-/// A Blinn-Phong material; what is not said is that of
-/// [`Material::default`](crate::material::Material::default), but diffuse 0.8 under a colour map.
+/// Blinn-Phong material. Missing values come from
+/// [`Material::default`](crate::material::Material::default), except a diffuse of 0.8 under a colour map.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct MaterialSpec {
@@ -147,7 +147,7 @@ pub(super) fn environment() -> &'static str {
     STAGES[AMBIENT].first(Entry::sees_surroundings).map_or("", |(_, entry)| entry.name)
 }
 
-/// The key of the level of detail, of which objects have one alone.
+/// Key of the level of detail. Objects have one level alone.
 const DETAIL_KEY: &str = STAGES[DETAIL].key;
 
 /// Whether that is the key of one of the stages that a method names.

@@ -380,7 +380,7 @@ fn surfaces_of_a_file_say_what_they_differ_in() {
     assert_eq!((first.height.as_ref(), first.scale), (second.height.as_ref(), Some(0.1)));
     assert_eq!((first.mesh.clone(), first.position), (Some(Builtin::Cube.into()), Some([1.0, 0.0, 0.0])));
     assert_eq!((first.mesh_scale, second.mesh_scale), (Some(0.5), None));
-    // By either name; that of the scene itself is the picture's.
+    // By either name; the scene's own size is the picture's.
     let newer = read(&TWO.replace("size = 0.5", "mesh-scale = 0.5")).expect("a proper scene");
     assert_eq!(newer.surfaces, spec.surfaces);
     let alone = read("height = 'a.png'\nmesh-scale = 3\nsize = [8, 8]\n").expect("a proper scene");

@@ -71,7 +71,7 @@ impl FromStr for View {
     }
 }
 
-/// What a fitted camera is told.
+/// Settings of a fitted camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fit {
     /// With a vertical field of view in degrees.

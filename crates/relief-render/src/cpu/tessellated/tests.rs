@@ -34,7 +34,7 @@ pub const SWEPT: &[(&str, f64)] = &[("geometry.interior", 1.0)];
 /// What divides sides by texels.
 pub const BY_TEXELS: &[(&str, f64)] = &[("geometry.texels", 1.0)];
 
-/// A scene that looks from there to the middle, of which nothing is left out unless it says so.
+/// Scene that looks from `eye` to the middle. Nothing is culled unless `culls` is set.
 pub fn scene_of(surface: Surface, eye: [f64; 3], culls: bool) -> Scene {
     let camera = Camera::new(DVec3::from(eye), DVec3::ZERO, 45.0).expect("a camera");
     let builder = Scene::builder(surface).camera(camera).size(96, 64).samples(1).culls(culls);
@@ -77,7 +77,7 @@ fn diced(point: DicePoint) -> Point {
     (point.side, point.at, point.weights)
 }
 
-/// The weights of a point of a triangle whose sides have so many parts.
+/// Weights of a point of a triangle whose sides have the given numbers of parts.
 fn weights((side, at, inside): Point, parts: [u32; 3]) -> [f64; 3] {
     if side == INSIDE {
         return [inside.x, inside.y, inside.z].map(f64::from);
@@ -96,7 +96,7 @@ fn twice_area(piece: [Point; 3], parts: [u32; 3]) -> f64 {
     (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])
 }
 
-/// Pieces tile a triangle whose sides have so many parts: no edge is there twice, they use every point of
+/// Pieces tile a triangle whose sides have the given numbers of parts: no edge is there twice, they use every point of
 /// the border and as many inside as said, and their areas add up.
 fn assert_tiled(parts: [u32; 3], points: u32, pieces: &[[Point; 3]], least: f64) {
     let border: u32 = parts.iter().sum();
@@ -252,8 +252,8 @@ fn by_places(triangles: impl Iterator<Item = [u32; 3]>, places: Vec<Option<usize
     turned.collect()
 }
 
-/// How many of the points of all closed bases are those of the mesher in 64 bits: the least part of those of
-/// a picture, and in how many pictures all are.
+/// Agreement of the points of all closed bases with the mesher in 64 bits: the least part of a picture's points,
+/// and the number of pictures in which all agree.
 fn beside_mesher(set: &[(&str, f64)], settings: impl Fn(View) -> MeshSettings) -> (f64, u32) {
     let eyes = [[1.3, 0.9, 1.1], [-0.4, 1.7, 0.3], [0.2, -0.1, 2.3]];
     let (mut least, mut whole) = (1.0f64, 0);
@@ -374,7 +374,7 @@ fn what_is_left_out_is_not_seen() {
 }
 
 fn is_not_seen(set: &[(&str, f64)]) {
-    // There is room for all of it: with less, the whole would be coarser than what is left of it.
+    // There is room for all of it: with less, the whole would be coarser than its visible part.
     let surface = surface_of(torus(48, 24).expect("a mesh"), 4.0, set);
     let [whole, seen] = [false, true].map(|culls| scene_of(surface.clone(), [0.6, 0.1, 0.2], culls));
     let [all, few] = [&whole, &seen].map(|scene| made(&job_of(scene)).len());

@@ -182,7 +182,7 @@ fn searched(reader: Reader) -> Scene {
     scene(surfaces.collect())
 }
 
-/// What a renderer makes of a scene with the maps that the CPU bakes.
+/// Picture of a scene with the maps that the CPU bakes.
 fn with_baked_maps(renderer: &mut Renderer, scene: &Scene) -> Rendering {
     let mut maps = Maps::in_memory();
     for surface in scene.surfaces() {

@@ -54,7 +54,7 @@ impl GpuRenderer {
         Ok(time)
     }
 
-    /// Hands over so many frames one after the other, and waits until the last is done.
+    /// Hands over the given number of frames one after the other, and waits until the last is done.
     async fn time_frames(
         &mut self,
         ready: &Passes,
@@ -83,7 +83,7 @@ impl GpuRenderer {
     }
 }
 
-/// How many frames are timed together of which one alone took so long and traced so many times.
+/// Number of frames that are timed together, from the time and the traces of one alone.
 fn frames_in_a_row(alone: Duration, traces: usize) -> u32 {
     let frames = ROW.as_nanos() / alone.as_nanos().max(1);
     // A frame traces and shades.
