@@ -10,7 +10,7 @@ use std::fmt;
 use relief_core::exact::{ExactHit, least_gap};
 use relief_core::{HeightMap, Path};
 
-/// What is wrong with an answer, with all that is needed to look into it.
+/// Fault of an answer, with all that is needed to examine it.
 #[derive(Clone, Debug)]
 pub struct Disagreement {
     /// In a word.
@@ -97,7 +97,7 @@ pub fn judge(
     Ok(Verdict::Grazing)
 }
 
-/// How many answers of each kind a series of judgements had.
+/// Numbers of answers of each kind in a series of judgements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Rays that hit in truth.

@@ -1,4 +1,4 @@
-//! What tests and benchmarks share and what needs the core alone: adversarial maps and rays, brute forces, and the
+//! Parts of tests and benchmarks that need the core alone: adversarial maps and rays, brute forces, and the
 //! judge that compares one tracer with another. Never published.
 
 pub mod brute;
@@ -12,7 +12,7 @@ pub mod rays;
 pub mod search;
 pub mod smooth_base;
 
-/// How many adversarial rays a test sends through each map in each wrap. Tests that cost more a ray take a
+/// Number of adversarial rays that a test sends through each map in each wrap. Tests that cost more a ray take a
 /// fraction of it. All test times scale with it: 25,000 makes 1.2 million rays over [`maps::ALL`] in the
 /// three wraps.
 pub const RAYS_PER_MAP: usize = 25_000;

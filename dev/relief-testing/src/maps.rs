@@ -7,7 +7,7 @@ use relief_core::rng::Rng;
 /// An adversarial map: its name, and its texels in any wrap.
 #[derive(Clone, Copy, Debug)]
 pub struct NamedMap {
-    /// What the map is like.
+    /// Name of the map's pattern.
     pub name: &'static str,
     width: u32,
     height: u32,

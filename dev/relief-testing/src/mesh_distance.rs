@@ -1,4 +1,4 @@
-//! How far one mesh is from another, by brute force.
+//! Distance of one mesh from another, by brute force.
 
 use std::collections::HashMap;
 

@@ -29,7 +29,7 @@ impl Mask {
         self.covered[y as usize * self.size[0] + x as usize]
     }
 
-    /// How many pixels are covered.
+    /// Returns the number of covered pixels.
     pub fn area(&self) -> usize {
         self.covered.iter().filter(|covered| **covered).count()
     }
@@ -41,7 +41,7 @@ impl Mask {
         Self { covered, ..self.clone() }
     }
 
-    /// What is left when all pixels beside uncovered ones, corners included, are taken off.
+    /// Returns the mask without the pixels beside uncovered ones, corners included.
     #[must_use]
     pub fn eroded(&self) -> Self {
         let around = |[x, y]: [i64; 2]| (-1..=1).all(|dy| (-1..=1).all(|dx| self.at(x + dx, y + dy)));
@@ -116,7 +116,7 @@ pub fn distances(a: &Mask, b: &Mask) -> Vec<f64> {
     distances_between(&a.boundary(), &b.boundary())
 }
 
-/// The same of the lines within what both cover, such as edges of shadows: outlines against what is not
+/// Distances of the lines within what both cover, such as edges of shadows. Outlines against what is not
 /// covered are left out.
 pub fn distances_of_lines(a: &Mask, b: &Mask, covered: &Mask) -> Vec<f64> {
     distances_between(&a.boundary_within(covered), &b.boundary_within(covered))
@@ -141,7 +141,7 @@ fn between(a: &[[i64; 2]], b: &[[i64; 2]]) -> Vec<([i64; 2], f64)> {
     [to(a, b), to(b, a)].concat()
 }
 
-/// How many pixels both cover, and how many either does.
+/// Returns the number of pixels that both cover, and that either covers.
 pub fn overlap(a: &Mask, b: &Mask) -> [usize; 2] {
     let pairs = || a.covered.iter().zip(&b.covered);
     [pairs().filter(|(a, b)| **a && **b).count(), pairs().filter(|(a, b)| **a || **b).count()]

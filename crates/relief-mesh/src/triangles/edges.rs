@@ -212,7 +212,7 @@ impl Edges {
         if size == 0 { [at, parts] } else { [self.steps[(first_step + at) as usize - 1].into(), size] }
     }
 
-    /// Returns the number of steps along an edge, some of which are points.
+    /// Returns the number of steps along an edge. Some of their ends are points.
     pub fn size(&self, edge: u32) -> u32 {
         let Seam { parts, size, .. } = self.seams[self.edges[edge as usize].seam as usize];
         if size == 0 { parts } else { size }

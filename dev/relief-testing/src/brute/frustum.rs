@@ -5,7 +5,7 @@ use relief_core::HeightMap;
 
 use crate::probes::place::Place;
 
-/// What a cell's least slope in a quadrant is, and where the surface touches it: `None` where the slope is 0.
+/// Least slope of a cell in a quadrant, and the point where the surface touches it: `None` where the slope is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeastSlope {
     /// The slope in heights a texel.

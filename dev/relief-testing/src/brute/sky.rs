@@ -6,7 +6,7 @@ use relief_core::HeightMap;
 
 use super::horizon::{HorizonRay, slope};
 
-/// How the sky is looked at from the texels of a map.
+/// Settings of the view of the sky from the texels of a map.
 #[derive(Clone, Copy, Debug)]
 pub struct Sky {
     /// Size of a texel in metres.
@@ -15,7 +15,7 @@ pub struct Sky {
     pub scale_m: f64,
     /// In how many azimuths.
     pub azimuths: u32,
-    /// How far, in texels.
+    /// Reach in texels.
     pub reach: f64,
     /// The map's highest texel.
     pub highest: f64,

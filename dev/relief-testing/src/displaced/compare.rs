@@ -19,7 +19,7 @@ const ON_SHEET: f64 = 1e-11;
 /// The same where ray and sheet are nearly tangent.
 const ON_SHEET_GRAZING: f64 = 2e-9;
 
-/// What is wrong with an answer.
+/// Fault of an answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
     /// A number of the hit does not belong to the others.
@@ -82,7 +82,7 @@ fn crossing<'a>(flat: &'a Flat, turn: &DMat3, origin: DVec3, mirrored: bool) -> 
     ((clockwise || counter_clockwise) && near >= 0.0).then_some(Crossing { far, side, flat })
 }
 
-/// What is wrong with an answer. Sides are `comparable` where no shell is folded.
+/// Returns the fault of an answer, if it has one. Sides are `comparable` where no shell is folded.
 pub fn fault(
     sheet: &Sheet,
     crossings: &[Crossing],

@@ -31,22 +31,22 @@ pub fn judge_of(sheet: &Sheet) -> DisplacedMesh {
 /// Rays of one kind.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Counts {
-    /// How many there are.
+    /// Number of rays.
     pub rays: usize,
-    /// Those that hit a side.
+    /// Rays that hit a side.
     pub hits: usize,
     /// Rays whose crossing the tessellation proves.
     pub proved: usize,
-    /// Those whose hit is not told from a touch.
+    /// Rays whose hit cannot be distinguished from a touch.
     pub grazing: usize,
 }
 
-/// What a comparison found.
+/// Results of a comparison.
 #[derive(Clone, Default, Debug)]
 pub struct Tally {
-    /// Of each of the [`KINDS`].
+    /// Counts of each of the [`KINDS`].
     pub kinds: [Counts; KINDS.len()],
-    /// What is wrong with which kind of ray.
+    /// Faults, each with its kind of ray.
     pub faults: Vec<(&'static str, Sides, Fault)>,
 }
 
@@ -62,7 +62,7 @@ impl Counts {
 }
 
 impl Tally {
-    /// Of all kinds.
+    /// Sums over all kinds.
     pub fn all(&self) -> Counts {
         self.kinds.into_iter().fold(Counts::default(), Counts::plus)
     }
@@ -79,7 +79,7 @@ impl Tally {
 /// A first hit by any means.
 pub type Judge<'a> = &'a (dyn Fn(&Ray, Sides) -> Option<DisplacedHit> + Sync);
 
-/// As many rays, of all kinds in turn.
+/// Returns the given number of rays, of all kinds in turn.
 pub fn rays_of(sheet: &Sheet, count: usize) -> Vec<Ray> {
     let mut rng = Rng::new(99);
     (0..count).map(|kind| ray(sheet, kind, &mut rng)).collect()

@@ -9,7 +9,7 @@ use relief_core::rng::Rng;
 pub struct Ray {
     /// Where it begins, in metres.
     pub origin: DVec3,
-    /// Its direction, of any length.
+    /// Direction, of any length.
     pub direction: DVec3,
     /// The depth, in metres, of a point of the sheet that the ray goes through for certain.
     pub target: Option<f64>,

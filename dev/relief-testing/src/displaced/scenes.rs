@@ -9,7 +9,7 @@ use relief_core::rng::Rng;
 
 /// A named sheet.
 pub struct Scene {
-    /// What it is.
+    /// Description.
     pub name: String,
     /// The sheet.
     pub sheet: Sheet,
@@ -17,7 +17,7 @@ pub struct Scene {
     pub unfolded: bool,
 }
 
-/// What the heights of a map are.
+/// Pattern of the heights of a map.
 #[derive(Clone, Copy, Debug)]
 pub enum Heights {
     /// White noise.

@@ -54,7 +54,7 @@ impl Sheet {
         self.uv(triangle, w) * DVec2::new(self.map.width().into(), self.map.height().into()) - 0.5
     }
 
-    /// How many triangles the base has.
+    /// Returns the number of base triangles.
     pub fn triangles(&self) -> u32 {
         self.mesh.triangles().len() as u32
     }

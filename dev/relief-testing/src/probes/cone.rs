@@ -103,7 +103,7 @@ impl Iterator for Probes<'_> {
     }
 }
 
-/// How many of `count` probes find a point inside the cone of their texel, and the contact that comes nearest
+/// Returns how many of `count` probes find a point inside the cone of their texel, and the contact that comes nearest
 /// to it: the one with the least limit over ratio. `ratio` is asked for the ratio that a search would use at
 /// an apex of a texel.
 pub fn attack(probes: Probes<'_>, count: usize, ratio: impl Fn(&Contact) -> f64) -> (usize, Option<Contact>) {

@@ -1,6 +1,6 @@
-//! What probes find.
+//! Results of probes.
 
-/// How many probes broke a bound, and the one that came nearest to breaking it, or broke it most.
+/// Number of probes that broke a bound, and the one that came nearest to breaking it, or broke it most.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found<T> {
     /// Probes that broke the bound.
@@ -26,7 +26,7 @@ impl<T: Copy> Found<T> {
         }
     }
 
-    /// What two attacks found together.
+    /// Joins the results of two attacks.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         let tightest = match (self.tightest, other.tightest) {

@@ -36,7 +36,7 @@ impl Frustum {
         self.room(map, place, forward) >= -ROUNDING
     }
 
-    /// How far below the frustum the surface at a place of the quadrant is, in heights.
+    /// Returns the depth of the surface below the frustum at a place of the quadrant, in heights.
     pub fn room(&self, map: &HeightMap, place: &Place, forward: [bool; 2]) -> f64 {
         self.top + self.slope * self.distance(place, forward) - place.height(map)
     }

@@ -11,7 +11,7 @@ pub fn holds(map: &HeightMap, place: &Place, bounds: [f32; 2]) -> bool {
     room(map, place, bounds) >= -ROUNDING
 }
 
-/// How far inside of what is said of it the surface at a place is, in heights.
+/// Returns the distance of the surface at a place from its stated bounds, in heights, positive inside.
 #[inline]
 pub fn room(map: &HeightMap, place: &Place, [least, most]: [f32; 2]) -> f64 {
     let height = place.height(map);

@@ -8,7 +8,7 @@ const SIDE: u32 = 256;
 const WHITE: [f64; 3] = [236.0, 230.0, 220.0];
 const DARK: [f64; 3] = [52.0, 38.0, 30.0];
 
-/// Its colours.
+/// Colours of the mesh.
 pub fn colours() -> Grid<[f64; 3]> {
     Grid::square(SIDE, |u, v| {
         let patch = fractal_noise(u, v, 5, 3, 61) + 0.06 * fractal_noise(u, v, 48, 2, 62);

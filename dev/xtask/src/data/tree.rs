@@ -130,7 +130,7 @@ pub fn mesh() -> String {
     text
 }
 
-/// Its colours: leaves with ribs, and bark.
+/// Colours of the tree: leaves with ribs, and bark.
 pub fn colours() -> Grid<[f64; 3]> {
     Grid::square(SIDE, |u, v| {
         let [x, y] = [u, v].map(|at| at * f64::from(CELLS));

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// What a page holds.
+/// Contents of a page.
 pub struct Page {
     pub file: PathBuf,
     /// Commands and files, in the page's order.
@@ -11,7 +11,7 @@ pub struct Page {
     pub pictures: Vec<(usize, String)>,
     /// Line and text of each block of Rust.
     pub rust: Vec<(usize, String)>,
-    /// What cannot be understood, with page and line.
+    /// Error in a page, with its name and line.
     pub errors: Vec<String>,
 }
 

@@ -14,12 +14,12 @@ use super::names::{identifiers, name_of};
 /// A declaration.
 #[derive(Clone, Debug)]
 pub struct Declaration {
-    /// Its module, such as `search/linear`.
+    /// Module, such as `search/linear`.
     pub module: String,
     pub name: String,
-    /// Of two declarations of that name whether this is the one of fast sampling.
+    /// Whether this is the declaration of fast sampling, if two have the name.
     pub fast: Option<bool>,
-    /// As it is written, its comment first.
+    /// Text as written, with its comment first.
     pub text: String,
     /// The other declarations that it uses.
     pub uses: Vec<String>,

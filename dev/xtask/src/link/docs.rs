@@ -9,7 +9,7 @@ use super::declarations::Declaration;
 pub struct Docs(BTreeMap<String, BTreeMap<String, Vec<String>>>);
 
 impl Docs {
-    /// Of these declarations.
+    /// Returns the comments of the given declarations.
     pub fn of(declarations: &[Declaration]) -> Self {
         let mut structs = BTreeMap::new();
         for declaration in declarations {

@@ -1,4 +1,4 @@
-//! What naga says of a linked shader, and what the translation to Rust would get wrong.
+//! Checks of a linked shader: naga's validation, and constructs that the translation to Rust would get wrong.
 
 use naga::valid::{Capabilities, FunctionInfo, ModuleInfo, ValidationFlags, Validator};
 use naga::{

@@ -10,7 +10,7 @@ use super::super::ready::Ready;
 use super::super::seen::SeenOfSurface;
 use super::Look;
 
-/// From how many rays on those of a shell are searched as they are; fewer are gathered with those of others.
+/// Number of rays of a shell from which they are searched as they are. Fewer are gathered with other shells'.
 const NEARLY_ALL: u32 = 12;
 
 /// A side of a shell and the rays that look into it.
@@ -154,7 +154,7 @@ impl Ready<'_> {
                 shell.keep(self, number, lanes, seen);
             }
         }
-        // Of tracers it is told what it took to find the hit.
+        // Tracers report the cost of finding the hit.
         if self.tracers.is_none() {
             looked.iter().for_each(|shell| shell.tell_costs(seen));
         }

@@ -174,7 +174,7 @@ impl Writer<'_> {
         Ok(format!("{base}[{index} as usize]"))
     }
 
-    /// What a pointer points at.
+    /// Returns the target of a pointer.
     pub fn place(&mut self, pointer: Handle<Expression>) -> Text {
         match self.function.expressions[pointer] {
             Expression::LocalVariable(local) => Ok(self.local_name(local)),

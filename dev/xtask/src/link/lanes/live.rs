@@ -10,7 +10,7 @@ use super::reach;
 /// Local variables.
 pub type Locals = BTreeSet<Handle<LocalVariable>>;
 
-/// What is read after each branch and loop of a function.
+/// Variables that are read after each branch and loop of a function.
 pub struct Live<'a> {
     function: &'a Function,
     after: HashMap<*const Statement, Locals>,
@@ -30,12 +30,12 @@ impl<'a> Live<'a> {
         live
     }
 
-    /// What is read after a branch or a loop of the function.
+    /// Returns the variables that are read after a branch or a loop of the function.
     pub fn after(&self, statement: &Statement) -> &Locals {
         &self.after[&std::ptr::from_ref(statement)]
     }
 
-    /// What is read from the start of a turn of a loop on.
+    /// Returns the variables that are read from the start of a turn of a loop on.
     pub fn turn(&self, statement: &Statement) -> &Locals {
         &self.turn[&std::ptr::from_ref(statement)]
     }

@@ -63,7 +63,7 @@ pub fn local_of(function: &Function, pointer: Handle<Expression>) -> Option<Hand
     }
 }
 
-/// What an expression is made of.
+/// Passes the operands of an expression to `say`.
 pub fn operands(expression: &Expression, mut say: impl FnMut(Handle<Expression>)) {
     match *expression {
         Expression::Compose { ref components, .. } => components.iter().copied().for_each(say),

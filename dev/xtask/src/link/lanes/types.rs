@@ -8,7 +8,7 @@ use naga::{ArraySize, Handle, Module, Scalar, ScalarKind, Type, TypeInner};
 
 use super::LaneText;
 
-/// What a number is.
+/// Kind of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Float,
@@ -41,7 +41,7 @@ impl Kind {
         ["f32", "i32", "u32", "bool"][self as usize]
     }
 
-    /// What the names of operations end with.
+    /// Returns the suffix of the names of operations.
     pub fn suffix(self) -> &'static str {
         ["", "_i", "_u", "_m"][self as usize]
     }
@@ -105,7 +105,7 @@ pub fn function_of(purpose: &str, structure: &str) -> String {
     name
 }
 
-/// Those structs, and the structs that are parts of them.
+/// Returns the given structs, and the structs that are parts of them.
 pub fn with_parts(module: &Module, structs: BTreeSet<Handle<Type>>) -> BTreeSet<Handle<Type>> {
     let mut all = BTreeSet::new();
     let mut waiting: Vec<Handle<Type>> = structs.into_iter().collect();
@@ -127,7 +127,7 @@ pub struct Member {
     pub what: Option<What>,
 }
 
-/// What there is in each lane.
+/// Type of one lane.
 pub enum What {
     /// A number or a vector.
     Vector(Kind, usize),

@@ -8,7 +8,7 @@ use naga::{Block, Expression, Function, Handle, Module, Statement, TypeInner};
 use super::types::{self, is_by_reference};
 use super::{LaneText, reach};
 
-/// What of a function is the same in all lanes.
+/// Parts of a function that are the same in all lanes.
 #[derive(Clone, PartialEq)]
 pub struct Facts {
     pub arguments: Vec<bool>,
@@ -33,7 +33,7 @@ pub struct Variant {
     pub same: Option<Vec<bool>>,
 }
 
-/// What is known of every function that the roots reach.
+/// Facts about every function that the roots reach.
 pub struct Program<'a> {
     pub module: &'a Module,
     pub info: &'a ModuleInfo,
