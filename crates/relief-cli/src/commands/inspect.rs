@@ -297,7 +297,7 @@ fn print_values(out: &mut impl Write, info: &SourceInfo, values: &Values) -> io:
             writeln!(out, "  doubtful    {doubt}")?;
         }
         if elevation.downward {
-            writeln!(out, "  convention  depth, by its vertical system: it is read so")?;
+            writeln!(out, "  convention  depth, by its vertical system")?;
         }
     }
     if let Some([zero, one]) = values.normalised_range {

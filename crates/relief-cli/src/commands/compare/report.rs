@@ -39,7 +39,7 @@ fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure
         "method",
         "on",
         "frame ms",
-        "surely within ms",
+        "upper 95 % ms",
         "p99 texels",
     ]);
     for (place, candidate) in tried.candidates.iter().enumerate() {
