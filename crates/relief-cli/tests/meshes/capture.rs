@@ -243,7 +243,7 @@ fn files_that_no_capture_has_written_are_replaced_when_asked_to() {
         let folder = folder();
         folder.write(&format!("o/{name}"), "mine");
         let ran = folder.relief(&format!("{capture} {more}"));
-        assert_refused(&folder, &ran, 1, &[name, "is there already", "--force"]);
+        assert_refused(&folder, &ran, 1, &[name, "exists already", "--force"]);
         assert_eq!(entries(&folder.path("o")), [name]);
         assert_eq!(std::fs::read(folder.path(format!("o/{name}"))).expect("it is there"), b"mine");
         folder.relief(&format!("{capture} {more} --force")).fine();
