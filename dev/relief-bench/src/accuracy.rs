@@ -11,7 +11,7 @@ use relief_tests::baked::{maps_for, slots};
 
 use crate::table::table;
 
-/// What `accuracy` is given.
+/// Arguments of `accuracy`.
 #[derive(Args)]
 pub struct Arguments {
     /// Rays a map and angle

@@ -25,7 +25,7 @@ const SCALE_M: f64 = 0.1;
 /// Growth of the time that is reckoned with before a larger map is measured, over texels.
 const EXPECTED_EXPONENT: f64 = 1.15;
 
-/// What `bake` is given.
+/// Arguments of `bake`.
 #[derive(Args)]
 pub struct Arguments {
     /// Sides of the maps, in texels

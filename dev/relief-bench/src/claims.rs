@@ -6,7 +6,7 @@ use relief_tests::claims::{PictureVerdict, picture_verdicts, verdicts};
 
 use crate::table::table;
 
-/// What `claims` is given.
+/// Arguments of `claims`.
 #[derive(Args)]
 pub struct Arguments {
     /// Rays a map and angle

@@ -31,7 +31,7 @@ const FROM: DVec3 = DVec3::new(0.6, 0.9, 1.1);
 /// Where the light of frames with shadows comes from.
 const TO_LIGHT: DVec3 = DVec3::new(-0.6, 0.6, -0.1);
 
-/// What `cost` is given.
+/// Arguments of `cost`.
 #[derive(Args)]
 pub struct Arguments {
     /// Where frames are made: cpu or gpu

@@ -20,7 +20,7 @@ const MESHES: [&str; 4] = ["torus-128x64", "torus-32x16", "torus-16x8", "sphere-
 /// The surfaces whose neighbours share their sides.
 const SURFACES: [&str; 2] = ["prism", "tetrahedra"];
 
-/// What `cracks` is given.
+/// Arguments of `cracks`.
 #[derive(Args)]
 pub struct Arguments {
     /// Random views of each mesh, from far and from near

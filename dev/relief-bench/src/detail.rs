@@ -7,7 +7,7 @@ use relief_tests::detail::Seen;
 
 use crate::table::table;
 
-/// What `detail` is given.
+/// Arguments of `detail`.
 #[derive(Args)]
 pub struct Arguments {
     /// Columns and rows of the pictures

@@ -21,7 +21,7 @@ const AIM_UPLOADED: u64 = 1024;
 /// Most time that it may take, as a part of a whole rendering's.
 const AIM_TIME: f64 = 0.5;
 
-/// What `frame` is given.
+/// Arguments of `frame`.
 #[derive(Args)]
 pub struct Arguments {
     /// Scene files

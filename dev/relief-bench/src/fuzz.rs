@@ -30,7 +30,7 @@ const MUCH_MEMORY: usize = 256 << 20;
 /// Failures after which a target is left.
 const MOST_FAILURES: usize = 10;
 
-/// What `relief-bench fuzz` is given.
+/// Arguments of `fuzz`.
 #[derive(Args)]
 pub struct Arguments {
     /// Minutes, over all targets together

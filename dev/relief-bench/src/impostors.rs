@@ -15,7 +15,7 @@ use crate::table::table;
 
 mod turning;
 
-/// What `impostors` is given.
+/// Arguments of `impostors`.
 #[derive(Args)]
 pub struct Arguments {
     /// Pictures that are compared, from directions that are the same each time

@@ -20,7 +20,7 @@ const MUTATED: f64 = 1.0 + 1e-9;
 /// Rays that a mutated judge is given in each scene.
 const MUTATED_RAYS: usize = 4_500;
 
-/// What `judge` is given.
+/// Arguments of `judge`.
 #[derive(Args)]
 pub struct Arguments {
     /// Rays in all scenes together, each asked for front sides and for both

@@ -15,7 +15,7 @@ use relief_tests::{accuracy, data_dir};
 
 use crate::table::table;
 
-/// What `levels` is given.
+/// Arguments of `levels`.
 #[derive(Args)]
 pub struct Arguments {
     /// Side of the part of each map, from its middle, whose levels are compared

@@ -22,7 +22,7 @@ use crate::table::table;
 /// Triangles a second, in millions, that are to be reached and that are aimed at.
 const LEAST_MILLIONS: f64 = 30.0;
 
-/// What `mesh` is given.
+/// Arguments of `mesh`.
 #[derive(Args)]
 pub struct Arguments {
     /// Tiles of 256x256 texels along each side of the plane

@@ -22,7 +22,7 @@ use crate::samples::Samples;
 use crate::surfaces::bases::spot;
 use crate::table::table;
 
-/// What `object-slices` is given.
+/// Arguments of `object-slices`.
 #[derive(Args)]
 pub struct Arguments {
     /// Time pictures in place of comparing them

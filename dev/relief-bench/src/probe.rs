@@ -10,7 +10,7 @@ use relief_tests::probes::run::{self, Case, KINDS, MAPS};
 
 use crate::table::table;
 
-/// What `probe` is given.
+/// Arguments of `probe`.
 #[derive(Args)]
 pub struct Arguments {
     /// Kinds [default: all that promise something to one side]

@@ -21,7 +21,7 @@ use crate::table::table;
 /// Rows and columns of the pictures: few, so that pixels take next to no time.
 const SIDE: u32 = 16;
 
-/// What `pyramid` is given.
+/// Arguments of `pyramid`.
 #[derive(Args)]
 pub struct Arguments {
     /// Sides of the maps, in texels

@@ -21,7 +21,7 @@ const BATCH: u64 = 1000;
 /// What a texel's `f32` may be off, as a part of the channel's range.
 const ROUNDING: f64 = 2e-7;
 
-/// What `readers` is given.
+/// Arguments of `readers`.
 #[derive(Args)]
 pub struct Arguments {
     /// A Python with numpy, pillow, tifffile, imagecodecs and OpenEXR

@@ -8,7 +8,7 @@ use relief_tests::shadows::{Lit, mean_error, squared_error, wrong};
 
 use crate::table::table;
 
-/// What `shadow` is given.
+/// Arguments of `shadow`.
 #[derive(Args)]
 pub struct Arguments {
     /// Width of the pictures; they are three quarters as high

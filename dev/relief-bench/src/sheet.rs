@@ -28,7 +28,7 @@ const ODD: f64 = 0.1;
 /// Endings of the names of files that hold no picture.
 const OTHERS: [&str; 6] = ["md", "txt", "obj", "toml", "zip", "relief-manifest"];
 
-/// What `sheet` is given.
+/// Arguments of `sheet`.
 #[derive(Args)]
 pub struct Arguments {
     /// Folder with height maps; files in folders below it count, too

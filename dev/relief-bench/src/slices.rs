@@ -13,7 +13,7 @@ use crate::table::table;
 
 mod torus;
 
-/// What `slices` is given.
+/// Arguments of `slices`.
 #[derive(Args)]
 pub struct Arguments {
     /// Width and height of the pictures

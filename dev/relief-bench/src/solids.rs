@@ -41,7 +41,7 @@ const OUTLINES: [(&str, Hole); 6] = [
     ("speckles", |x, y| (x * 7.0 + y * 13.0 + x * y) as u32 % 11 == 3),
 ];
 
-/// What `solids` is given.
+/// Arguments of `solids`.
 #[derive(Args)]
 pub struct Arguments {
     /// A Python with trimesh, manifold3d, networkx, pillow and scipy

@@ -19,7 +19,7 @@ use crate::table::table;
 const LEAST: f64 = 2.0;
 const AIM: f64 = 10.0;
 
-/// What `tessellate` is given.
+/// Arguments of `tessellate`.
 #[derive(Args)]
 pub struct Arguments {
     /// Tiles of 256x256 texels along each side of the plane, each texel of two triangles

@@ -39,7 +39,7 @@ const AIM_MILLIONS: f64 = 10.0;
 const AIM_OVER_PARRY: f64 = 10.0;
 const AIM_OVER_POVRAY: f64 = 4.0;
 
-/// What `trace` is given.
+/// Arguments of `trace`.
 #[derive(Args)]
 pub struct Arguments {
     /// Rounds in which everything is measured once

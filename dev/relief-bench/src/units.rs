@@ -19,7 +19,7 @@ const PYPROJ: &str = "pyproj==3.7.1";
 /// How far apart two sizes of a unit may be, as a part of them: PROJ's own vary in the last digit.
 const ROUNDING: f64 = 1e-12;
 
-/// What `relief-bench units` is given.
+/// Arguments of `units`.
 #[derive(Args)]
 pub struct Arguments {
     /// Python with pyproj 3.7.1

@@ -22,7 +22,7 @@ pub const ANGLES: [f64; 4] = [10.0, 30.0, 60.0, 85.0];
 
 /// A map by name.
 pub struct Named {
-    /// Its name in tables.
+    /// Name in tables.
     pub name: &'static str,
     /// The map, with [`SCALE_M`].
     pub map: HeightMap,
@@ -62,7 +62,7 @@ pub fn sample_maps() -> PathBuf {
     FilePath::new(env!("CARGO_MANIFEST_DIR")).join("../../data")
 }
 
-/// What a pair of stages pays for [`picture_paths`](relief_compare::rays::picture_paths); a baked map that
+/// Cost of a pair of stages for [`picture_paths`](relief_compare::rays::picture_paths); a baked map that
 /// its search reads is baked first.
 pub fn picture_cost(map: &HeightMap, selection: &Selection, paths: &[Path]) -> CostReport {
     let maps = maps_for(map, selection);
@@ -75,13 +75,13 @@ pub fn case(map: &HeightMap, degrees: f64, count: usize) -> Case<'_> {
     Case::new(map, UNIT_TILE, degrees, count)
 }
 
-/// How wrong a pair of stages is; a baked map that its search reads is baked first.
+/// Errors of a pair of stages. A baked map that its search reads is baked first.
 pub fn report(case: &Case, selection: &Selection) -> ErrorReport {
     let maps = maps_for(case.map, selection);
     report_with(case, selection, &slots(case.map, selection, &maps))
 }
 
-/// How wrong a pair of stages is, with the baked map that its search reads.
+/// Errors of a pair of stages, with the baked map that its search reads.
 pub fn report_with(case: &Case, selection: &Selection, maps: &SlotMaps) -> ErrorReport {
     case.report(&MethodTracer::over(case.map, selection, *maps), Lanes::widest())
 }

@@ -28,9 +28,9 @@ pub fn open(choice: AdapterChoice) -> Option<Gpu> {
 /// graze something some find what is behind it.
 #[derive(Clone, Copy, Debug)]
 pub struct Leeway {
-    /// How many times as much numbers may differ that are the same.
+    /// Factor for the difference of equal numbers.
     pub rounding: f32,
-    /// How many times as many pixels may show something else.
+    /// Factor for the number of pixels that show something else.
     pub outliers: f64,
 }
 

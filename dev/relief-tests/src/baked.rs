@@ -16,7 +16,7 @@ pub fn maps_for(map: &HeightMap, selection: &Selection) -> Vec<BakedMap> {
     maps_in(MapFormat::F32, map, selection)
 }
 
-/// The same, stored in a format.
+/// Baked map that is stored in a format.
 ///
 /// # Panics
 ///
@@ -38,7 +38,7 @@ pub fn maps_in(format: MapFormat, map: &HeightMap, selection: &Selection) -> Vec
     baked.collect()
 }
 
-/// Those maps in their slots.
+/// Returns the maps in their slots.
 ///
 /// # Panics
 ///
@@ -58,7 +58,7 @@ fn different_needs(selection: &Selection) -> Vec<MapNeed> {
     needs
 }
 
-/// Those maps as a surface has them.
+/// Returns the maps as a surface has them.
 pub fn in_slots(selection: &Selection, maps: Vec<BakedMap>) -> Vec<(MapSlot, Arc<BakedMap>)> {
     let maps: Vec<_> = different_needs(selection).into_iter().zip(maps.into_iter().map(Arc::new)).collect();
     let of = |need: &MapNeed| maps.iter().find(|(known, _)| known.is_same_map(need)).map(|(_, map)| map);

@@ -29,7 +29,7 @@ pub struct Meeting {
     camera: Camera,
 }
 
-/// What is known of a pixel: the surface that it shows, and whether the light arrives there.
+/// Facts about a pixel: the surface that it shows, and whether the light arrives there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shown {
     /// The surface's number.
@@ -79,7 +79,7 @@ impl Meeting {
         ]
     }
 
-    /// What a picture shows with a shadow, under a light.
+    /// Contents of a picture with a shadow, under a light.
     ///
     /// # Panics
     ///
@@ -114,7 +114,7 @@ impl Meeting {
         picture.pixels.iter().map(shown).collect()
     }
 
-    /// What the judges see, under a light.
+    /// Picture that the judges see, under a light.
     pub fn judged(&self, light: Light, size: [u32; 2]) -> Vec<Option<Shown>> {
         let [columns, rows] = size;
         let pixel = |pixel: u32| {
@@ -154,7 +154,7 @@ pub fn mask(shown: &[Option<Shown>], size: [u32; 2], holds: impl Fn(Shown) -> bo
     Mask::new(size, shown.iter().map(|shown| shown.is_some_and(&holds)).collect())
 }
 
-/// Of the pixels in which both show the same surface, the part in which they agree whether it is lit.
+/// Part of the pixels that agree on light, among pixels in which both show the same surface.
 pub fn agreement(a: &[Option<Shown>], b: &[Option<Shown>]) -> f64 {
     let both = a.iter().zip(b).filter_map(|(a, b)| a.zip(*b)).filter(|(a, b)| a.surface == b.surface);
     let (same, all) = both.fold((0, 0), |(same, all), (a, b)| (same + usize::from(a.lit == b.lit), all + 1));

@@ -5,10 +5,10 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::process::Command;
 
-/// What compiles GLSL and HLSL.
+/// Compiler of GLSL and HLSL.
 pub const GLSLANG: &str = "glslangValidator";
 
-/// What validates SPIR-V.
+/// Validator of SPIR-V.
 pub const SPIRV_VAL: &str = "spirv-val";
 
 /// Whether both are there. Where one is not the test says that it skips, unless the environment variable

@@ -80,7 +80,7 @@ impl Seen<'_> {
         DEPTH * f64::from(self.map.width()) / self.texels
     }
 
-    /// What is chosen, in that detail.
+    /// Returns the selection, in that detail.
     ///
     /// # Panics
     ///

@@ -1,4 +1,4 @@
-//! What tests across crates and benchmarks share: cases of both backends, exported shaders, claims. What needs the
+//! Shared parts of tests across crates and benchmarks: cases of both backends, exported shaders, claims. What needs the
 //! core alone is in `relief-testing`. Never published.
 
 pub mod accuracy;

@@ -49,7 +49,7 @@ pub fn scene(object: &ImageObject, selection: Selection, eye: DVec3, backend: Ba
     scene.backend(backend).build().expect("a proper scene")
 }
 
-/// What is seen of an object.
+/// Picture of an object.
 pub fn pixels(
     object: &ImageObject,
     selection: Selection,
@@ -66,7 +66,7 @@ pub fn rays(eye: DVec3) -> impl Iterator<Item = Ray> {
     (0..SIZE[0] * SIZE[1]).map(move |at| camera.ray(at % SIZE[0], at / SIZE[0], SIZE[0], SIZE[1]))
 }
 
-/// Of pixels that see the spheres or should, the share that do both, and the mean error of their depth.
+/// Share of pixels that see the spheres and should, among those that do either; and their mean error of depth.
 pub fn beside_truth(pixels: &[PixelOut], eye: DVec3) -> (f64, f64) {
     let (mut both, mut either, mut off) = (0, 0, 0.0);
     for (pixel, ray) in pixels.iter().zip(rays(eye)) {

@@ -26,13 +26,13 @@ pub struct Lit<'a> {
     pub map: &'a HeightMap,
     /// The mesh; where it is curved, with several tiles.
     pub mesh: Builtin,
-    /// How far the light is above the horizon of the plane, in degrees.
+    /// Elevation of the light above the plane's horizon, in degrees.
     pub elevation_deg: f64,
-    /// How large its disc is, in degrees.
+    /// Diameter of the light's disc, in degrees.
     pub diameter_deg: f64,
     /// Width and height of the picture.
     pub size: [u32; 2],
-    /// What computes the picture.
+    /// Backend of the picture.
     pub backend: BackendChoice,
 }
 

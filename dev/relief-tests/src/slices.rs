@@ -30,16 +30,16 @@ pub struct PlaneView<'a> {
     pub size: u32,
 }
 
-/// How far what slices show is from the truth.
+/// Error of slices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SliceErrors {
     /// The share of pixels that show nothing, or what lies farther behind the truth than slices are apart.
     pub see_through: f64,
     /// The share of those beside these that show a point more than half a texel behind the truth.
     pub late: f64,
-    /// How far all are off, in texels.
+    /// Median error in texels.
     pub median: f64,
-    /// The same of the worst in a hundred.
+    /// Error of the worst in a hundred, in texels.
     pub p99: f64,
 }
 
@@ -77,7 +77,7 @@ impl PlaneView<'_> {
         SliceSettings { count, direction }
     }
 
-    /// How many slices the rays of the pixels that show the middle cross, on the mean.
+    /// Returns the mean number of slices that rays of the pixels in the middle cross.
     ///
     /// # Panics
     ///
@@ -87,7 +87,7 @@ impl PlaneView<'_> {
         self.crossed(middle.map(|(number, _)| number), settings)
     }
 
-    /// The same of all pixels, whether they show the plane or not.
+    /// Returns the mean number of slices of all pixels, whether they show the plane or not.
     ///
     /// # Panics
     ///
@@ -105,7 +105,7 @@ impl PlaneView<'_> {
         sum as f64 / f64::from(count.max(1))
     }
 
-    /// How far along a ray slices that are `spacing` heights apart are.
+    /// Returns the distance along a ray of slices that are `spacing` heights apart.
     pub fn along_m(&self, method: &str, spacing: f64) -> f64 {
         let (sine, cosine) = self.degrees.to_radians().sin_cos();
         let faces = match method {
@@ -151,7 +151,7 @@ impl PlaneView<'_> {
         f64::from(jumps) / f64::from(count.max(1))
     }
 
-    /// How far two hits are apart, in texels; misses are infinitely far.
+    /// Returns the distance of two hits in texels; infinite for misses.
     pub fn texels_apart(&self, a: &PixelOut, b: &PixelOut) -> f64 {
         let [x, y] = [a.uv.x - b.uv.x, a.uv.y - b.uv.y].map(f64::from);
         let apart = (x * f64::from(self.map.width())).hypot(y * f64::from(self.map.height()));
@@ -171,7 +171,7 @@ impl PlaneView<'_> {
     }
 }
 
-/// How the slices of a method run.
+/// Returns the direction of a method's slices.
 pub fn direction_of(method: &str, camera: Camera) -> SliceDirection {
     match method {
         "slices-surface" => SliceDirection::Surface,

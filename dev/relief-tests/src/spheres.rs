@@ -37,7 +37,7 @@ pub fn normal_on_spheres(point: DVec3) -> DVec3 {
     nearest.map_or(DVec3::Y, |(centre, _)| (point - *centre).normalize())
 }
 
-/// What a view sees of the spheres.
+/// Image of the spheres in a view.
 pub fn map_of_spheres(view: &View) -> HeightMap {
     let [columns, rows] = view.size();
     let map = HeightMap::from_fn(columns, rows, Wrap::Clamp, |x, y| {

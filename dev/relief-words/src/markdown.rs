@@ -3,9 +3,9 @@
 /// A paragraph of prose.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Paragraph {
-    /// Its first line, counted from 1.
+    /// First line, counted from 1.
     pub line: usize,
-    /// Its words. A piece of code is one word, a link its text.
+    /// Words. A piece of code is one word, a link its text.
     pub text: String,
 }
 

@@ -10,9 +10,9 @@ const ABBREVIATIONS: [&str; 9] = ["al.", "e.g.", "i.e.", "cf.", "vs.", "Fig.", "
 pub struct Sentence {
     /// First line of its paragraph, counted from 1.
     pub line: usize,
-    /// Its words with a letter or a digit.
+    /// Number of words with a letter or a digit.
     pub words: usize,
-    /// Its text on one line.
+    /// Text on one line.
     pub text: String,
 }
 

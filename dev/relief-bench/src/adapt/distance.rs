@@ -1,4 +1,4 @@
-//! How far a height map is from any triangles over it, at samples.
+//! Distance of a height map from any triangles over it, at samples.
 
 use glam::DVec2;
 use rayon::prelude::*;

@@ -20,7 +20,7 @@ use crate::python;
 use crate::samples::Samples;
 use crate::table::table;
 
-/// What `adapt` is given.
+/// Arguments of `adapt`.
 #[derive(Args)]
 pub struct Arguments {
     /// Python with PyPI's pydelatin, pymartini, fast-simplification and meshoptimizer

@@ -13,7 +13,7 @@ use super::distance::Piece;
 /// The script, which is run as it is here.
 const SCRIPT: &str = include_str!("../../python/meshes_beside.py");
 
-/// What a package made.
+/// Mesh that a package made.
 pub struct Answer {
     pub version: String,
     pub seconds: f64,

@@ -16,7 +16,7 @@ const SAMPLES: usize = 4;
 /// Texels that are done between two looks at the time, at first.
 const BATCH: usize = 256;
 
-/// What brute force takes for a whole map.
+/// Time of brute force for a whole map.
 pub struct Brute {
     /// Seconds, extrapolated from the texels that were done.
     pub seconds: f64,

@@ -40,11 +40,11 @@ pub fn with_fresh_memory() -> Result<Option<ExitCode>, String> {
     Ok(Some(ExitCode::from(code.unwrap_or(1))))
 }
 
-/// What a bake takes.
+/// Time and memory of a bake.
 pub struct Measured {
     /// Milliseconds: the median of the runs.
     pub ms: f64,
-    /// The same in processor time, which other programs disturb less.
+    /// Milliseconds of processor time, which other programs disturb less.
     pub cpu_ms: f64,
     /// Input, output and everything between, at its peak, over input and output.
     pub memory: f64,

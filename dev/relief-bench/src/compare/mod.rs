@@ -19,7 +19,7 @@ use relief_scene::{Sampling, Scene, Surface};
 use relief_shaders::{SHADOW, STAGES, Selection};
 use relief_tests::accuracy;
 
-/// What `compare` is given.
+/// Arguments of `compare`.
 #[derive(Args)]
 pub struct Arguments {
     /// What is printed

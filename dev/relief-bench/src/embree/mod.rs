@@ -30,7 +30,7 @@ const FROM: DVec3 = DVec3::new(0.6, 0.9, 1.1);
 /// Columns and rows of the pictures whose rays are in no order, so that each ray meets other triangles.
 const SCATTERED_SIZE: [u32; 2] = [32, 24];
 
-/// What `embree` is given.
+/// Arguments of `embree`.
 #[derive(Args)]
 pub struct Arguments {
     /// A Python with numpy and embreex

@@ -1,4 +1,4 @@
-//! What a prism's renderer and the exact judge take for the same relief.
+//! Times of a prism's renderer and of the exact judge for the same relief.
 
 use std::time::Duration;
 
@@ -28,17 +28,17 @@ pub struct Views {
     pub scattered: Vec<Ray>,
     /// The picture's camera.
     pub camera: Camera,
-    /// Its columns and rows.
+    /// Columns and rows of the picture.
     pub size: [u32; 2],
-    /// Rays of the small pictures.
+    /// Cameras of the small pictures.
     pub cameras: Vec<Camera>,
-    /// Their columns and rows.
+    /// Columns and rows of the small pictures.
     pub small: [u32; 2],
 }
 
-/// What a tracer of ours takes on one thread.
+/// Times of one of our tracers on one thread.
 pub struct Ours {
-    /// What it is.
+    /// Name of the tracer.
     pub name: String,
     /// All that it holds: mesh, heights, and what it made of them.
     pub bytes: usize,
@@ -46,9 +46,9 @@ pub struct Ours {
     pub prepared_s: Samples,
     /// Rays a second of the picture, in its order.
     pub picture: Samples,
-    /// The same shuffled, where the tracer takes rays in any order.
+    /// Rays a second of the picture, shuffled, where the tracer takes rays in any order.
     pub shuffled: Option<Samples>,
-    /// Of the small pictures.
+    /// Rays a second of the small pictures.
     pub scattered: Samples,
     /// Where the picture's rays hit, in metres along the view axis.
     pub depths: Vec<Option<f64>>,

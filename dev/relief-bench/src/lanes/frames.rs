@@ -1,4 +1,4 @@
-//! What frames are made of here, and how long ways of doing something take.
+//! Parts of frames, and the times of several ways of doing something.
 
 use std::time::Instant;
 

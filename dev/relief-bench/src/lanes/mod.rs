@@ -1,4 +1,4 @@
-//! What the machine's vectors bring the CPU, beside the same work without them.
+//! Gain of the machine's vectors on the CPU, beside the same work without them.
 
 use clap::{Args, ValueEnum};
 
@@ -10,7 +10,7 @@ mod rays;
 mod stages;
 mod tiles;
 
-/// What is measured.
+/// Arguments of `lanes`.
 #[derive(Args)]
 pub struct Arguments {
     /// Parts to measure [default: all]

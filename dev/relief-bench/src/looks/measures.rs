@@ -1,4 +1,4 @@
-//! What is measured of a picture.
+//! Measures of a picture.
 
 use super::picture::Picture;
 
@@ -17,7 +17,7 @@ const ALIKE: f64 = 0.95;
 /// The four sides of a pixel.
 const SIDES: [[isize; 2]; 4] = [[-1, 0], [1, 0], [0, -1], [0, 1]];
 
-/// What a picture is judged by. A measure is `None` where the picture has nothing to measure.
+/// Measures by which a picture is judged. A measure is `None` where the picture has nothing to measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measures {
     /// The part of all pixels that show a surface.

@@ -14,7 +14,7 @@ use std::process::{Command, ExitCode};
 
 use clap::{Args, ValueEnum};
 
-/// What `looks` is given.
+/// Arguments of `looks`.
 #[derive(Args)]
 pub struct Arguments {
     /// What is measured

@@ -1,4 +1,4 @@
-//! How far both quadrics are from the truth, by the angle between the view and the base's normal.
+//! Errors of both quadrics, by the angle between the view and the base's normal.
 
 use comfy_table::Table;
 use glam::DVec3;

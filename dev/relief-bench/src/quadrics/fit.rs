@@ -1,4 +1,4 @@
-//! How much the quadrics of vertices change when the vertices move a little.
+//! Changes of the vertices' quadrics when the vertices move a little.
 
 use comfy_table::Table;
 use glam::{DMat2, DVec2, DVec3};

@@ -6,7 +6,7 @@ mod fit;
 
 use clap::Args;
 
-/// What `quadrics` is given.
+/// Arguments of `quadrics`.
 #[derive(Args)]
 pub struct Arguments {
     /// Random quadrics, and rays, of each kind

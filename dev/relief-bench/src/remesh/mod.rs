@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-/// What `remesh` is given.
+/// Arguments of `remesh`.
 #[derive(Args)]
 pub struct Arguments {
     /// Random triangles that are looked at

@@ -1,4 +1,4 @@
-//! What a camera that moves costs: displaced triangles that are made anew for each picture.
+//! Cost of a moving camera: displaced triangles that are made anew for each picture.
 
 use std::time::Instant;
 

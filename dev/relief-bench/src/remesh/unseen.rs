@@ -1,4 +1,4 @@
-//! How much of a mesh that is made for a view is left out, since the view does not see it.
+//! Part of a mesh for a view that is left out because the view does not see it.
 
 use std::time::Instant;
 

@@ -34,7 +34,7 @@ pub const NAMES: &[&str] = &[
 
 /// A mesh, and the one that stands for the smooth surface that it was made from.
 pub struct Base {
-    /// Its name.
+    /// Name of the mesh.
     pub name: &'static str,
     /// The mesh.
     pub mesh: Mesh,
@@ -95,7 +95,7 @@ pub fn spot() -> Result<Option<Mesh>, String> {
     spot_file().map(|path| from_file(&path)).transpose()
 }
 
-/// Its file.
+/// File of the mesh.
 pub fn spot_file() -> Option<PathBuf> {
     let file = data_dir().map(|folder| folder.join(SPOT)).filter(|path| path.is_file());
     if file.is_none() {

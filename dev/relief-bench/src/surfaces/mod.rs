@@ -15,7 +15,7 @@ use relief_tests::curved::{Comparison, Curved, Drawn, Judged, Picture, quantile}
 use crate::table::table;
 use bases::{Base, NAMES, cobbles};
 
-/// What `surfaces` is given.
+/// Arguments of `surfaces`.
 #[derive(Args)]
 pub struct Arguments {
     /// Random views of each mesh
@@ -54,7 +54,7 @@ impl Lies {
         asked.map_or_else(|| vec![Self::Carved, Self::Outward], |one| vec![one])
     }
 
-    /// Its name in tables.
+    /// Name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Carved => "carved",

@@ -10,7 +10,7 @@ use super::tracers::{Rays, Tracer, TracerSet};
 /// Rays of a set that are compared.
 const COMPARED: usize = 50_000;
 
-/// How a tracer's answers stand beside the truth.
+/// Agreement of a tracer's answers with the truth.
 pub struct Agreement {
     /// Share of its rays that hit.
     pub hits: f64,

@@ -84,7 +84,7 @@ const SETUP_TEXELS: usize = 1 << 22;
 /// reserves.
 const MEMORY_TEXELS: usize = 1 << 24;
 
-/// What it takes to build something from a map.
+/// Time and memory to build something from a map.
 pub struct Setup {
     /// Seconds.
     pub seconds: Samples,

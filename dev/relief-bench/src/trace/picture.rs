@@ -1,4 +1,4 @@
-//! The same picture as the other renderer's: view ray, smooth normal, one shadow ray a hit, Lambert's light.
+//! Picture with the same parts as the other renderer's: view ray, smooth normal, one shadow ray a hit, Lambert's light.
 
 use std::path::Path as FilePath;
 
@@ -29,11 +29,11 @@ const _: () = assert!(SIDE * SIDE == PathPacket::LEN && ROWS.is_multiple_of(SIDE
 pub struct Picture {
     /// One value a pixel, white is 1.
     pub grey: Vec<f32>,
-    /// How many shadow rays were traced: one a hit.
+    /// Number of traced shadow rays: one a hit.
     pub shadow_rays: usize,
 }
 
-/// What is rendered.
+/// Rendered scene.
 pub struct Stage<'a> {
     map: &'a HeightMap,
     tracer: &'a FastTracer,

@@ -33,7 +33,7 @@ pub struct Scene {
     folder: TempDir,
 }
 
-/// What POV-Ray says of a run.
+/// Report of POV-Ray on a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Statistics {
     /// Reading the map and building the height field, in seconds.

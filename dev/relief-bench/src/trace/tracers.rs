@@ -37,7 +37,7 @@ const SCATTERED_DEGREES: [f64; 2] = [5.0, 80.0];
 /// Rays in both forms: as paths, and as parry3d takes them. Which are the same rays for view rays; shadow
 /// rays begin where the respective program was hit.
 pub struct Rays {
-    /// Their name in tables.
+    /// Name in tables.
     pub name: &'static str,
     /// Whether the answer is only yes or no.
     pub shadow: bool,
@@ -181,7 +181,7 @@ impl<'a> TracerSet<'a> {
 }
 
 impl Tracer<'_> {
-    /// How many rays there are for this tracer.
+    /// Returns the number of rays for this tracer.
     pub fn count(&self, rays: &Rays) -> usize {
         if matches!(self, Tracer::Parry(_)) { rays.parry.len() } else { rays.paths.len() }
     }

@@ -1,4 +1,4 @@
-//! What is looked at, and from where: one geometry for every program.
+//! Views and their scene: one geometry for every program.
 //!
 //! The relief stands on the built-in plane, `y` from 0 to [`SCALE_M`]. Other programs span their height
 //! fields between the first and the last texel, so everything here ends at the centres of the outermost
@@ -23,7 +23,7 @@ const FOV_DEGREES: f64 = 40.0;
 /// Where the sun is: 15 degrees above the horizon, so that there are shadows.
 const TOWARDS_SUN: DVec3 = DVec3::new(0.8, 0.25, -0.5);
 
-/// How far above a hit its shadow ray begins, in metres: more than an `f32` rounds a place by, so that no
+/// Distance above a hit at which its shadow ray begins, in metres: more than an `f32` rounds a place by, so that no
 /// program finds the surface that it starts from, and less than a tenth of a texel of the finest map.
 pub const SHADOW_LIFT_M: f64 = 1e-5;
 

@@ -1,4 +1,4 @@
-//! What the papers say about the order of the methods, pair by pair, and whether it holds: a file a paper.
+//! Claims of the papers about the order of the methods, pair by pair, and whether they hold: a file a paper.
 
 mod descent;
 mod pyramidal;
@@ -25,7 +25,7 @@ pub struct Contender {
     pub settings: &'static [(&'static str, f64)],
 }
 
-/// What is compared. Smaller is better.
+/// Compared quantity. Smaller is better.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
     /// Median distance to the true hit, in texels.
@@ -49,7 +49,7 @@ pub enum Measure {
 pub struct Claim {
     /// The paper.
     pub paper: &'static str,
-    /// Its section or figure.
+    /// Section or figure.
     pub section: &'static str,
     /// The claim in words.
     pub text: &'static str,
@@ -65,7 +65,7 @@ pub struct Claim {
     pub measure: Measure,
     /// Where, in degrees from the normal.
     pub angles: &'static [f64],
-    /// What was found when it was measured: whether the mean over the maps bears the claim out. A claim that
+    /// Measured result: whether the mean over the maps bears the claim out. A claim that
     /// does not hold is recorded here, with its figures in the table, and not forgotten.
     pub holds: bool,
 }
@@ -121,7 +121,7 @@ impl Verdict {
 }
 
 impl Contender {
-    /// Its stages.
+    /// Stages of the method.
     ///
     /// # Panics
     ///
@@ -160,7 +160,7 @@ impl std::fmt::Display for Contender {
 }
 
 impl Measure {
-    /// What tables call it.
+    /// Name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Measure::Median => "median texels",

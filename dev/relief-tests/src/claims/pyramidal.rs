@@ -5,7 +5,7 @@ use super::{Claim, GRAZING, Measure, ORDER, plain, with};
 /// A claim about the order that holds.
 const PYRAMIDAL: Claim = Claim { paper: "Oh, Ki and Lee 2006", ..ORDER };
 
-/// What it says of itself and of others.
+/// Claims of the paper about itself and others.
 pub const CLAIMS: &[Claim] = &[
     Claim {
         section: "1, Figures 5, 19 and 23",

@@ -1,4 +1,4 @@
-//! What Kautz and Seidel say of slices, found on pictures of planes, of an object's images and of a cup's.
+//! Claims of Kautz and Seidel about slices, measured on pictures of planes, of an object's images and of a cup's.
 
 use std::sync::Arc;
 
@@ -32,13 +32,13 @@ pub struct PictureClaim {
     pub section: &'static str,
     /// The claim in words.
     pub text: &'static str,
-    /// What is said to have less, and what to have more.
+    /// Subjects that are said to have less and more.
     pub of: [&'static str; 2],
-    /// Of what.
+    /// Compared quantity.
     pub measure: &'static str,
     /// The part of the second that the first stays below.
     pub factor: f64,
-    /// What was found when it was measured.
+    /// Measured result.
     pub holds: bool,
     /// Both, measured.
     figures: fn() -> [f64; 2],
@@ -49,7 +49,7 @@ pub struct PictureClaim {
 pub struct PictureVerdict {
     /// The claim.
     pub claim: &'static PictureClaim,
-    /// What has less, and what has more.
+    /// Values of the subject with less and of the one with more.
     pub figures: [f64; 2],
 }
 

@@ -5,7 +5,7 @@ use super::{Claim, DESCENT, EXTREME_M, GRAZING, Measure, NORMAL_M, ORDER, STEEP,
 /// A claim about the order that holds.
 const SURVEY: Claim = Claim { paper: "Szirmay-Kalos and Umenhoffer 2008", ..ORDER };
 
-/// What sections 4 and 7 say.
+/// Claims of sections 4 and 7.
 pub const CLAIMS: &[Claim] = &[
     Claim {
         section: "4.1.2",

@@ -1,4 +1,4 @@
-//! How pictures of curved surfaces differ from what the judge sees.
+//! Differences of pictures of curved surfaces from the judge's.
 
 use super::{Curved, Judged, Met, Picture};
 use relief_testing::outline::{distances, overlap};
@@ -10,16 +10,16 @@ const LOOKED_AT_TEXELS: f64 = 0.05;
 /// displacement.
 const JUMP_SCALES: f64 = 0.03;
 
-/// How hits differ, in units of their own.
+/// Differences of hits, in units of their own.
 #[derive(Clone, Debug, Default)]
 pub struct Differences {
-    /// Of texture coordinates, in texels, whole tiles aside.
+    /// Difference of texture coordinates, in texels, whole tiles aside.
     pub texels: Vec<f64>,
-    /// Of depths, in scales of the displacement.
+    /// Difference of depths, in scales of the displacement.
     pub depths: Vec<f64>,
 }
 
-/// How pictures differ from what the judge sees, over any number of views.
+/// Differences of pictures from the judge's, over any number of views.
 #[derive(Clone, Debug, Default)]
 pub struct Comparison {
     /// Distances in pixels of the outlines' pixels to the other outline.

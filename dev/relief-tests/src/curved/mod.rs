@@ -47,7 +47,7 @@ pub struct Met {
     pub counts: bool,
 }
 
-/// What every pixel's ray meets, from the top row on.
+/// Hits of every pixel's ray, from the top row on.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// Columns and rows.
@@ -56,7 +56,7 @@ pub struct Picture {
     pub met: Vec<Option<Met>>,
 }
 
-/// How the surface's segments are made.
+/// Surface, base and method of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Drawn {
     /// The variant of the stage `surface`.
@@ -75,7 +75,7 @@ impl Drawn {
         Self { surface, lifted: false, two_coefficients: false, method: "exact" }
     }
 
-    /// What is run, without levels of detail and without shadows.
+    /// Selection, without levels of detail and without shadows.
     ///
     /// # Panics
     ///
@@ -159,7 +159,7 @@ impl Curved {
 }
 
 impl Picture {
-    /// What a scene's picture shows.
+    /// Contents of a scene's picture.
     ///
     /// # Panics
     ///
@@ -168,7 +168,7 @@ impl Picture {
         Self::rendered_on(scene, renderer).0
     }
 
-    /// The same, with what the backend is: the number of threads, or the adapter and its driver.
+    /// Contents of a scene's picture, and the backend's name: the number of threads, or the adapter and its driver.
     ///
     /// # Panics
     ///
@@ -188,7 +188,7 @@ impl Picture {
     }
 }
 
-/// What the judge sees through a camera.
+/// Picture that the judge sees through a camera.
 #[derive(Clone, Debug)]
 pub struct Judged<'a> {
     judge: &'a DisplacedMesh,
@@ -198,7 +198,7 @@ pub struct Judged<'a> {
 }
 
 impl<'a> Judged<'a> {
-    /// What this judge sees through that camera.
+    /// Returns the picture that this judge sees through that camera.
     pub fn new(judge: &'a DisplacedMesh, camera: Camera, size: [u32; 2]) -> Self {
         let [columns, rows] = size;
         let met = (0..columns * rows).into_par_iter().map(|pixel| {
@@ -243,7 +243,7 @@ impl Curved {
         (drawn.depth_m - truth.depth_m) / self.map.scale_m().abs()
     }
 
-    /// How far apart two places of the map are, in texels of its finest level. Whole tiles do not count where
+    /// Distance of two places of the map, in texels of its finest level. Whole tiles do not count where
     /// the map goes on as it began.
     pub fn texels(&self, a: [f64; 2], b: [f64; 2]) -> f64 {
         let apart = |axis: usize| {

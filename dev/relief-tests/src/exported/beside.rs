@@ -46,7 +46,7 @@ pub fn rendered(device: &Device, job: &Job) -> Vec<[f32; 4]> {
     rendering.pixels.iter().map(|pixel| pixel.color).map(|of| [of.x, of.y, of.z, of.w]).collect()
 }
 
-/// How a picture differs from another one of the same size.
+/// Difference of a picture from another one of the same size.
 pub struct Difference {
     /// Pixels with other bits.
     pub bits: usize,
@@ -56,7 +56,7 @@ pub struct Difference {
     pub covered: usize,
 }
 
-/// How two pictures of one size differ.
+/// Returns the difference of two pictures of one size.
 ///
 /// # Panics
 ///

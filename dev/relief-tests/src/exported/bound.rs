@@ -20,7 +20,7 @@ pub enum Resource {
     View(TextureView),
 }
 
-/// What there is for a binding.
+/// Resource for a binding.
 ///
 /// # Panics
 ///
@@ -37,7 +37,7 @@ pub fn resource(device: &Device, queue: &Queue, manifest: &Json, binding: &Json,
     Resource::Buffer(device.create_buffer_init(&descriptor))
 }
 
-/// How it is declared to the device, under that number.
+/// Returns its declaration to the device, under the given number.
 ///
 /// # Panics
 ///

@@ -9,7 +9,7 @@ use super::Device;
 const GROUP: u32 = 64;
 
 impl Device {
-    /// What a function `value_of(number: u32) -> f32` of a program gives for 0 up to a count.
+    /// Returns the results of a program's function `value_of(number: u32) -> f32` for 0 up to a count.
     ///
     /// # Panics
     ///

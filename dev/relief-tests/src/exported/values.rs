@@ -16,7 +16,7 @@ pub enum Value {
     Struct(Vec<(&'static str, Value)>),
 }
 
-/// What has such a value.
+/// Subject that has the value.
 pub trait Valued {
     fn value(&self) -> Value;
 }

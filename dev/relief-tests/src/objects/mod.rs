@@ -25,7 +25,7 @@ pub const NEAR: f64 = 1e-9;
 /// An object, and the maps that it was made of.
 #[derive(Clone, Debug)]
 pub struct Subject {
-    /// What it is like.
+    /// Name of its pattern.
     pub name: String,
     /// The object.
     pub object: ImageObject,
@@ -42,7 +42,7 @@ pub enum Asked {
     Hull,
 }
 
-/// How answers may differ.
+/// Allowed differences of answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// In nothing.
@@ -176,7 +176,7 @@ impl Subject {
         }
     }
 
-    /// How much of its parameter a ray's hits may differ: [`NEAR`] of the way.
+    /// Returns the allowed difference of a ray's hits in its parameter: [`NEAR`] of the way.
     pub fn late(&self, ray: &Ray) -> f64 {
         let (centre, radius) = self.object.views()[0].ball();
         NEAR * (ray.origin.length() + centre.length() + radius) / ray.direction.length()

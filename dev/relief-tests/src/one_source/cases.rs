@@ -26,7 +26,7 @@ pub(super) const LEAST_SHELL_M: f32 = 1e-3;
 
 /// A map and the settings of a search and a refinement.
 pub struct Case {
-    /// What is chosen, for messages.
+    /// Name of the selection, for messages.
     pub name: String,
     /// The map, with its displacement.
     pub map: Arc<HeightMap>,
@@ -38,7 +38,7 @@ pub struct Draw {
     selection: Selection,
     scale_m: f64,
     bias_m: f64,
-    /// What the rays are drawn from.
+    /// Seed of the rays.
     pub seed: u64,
 }
 
@@ -48,7 +48,7 @@ impl Draw {
         Self::on(&surface::ENTRIES[0], pair, shadow, detail, rng)
     }
 
-    /// The same on a surface.
+    /// Returns the next draw on a surface.
     pub fn on(
         surface: &Entry,
         [search, refine]: [&Entry; 2],
@@ -97,7 +97,7 @@ impl Case {
         Self::on("plane", search, refine, map)
     }
 
-    /// The same on another surface.
+    /// Creates a case on a surface.
     pub fn on(surface: &str, search: &str, refine: &str, map: HeightMap) -> Self {
         let mut selection = Selection::pair(search, refine).expect("listed names");
         selection.choose("surface", surface).expect("a listed name");
@@ -123,17 +123,17 @@ impl Case {
         surface.settings = SurfaceSettings { choices, ..surface.settings };
     }
 
-    /// What the probe is given.
+    /// Returns the input of the probe.
     pub fn surface(&self) -> &JobSurface {
         &self.surface
     }
 
-    /// What the translated stages are called on.
+    /// Returns the program of the translated stages.
     pub fn program(&self) -> Program<'_> {
         self.surface.program(Frame::none(), None)
     }
 
-    /// What the translated stages make of rays.
+    /// Returns the results of the translated stages for rays.
     pub fn on_cpu(&self, rays: &[PixelIn]) -> Vec<Probe> {
         let program = self.program();
         rays.iter().map(|ray| probe(&program, ray, 0.0)).collect()

@@ -20,7 +20,7 @@ const ROUNDINGS: i8 = 16;
 /// Relative difference that rounding makes in a path or an interval.
 const RELATIVE: f64 = 1e-5;
 
-/// How many rays were compared and what came of it.
+/// Numbers of compared rays and of their differences.
 #[derive(Clone, Debug, Default)]
 pub struct Comparison {
     /// Rays that were compared.

@@ -23,7 +23,7 @@ pub struct Picture {
     job: Job,
 }
 
-/// What may vary.
+/// Settings that vary.
 pub struct Variation<'a> {
     /// The stages.
     pub selection: &'a Selection,
@@ -128,7 +128,7 @@ impl Picture {
         Self { job: Job { width, height, samples: 1, frame, light_views, surfaces: vec![surface] } }
     }
 
-    /// What a backend is given.
+    /// Input of a backend.
     pub fn job(&self) -> &Job {
         &self.job
     }

@@ -40,7 +40,7 @@ const SLICES: u32 = 24;
 /// Radii of the windows, map by map in turn.
 const RADII: [u32; 3] = [5, 1, 13];
 
-/// What is attacked.
+/// Attacked baked map: its kind, heights and storage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
     /// The kind.
@@ -53,7 +53,7 @@ pub struct Case {
     pub apex: u32,
 }
 
-/// What came of it.
+/// Result of the attack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// Probes that broke the promise.

@@ -21,11 +21,11 @@ pub struct Rates {
     pub width: u32,
     /// Whether anything is in the way.
     pub occluded: f64,
-    /// How many rays hit.
+    /// Number of rays that hit.
     pub hits: usize,
 }
 
-/// What it measured of a map.
+/// Measurements of a map.
 pub struct Answer {
     /// Seconds that its set-up took.
     pub build_s: f64,
