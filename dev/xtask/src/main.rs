@@ -1,5 +1,5 @@
 //! Developer commands: `cargo xtask link` writes the linked shaders, `cargo xtask data` the sample maps,
-//! `cargo xtask guide` the guide's pictures, and `cargo xtask words` counts words.
+//! `cargo xtask guide` the guide's pictures, `cargo xtask dist` a release; `cargo xtask words` counts words.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 mod data;
+mod dist;
 mod guide;
 mod link;
 mod output;
@@ -34,6 +35,12 @@ enum Command {
         #[arg(long)]
         relief: Option<PathBuf>,
     },
+    /// Make a release: a static relief for Linux, packed with man pages, completions and licences.
+    Dist {
+        /// Folder for archive and checksum [default: target/dist].
+        #[arg(short, long)]
+        output: Option<PathBuf>,
+    },
     /// Count worn phrases in comments, and sentence lengths of pages.
     Words {
         /// Folders with Rust sources.
@@ -56,6 +63,7 @@ fn main() -> ExitCode {
         Command::Link => link::files(&root).and_then(settle),
         Command::Data => data::files(&root).and_then(settle),
         Command::Guide { relief } => guide::settle(&root, relief.as_deref(), arguments.check),
+        Command::Dist { output } => dist::make(&root, output.as_deref()),
         Command::Words { folders } => words::print(&folders),
     };
     match done {
