@@ -24,6 +24,7 @@ pub fn start(program: &Path) -> Result<(), String> {
     let contained = || {
         let mut command = Command::new("unshare");
         command.args(["--map-root-user", "chroot"]).arg(inside.path()).arg("/relief").env_clear();
+        command.envs(std::env::var_os("PATH").map(|path| ("PATH", path)));
         command
     };
     run(contained().arg("methods").stdout(std::process::Stdio::null()))?;
