@@ -1,4 +1,4 @@
-//! Rays with their true hits, and how far a method's hits are from these.
+//! Test cases: rays with their true hits, and the errors of a method's hits.
 
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, cell_walk};
@@ -8,10 +8,10 @@ use relief_shaders::cpu::MethodTracer;
 
 use crate::rays::view_paths;
 
-/// Paths that a thread traces at once.
+/// Number of paths that a thread traces at once.
 const CHUNK: usize = 1024;
 
-/// Rays with their true hits.
+/// Rays through a height map with their true hits.
 ///
 /// ```
 /// use relief_compare::Case;
@@ -30,48 +30,48 @@ const CHUNK: usize = 1024;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Case<'a> {
-    /// The map.
+    /// Height map.
     pub map: &'a HeightMap,
-    /// The rays.
+    /// Rays as paths in texture space.
     pub paths: Vec<Path>,
-    /// Where they truly hit, by the cell walk in `f64`.
+    /// True hits of the rays, by the cell walk in `f64`.
     pub truth: Vec<ExactHit>,
 }
 
 impl<'a> Case<'a> {
-    /// So many [view rays](view_paths) at so many degrees from the normal, the same on every call, where a
-    /// tile of the texture is so many metres large.
+    /// Creates a case of `count` [view rays](view_paths) at `degrees` from the normal, the same on
+    /// every call. `tile_m` is the size of a texture tile in metres.
     pub fn new(map: &'a HeightMap, tile_m: [f64; 2], degrees: f64, count: usize) -> Self {
         Self::of(map, view_paths(map, tile_m, degrees, count, degrees.to_bits()))
     }
 
-    /// These rays.
+    /// Creates a case from given rays.
     pub fn of(map: &'a HeightMap, paths: Vec<Path>) -> Self {
         let truth = paths.par_iter().map(|path| cell_walk(map, path)).collect();
         Self { map, paths, truth }
     }
 
-    /// How wrong a method is, with the maps that it reads.
+    /// Traces the rays with a method, and returns its errors.
     pub fn report(&self, tracer: &MethodTracer, lanes: Lanes) -> ErrorReport {
         self.judge(&hits(tracer, &self.paths, lanes))
     }
 
-    /// How wrong these hits of the rays are; see [`judged`].
+    /// Returns the errors of given hits of the rays; see [`judged`].
     ///
     /// # Panics
     ///
-    /// When there are not as many as rays.
+    /// When the numbers of hits and rays differ.
     pub fn judge(&self, hits: &[Hit]) -> ErrorReport {
         judged(&self.truth, hits, self.map)
     }
 }
 
-/// How wrong hits are. Where a method ran out of steps it is judged by the last point that it reached, which
-/// is what a picture shows.
+/// Returns the errors of hits. If a method ran out of steps, the last point that it reached counts
+/// as its hit, as in a picture.
 ///
 /// # Panics
 ///
-/// When there are not as many as true ones.
+/// When the numbers of hits and true hits differ.
 pub fn judged(truth: &[ExactHit], hits: &[Hit], map: &HeightMap) -> ErrorReport {
     let shown: Vec<Hit> = hits.iter().map(|hit| Hit { exhausted: false, ..*hit }).collect();
     let report = compare(truth, &shown, map).unwrap_or_else(|error| panic!("{error}"));
@@ -79,7 +79,7 @@ pub fn judged(truth: &[ExactHit], hits: &[Hit], map: &HeightMap) -> ErrorReport 
     ErrorReport { exhausted: exhausted as f64 / hits.len().max(1) as f64, ..report }
 }
 
-/// The hits of a method.
+/// Traces paths with a method, and returns its hits.
 pub fn hits(tracer: &MethodTracer, paths: &[Path], lanes: Lanes) -> Vec<Hit> {
     let mut hits = vec![Hit::miss(Default::default()); paths.len()];
     hits.par_chunks_mut(CHUNK)
@@ -88,7 +88,7 @@ pub fn hits(tracer: &MethodTracer, paths: &[Path], lanes: Lanes) -> Vec<Hit> {
     hits
 }
 
-/// What a method pays for the rays of a picture of so many columns.
+/// Returns the cost of a method for the rays of a picture with the given number of columns.
 pub fn cost(tracer: &MethodTracer, paths: &[Path], columns: usize, lanes: Lanes) -> CostReport {
     CostReport::of(&hits(tracer, paths, lanes), columns)
 }

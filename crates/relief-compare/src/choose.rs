@@ -1,59 +1,63 @@
-//! The best method for a budget, or for an error.
+//! Choice of the best method for a time budget, or for an error limit.
 
 use crate::Contender;
 use crate::record::{ErrorRecord, MethodRecord, Records};
 
-/// Numbers of steps among which is chosen.
+/// Numbers of steps to choose from.
 const STEPS: [u32; 6] = [8, 16, 32, 64, 128, 256];
 
-/// Errors below that many texels are rounding: of methods that keep it the fastest is the best.
+/// Errors in texels below this count as rounding: among such methods the fastest is the best.
 const ROUNDING_TEXELS: f64 = 1e-3;
 
-/// How near times are between which one run does not decide, and how many of them are looked at again.
+/// Ratio of times below which one run does not decide, and greatest number of methods that are
+/// timed again.
 const NEAR: f64 = 1.1;
 const MOST_UNDECIDED: usize = 8;
 
-/// What is asked of a method.
+/// Goal of a choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
-    /// The least error within so many milliseconds a frame, by the upper end of the median's 95 % interval:
-    /// so that other runs keep them, too.
+    /// The least error within a budget of milliseconds a frame. The upper end of the median's 95 %
+    /// interval counts, so that other runs stay within the budget, too.
     WithinMs(f64),
-    /// The least time within so many texels, which 99 of 100 rays keep at the worst angle.
+    /// The least time within an error limit in texels, which 99 of 100 rays meet at the worst
+    /// angle.
     WithinTexels(f64),
 }
 
-/// A method that could be chosen.
+/// Method that can be chosen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
-    /// The method.
+    /// Description of the method.
     pub method: MethodRecord,
-    /// Where its frames were timed.
+    /// Backend on which its frames were timed.
     pub backend: String,
-    /// How textures were read there.
+    /// Sampling of textures on that backend.
     pub sampling: String,
-    /// Texels that 99 of 100 rays keep, at the worst angle, scale and level; of methods that send no rays, in
-    /// pictures. Infinite where more than one of 100 misses, or hits what is not there.
+    /// Error in texels that 99 of 100 rays do not exceed, at the worst angle, scale and level.
+    /// Methods without rays are judged by pictures. Infinite if more than one ray in 100 misses, or
+    /// hits where there is nothing.
     pub p99_texels: f64,
-    /// Milliseconds of a frame: the median, at the worst scale, level and distance.
+    /// Median time of a frame in milliseconds, at the worst scale, level and distance.
     pub frame_ms: f64,
-    /// The lower end of that median's 95 % interval, at the worst of these.
+    /// Lower end of the median's 95 % interval in milliseconds, at the worst of these.
     pub frame_low_ms: f64,
-    /// Its upper end.
+    /// Upper end of the same interval in milliseconds.
     pub frame_high_ms: f64,
 }
 
-/// What was tried, the best first, and how many of them keep what is asked.
+/// Ranking of candidates, the best first.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tried {
-    /// All candidates: those that keep it from the best on, then the others from the nearest on.
+pub struct Ranking {
+    /// All candidates: first those that meet the goal, from the best on, then the others, from the
+    /// nearest on.
     pub candidates: Vec<Candidate>,
-    /// How many keep it.
-    pub keep: usize,
+    /// Number of candidates that meet the goal.
+    pub meeting: usize,
 }
 
 impl Goal {
-    /// What is asked, and what is to be least then.
+    /// Returns a candidate's value, its limit, and the figure to minimise.
     fn figures(self, candidate: &Candidate) -> (f64, f64, f64) {
         let Candidate { p99_texels, frame_ms, frame_high_ms, .. } = *candidate;
         match self {
@@ -62,14 +66,14 @@ impl Goal {
         }
     }
 
-    /// Whether a candidate keeps what is asked.
-    pub fn is_kept_by(self, candidate: &Candidate) -> bool {
+    /// Whether a candidate meets the goal.
+    pub fn is_met_by(self, candidate: &Candidate) -> bool {
         let (value, limit, _) = self.figures(candidate);
         value <= limit
     }
 }
 
-/// Methods to choose from: these, and those of them that have steps with fewer and with more, too.
+/// Returns the given methods and, for those with steps, copies with fewer and more steps.
 pub fn with_other_steps(contenders: &[Contender]) -> Vec<Contender> {
     let each = contenders.iter().flat_map(|contender| {
         let others = STEPS.into_iter().filter_map(|steps| contender.with_steps(steps).ok().flatten());
@@ -78,8 +82,9 @@ pub fn with_other_steps(contenders: &[Contender]) -> Vec<Contender> {
     each.collect()
 }
 
-/// Labels of the methods between which the times decide by too little: those near the budget that are as good
-/// as what is surely within it, with that; or those that keep the error in nearly the least time.
+/// Returns labels of methods whose times are too close to decide. For a budget, these are methods
+/// near it that are at least as good as the best one safely within it, and that one. For an error
+/// limit, these are the methods within it that take nearly the least time.
 pub(crate) fn undecided(records: &Records, goal: Goal) -> Vec<String> {
     let mut candidates = choose(records, goal).candidates;
     match goal {
@@ -92,7 +97,7 @@ pub(crate) fn undecided(records: &Records, goal: Goal) -> Vec<String> {
             candidates.truncate(sure.map_or(MOST_UNDECIDED, |sure| (sure + 1).min(MOST_UNDECIDED)));
         }
         Goal::WithinTexels(_) => {
-            candidates.retain(|candidate| goal.is_kept_by(candidate));
+            candidates.retain(|candidate| goal.is_met_by(candidate));
             let fastest = candidates.first().map_or(0.0, |best| best.frame_ms);
             candidates.retain(|candidate| candidate.frame_ms <= NEAR * fastest);
             candidates.truncate(MOST_UNDECIDED);
@@ -101,14 +106,14 @@ pub(crate) fn undecided(records: &Records, goal: Goal) -> Vec<String> {
     candidates.iter().map(|candidate| candidate.method.label()).collect()
 }
 
-/// Texels that 99 of 100 rays keep.
-fn kept(error: &ErrorRecord) -> f64 {
+/// Error in texels that 99 of 100 rays do not exceed.
+fn p99_error(error: &ErrorRecord) -> f64 {
     let without = error.missed + error.false_hits;
     if without > 0.01 { f64::INFINITY } else { error.p99_texels }
 }
 
-/// The candidates among some records whose frames were timed, in the order of how well they do.
-pub fn choose(records: &Records, goal: Goal) -> Tried {
+/// Ranks the methods among some records whose frames were timed.
+pub fn choose(records: &Records, goal: Goal) -> Ranking {
     let mut candidates: Vec<Candidate> = Vec::new();
     for picture in &records.pictures {
         let Some(times) = &picture.times else { continue };
@@ -125,11 +130,11 @@ pub fn choose(records: &Records, goal: Goal) -> Tried {
         }
         let of_rays = picture.method.label_of_rays();
         let rays = records.rays.iter().filter(|record| record.method.label() == of_rays);
-        let of_rays = rays.map(|record| kept(&record.error)).reduce(f64::max);
+        let of_rays = rays.map(|record| p99_error(&record.error)).reduce(f64::max);
         let of_pictures = || {
             let pictures = records.pictures.iter().filter(|record| record.method.label() == label);
-            // What was not judged keeps nothing.
-            let errors = pictures.map(|record| record.error.as_ref().map_or(f64::INFINITY, kept));
+            // A method that was not judged has an infinite error.
+            let errors = pictures.map(|record| record.error.as_ref().map_or(f64::INFINITY, p99_error));
             errors.fold(0.0, f64::max)
         };
         candidates.push(Candidate {
@@ -145,14 +150,14 @@ pub fn choose(records: &Records, goal: Goal) -> Tried {
     candidates.sort_by(|a, b| {
         let key = |candidate| {
             let (value, limit, least) = goal.figures(candidate);
-            // Those that do not keep it by how far they are from it.
+            // Candidates that miss the goal are ordered by their distance from it.
             if value <= limit { (0, least, value) } else { (1, value, least) }
         };
-        let ((a_kept, a, a_next), (b_kept, b, b_next)) = (key(a), key(b));
-        a_kept.cmp(&b_kept).then(a.total_cmp(&b)).then(a_next.total_cmp(&b_next))
+        let ((a_misses, a, a_next), (b_misses, b, b_next)) = (key(a), key(b));
+        a_misses.cmp(&b_misses).then(a.total_cmp(&b)).then(a_next.total_cmp(&b_next))
     });
-    let keep = candidates.iter().filter(|candidate| goal.is_kept_by(candidate)).count();
-    Tried { candidates, keep }
+    let meeting = candidates.iter().filter(|candidate| goal.is_met_by(candidate)).count();
+    Ranking { candidates, meeting }
 }
 
 #[cfg(test)]
@@ -160,7 +165,7 @@ mod tests {
     use super::*;
     use crate::record::{ErrorRecord, PictureRecord, RayRecord, TimeRecord};
 
-    /// Methods with their errors at two angles and their frames' times.
+    /// Records of methods with their errors at two angles and their frames' times.
     fn records(methods: &[(&str, [f64; 2], f64)]) -> Records {
         let mut records = Records::default();
         for (name, errors, frame_ms) in methods {
@@ -176,7 +181,7 @@ mod tests {
         records
     }
 
-    fn names(tried: &Tried) -> Vec<&str> {
+    fn names(tried: &Ranking) -> Vec<&str> {
         tried.candidates.iter().map(|candidate| candidate.method.method.as_str()).collect()
     }
 
@@ -189,22 +194,22 @@ mod tests {
             ("exact", [0.0, 0.1], 8.0),
         ]);
         let tried = choose(&records, Goal::WithinMs(5.0));
-        assert_eq!((names(&tried), tried.keep), (vec!["steep", "bump", "cone", "exact"], 2));
-        // Of errors at angles the worst counts.
+        assert_eq!((names(&tried), tried.meeting), (vec!["steep", "bump", "cone", "exact"], 2));
+        // Of the errors at several angles the worst counts.
         let tried = choose(&records, Goal::WithinTexels(1.0));
-        assert_eq!((names(&tried), tried.keep), (vec!["cone", "exact", "steep", "bump"], 2));
+        assert_eq!((names(&tried), tried.meeting), (vec!["cone", "exact", "steep", "bump"], 2));
         let tried = choose(&records, Goal::WithinTexels(0.01));
-        assert_eq!((names(&tried)[0], tried.keep), ("cone", 0));
+        assert_eq!((names(&tried)[0], tried.meeting), ("cone", 0));
         assert_eq!(choose(&Records::default(), Goal::WithinMs(1.0)).candidates, []);
-        // Of two that are as good as exact the faster one is better.
-        // A median that is hardly sure to be within the budget is not.
-        assert_eq!(choose(&records, Goal::WithinMs(3.2)).keep, 1);
+        // A median whose interval exceeds the budget is not within it.
+        assert_eq!(choose(&records, Goal::WithinMs(3.2)).meeting, 1);
+        // Of two methods as good as exact the faster one is better.
         let tried = choose(&records, Goal::WithinMs(10.0));
         assert_eq!(names(&tried)[..2], ["cone", "exact"]);
     }
 
     #[test]
-    fn what_is_near_a_budget_or_the_fastest_is_undecided() {
+    fn methods_near_the_budget_or_the_fastest_are_undecided() {
         let records = records(&[
             ("bump", [90.0, 90.0], 1.0),
             ("worse", [40.0, 40.0], 2.9),
@@ -213,7 +218,7 @@ mod tests {
             ("cone", [0.1, 0.1], 3.2),
             ("exact", [0.0, 0.0], 8.0),
         ]);
-        // What is surely within the budget ends the list; what is worse than that is of no interest.
+        // The best method safely within the budget ends the list; worse ones are irrelevant.
         assert_eq!(undecided(&records, Goal::WithinMs(3.0)), ["cone", "relief", "steep"]);
         assert_eq!(undecided(&records, Goal::WithinMs(0.1)), [""; 0]);
         assert_eq!(undecided(&records, Goal::WithinTexels(2.0)), ["relief", "cone"]);
@@ -224,7 +229,7 @@ mod tests {
         let mut records = records(&[("short", [0.0, 0.0], 1.0), ("cone", [0.1, 0.1], 2.0)]);
         records.rays[1].error.missed = 0.02;
         let tried = choose(&records, Goal::WithinTexels(1.0));
-        assert_eq!((names(&tried), tried.keep), (vec!["cone", "short"], 1));
+        assert_eq!((names(&tried), tried.meeting), (vec!["cone", "short"], 1));
         assert_eq!(tried.candidates[1].p99_texels, f64::INFINITY);
     }
 }

@@ -1,4 +1,4 @@
-//! What is to be compared, and whether it can be.
+//! Settings of a comparison, and their checks.
 
 use relief_core::{ByteSize, HeightMap, Lanes, MapFormat};
 use relief_scene::{BackendChoice, DEFAULT_MAX_MEMORY, Look, Sampling, Scene};
@@ -7,21 +7,21 @@ use relief_shaders::Choice;
 use crate::contender::Contender;
 use crate::error::CompareError;
 
-/// Where pictures are made.
+/// Backend that renders pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MachineBackend {
     /// The CPU.
     Cpu,
-    /// A GPU, or a program that plays one where there is no other.
+    /// A GPU, or a software implementation if there is none.
     Gpu,
 }
 
-/// Where pictures are made, and how textures are read there.
+/// Backend and sampling of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Machine {
-    /// The backend.
+    /// Backend.
     pub backend: MachineBackend,
-    /// The sampling; `fast` is a GPU's.
+    /// Sampling of textures; `fast` is only for GPUs.
     pub sampling: Sampling,
 }
 
@@ -29,7 +29,7 @@ impl Machine {
     /// The CPU, which samples exactly.
     pub const CPU: Self = Self { backend: MachineBackend::Cpu, sampling: Sampling::Exact };
 
-    /// A GPU that samples so.
+    /// Returns a GPU with the given sampling.
     pub const fn gpu(sampling: Sampling) -> Self {
         Self { backend: MachineBackend::Gpu, sampling }
     }
@@ -41,95 +41,98 @@ impl Machine {
         }
     }
 
-    /// The name of its backend.
+    /// Returns the name of the backend.
     pub(crate) fn name(self) -> &'static str {
         self.backend_choice().name()
     }
 }
 
-/// A scene, and what is to be compared on it. [`new`](Self::new) gives what `relief compare` takes by itself.
+/// Comparison of methods on a scene. [`new`](Self::new) sets the defaults of `relief compare`.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// The name of the height map, for tables.
+    /// Name of the height map, for tables.
     pub name: String,
-    /// The scene, with its camera and light. What its surfaces select besides geometry, search and refinement
-    /// all methods share; their methods are not used where another can be. Of several surfaces the pictures
-    /// are compared, and neither rays nor hits, which belong to one map.
+    /// Scene with camera and light. All methods share the selections of its surfaces other than
+    /// geometry, search and refinement. A surface's own method is used only if a compared method
+    /// cannot be. With several surfaces only pictures are compared, since rays and hits belong to
+    /// one map.
     pub scene: Scene,
-    /// The methods.
+    /// Methods to compare.
     pub contenders: Vec<Contender>,
-    /// Numbers of steps; methods that have none are compared once. None: as many as each has by itself.
+    /// Numbers of steps. Methods without steps are compared once. Empty: each method's default.
     pub steps: Vec<u32>,
-    /// How the values of baked maps are stored; methods that read none are compared once. None: as 32-bit
-    /// floats.
+    /// Formats of baked maps. Methods that read none are compared once. Empty: 32-bit floats.
     pub map_formats: Vec<MapFormat>,
-    /// Shadows of pictures, as [`shadow`](crate::shadow) gives them. None: those of the scene.
+    /// Shadows of pictures, from [`shadow`](crate::shadow). Empty: the scene's.
     pub shadows: Vec<Choice>,
-    /// Metres between the eye and the point that it looks at, along the view. None: the scene's own.
+    /// Distances of the camera from its target in metres, along the view. Empty: the scene's own.
     pub distances_m: Vec<f64>,
-    /// Degrees between rays and the normal, from 0 to below 90, where the surface is flat.
+    /// Angles between rays and the normal in degrees, from 0 to below 90, for flat surfaces.
     pub angles_deg: Vec<f64>,
-    /// Metres of displacement between heights 0 and 1. None: the scene's own.
+    /// Metres of displacement between heights 0 and 1. Empty: the scene's own.
     pub scales_m: Vec<f64>,
-    /// Longer sides of the levels of the height map that are compared, in texels. None: as it is.
+    /// Longer sides, in texels, of the height map's levels to compare. Empty: the finest level.
     pub map_sides: Vec<u32>,
-    /// Rays of a method at an angle; 0 for pictures alone.
+    /// Number of rays per method and angle; 0 for pictures only.
     pub rays: u32,
-    /// Where pictures are made; none for rays alone.
+    /// Machines that render pictures; empty for rays only.
     pub machines: Vec<Machine>,
-    /// Samples of a pixel in frames that are taken for free of flicker; none: flicker is not measured.
+    /// Samples per pixel of the frames that count as free of flicker; none if flicker is not
+    /// measured.
     pub flicker_samples: Option<u32>,
-    /// How frames are timed; none: they are not.
+    /// Timing of frames; none if they are not timed.
     pub timing: Option<Timing>,
-    /// The look whose light and background the pictures to be shown have. They are rendered once more for it:
-    /// errors are measured in the scene's own light. None: pictures are shown as they are compared.
+    /// Look whose light and background the displayed pictures have. They are rendered again for it:
+    /// errors are measured in the scene's own light. None: pictures are displayed as compared.
     pub shown_look: Option<Look>,
-    /// How many rays the CPU traces at once.
+    /// SIMD width of the CPU: number of rays traced at once.
     pub lanes: Lanes,
-    /// The most memory that rays and pictures may take besides the maps.
+    /// Memory limit for rays and pictures, not counting the maps.
     pub max_memory: ByteSize,
 }
 
-/// Bytes of a ray with its path, its truth and a method's hit; of a pixel of a picture while it is compared,
-/// in all its steps; and of one that is kept for the page.
+/// Bytes of a ray with its path, its true hit and a method's hit; bytes of a picture's pixel during
+/// the whole comparison; and bytes of a pixel that is stored for the page.
 const BYTES_PER_RAY: u64 = 512;
 const BYTES_PER_PIXEL: u64 = 768;
 const BYTES_PER_SHOWN_PIXEL: u64 = 16;
 
-/// The most texels that a ray may cross on its way through the displacement: searches step through them.
+/// Greatest number of texels that a ray may cross on its way through the displacement, since
+/// searches step through them.
 const MOST_TEXELS: f64 = (1 << 18) as f64;
 
-/// The deepest displacement, in longer sides of a tile.
+/// Greatest displacement, in longer sides of a tile.
 const MOST_TILES: f64 = 1000.0;
 
-/// How frames are timed. All methods take turns, so that what slows the machine for a while slows all of
-/// them.
+/// Timing of frames. All methods take turns, so that a temporary slowdown of the machine affects
+/// all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Timing {
-    /// Frames of each that count.
+    /// Number of frames of each method that count.
     pub frames: u32,
-    /// Turns before these that do not.
+    /// Number of turns before them that do not count.
     pub warm: u32,
-    /// How many times as many pixels as its pictures they have.
+    /// Number of pixels of a timed frame, as a multiple of a picture's.
     pub pixels: u32,
 }
 
-/// The angles that are compared when nothing else is said.
+/// Default angles.
 const ANGLES_DEG: [f64; 4] = [10.0, 30.0, 60.0, 85.0];
 
-/// Rays of a method at an angle when nothing else is said.
+/// Default number of rays per method and angle.
 const RAYS: u32 = 20_000;
 
-/// Samples of frames without flicker when nothing else is said.
+/// Default samples of frames without flicker.
 const FLICKER_SAMPLES: u32 = 256;
 
-/// Frames that are timed when nothing else is said, and how many times as many pixels these have.
+/// Default number of timed frames, and default multiple of their pixels.
 const TIMED_FRAMES: u32 = 7;
 const TIMED_PIXELS: u32 = 8;
 
 impl Comparison {
-    /// All methods on a scene, at its own scale: 20,000 rays at each of 10, 30, 60 and 85 degrees,
-    /// pictures on the CPU beside frames of 256 samples, and the times of 7 frames of 8 times as many pixels.
+    /// Creates a comparison of all methods on a scene, at its own scale: 20,000 rays at each of 10,
+    /// 30, 60 and 85 degrees; pictures on the CPU, and frames of 256 samples for flicker; and the
+    /// times of 7 frames with 8 times as many pixels.
     pub fn new(name: impl Into<String>, scene: Scene) -> Self {
         Self {
             name: name.into(),
@@ -152,11 +155,11 @@ impl Comparison {
         }
     }
 
-    /// Whether all numbers are possible.
+    /// Checks that all numbers are possible.
     ///
     /// # Errors
     ///
-    /// When one is not, there is nothing to compare, or it takes more memory than it may.
+    /// When a number is not possible, there is nothing to compare, or memory exceeds its limit.
     pub fn check(&self) -> Result<(), CompareError> {
         if self.contenders.is_empty() {
             return Err(CompareError::Nothing("methods"));
@@ -201,7 +204,7 @@ impl Comparison {
         if needed <= limit.0 { Ok(()) } else { Err(CompareError::TooMuchMemory { needed, limit }) }
     }
 
-    /// Whether rays come through the displacement in a number of steps that ends.
+    /// Checks that rays cross the displacement in a limited number of steps.
     fn check_ways(&self) -> Result<(), CompareError> {
         for surface in self.scene.surfaces() {
             let (map, [u, v]) = (surface.height_map(), surface.metric().tile_m);
@@ -210,7 +213,7 @@ impl Comparison {
                 let must = "at most 1,000 times the longer side of a tile";
                 return Err(CompareError::Value { what: "a scale", value, must });
             }
-            // Of several surfaces no rays are compared.
+            // With several surfaces no rays are compared.
             if self.rays == 0 || self.scene.surfaces().len() > 1 {
                 continue;
             }
@@ -221,14 +224,14 @@ impl Comparison {
             let is_too_long = |angle: &&f64| deepest * angle.to_radians().tan() > MOST_TEXELS * texel_m;
             if let Some(&value) = self.angles_deg.iter().find(is_too_long) {
                 let must = "so small that a ray crosses at most 262,144 texels of the map on its way through \
-                            the displacement, or that must be less deep";
+                            the displacement; or make the displacement less deep";
                 return Err(CompareError::Value { what: "an angle", value, must });
             }
         }
         Ok(())
     }
 
-    /// What rays and pictures take, of so many levels of the map.
+    /// Bytes for rays and pictures, with the given number of levels of the map.
     fn bytes(&self, levels: usize) -> Result<u64, CompareError> {
         let rays = u64::from(self.rays).saturating_mul(self.angles_deg.len() as u64);
         let pixels = self.scene.size().map(u64::from).iter().product::<u64>();
@@ -241,7 +244,7 @@ impl Comparison {
         Ok(rays.saturating_mul(BYTES_PER_RAY).saturating_add(pictures))
     }
 
-    /// The levels of the height map that are compared.
+    /// Levels of the height map to compare.
     pub(crate) fn levels(&self, map: &HeightMap) -> Result<Vec<u32>, CompareError> {
         if self.map_sides.is_empty() {
             return Ok(vec![0]);
@@ -260,7 +263,7 @@ impl Comparison {
         self.map_sides.iter().map(of).collect()
     }
 
-    /// The methods, each with each number of steps that it may take, each format of its maps and each shadow.
+    /// Methods with every possible number of steps, format of maps and shadow.
     pub(crate) fn entrants(&self) -> Result<Vec<Contender>, CompareError> {
         let mut entrants = Vec::new();
         for contender in &self.contenders {

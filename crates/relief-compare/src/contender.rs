@@ -1,4 +1,4 @@
-//! What is compared: a method with its settings, under a name.
+//! Contenders: methods with their settings, under a name.
 
 use relief_core::MapFormat;
 use relief_scene::Surface;
@@ -7,42 +7,43 @@ use relief_shaders::{
     SelectionError,
 };
 
-/// A method with its settings, under a name.
+/// Method with its settings, under a name.
 #[derive(Clone, Debug)]
 pub struct Contender {
-    /// The name in tables, such as `relief` or `linear+true-secant`.
+    /// Name in tables, such as `relief` or `linear+true-secant`.
     pub name: String,
-    /// What it runs: geometry, search and refinement. Of the other stages it has what its scene has.
+    /// Geometry, search and refinement that it runs. The scene gives the other stages.
     pub selection: Selection,
-    /// How many steps it takes, where it is compared over these.
+    /// Number of steps, if methods are compared by steps.
     pub steps: Option<u32>,
-    /// How the values of its baked maps are stored, where it is compared over that; else as 32-bit floats.
+    /// Format of its baked maps, if methods are compared by format. None: 32-bit floats.
     pub map_format: Option<MapFormat>,
-    /// Its shadow, where it is compared over these; else its scene's.
+    /// Shadow, if methods are compared by shadow. None: the scene's.
     pub shadow: Option<Choice>,
 }
 
-/// A shadow by its name, with its default settings, for [`Contender::with_shadow`].
+/// Returns the shadow with the given name and its default settings, for [`Contender::with_shadow`].
 ///
 /// # Errors
 ///
-/// When there is no such shadow.
+/// When there is no shadow of that name.
 pub fn shadow(name: &str) -> Result<Choice, SelectionError> {
     let mut selection = Selection::default();
     selection.choose(STAGES[SHADOW].key, name)?;
     Ok(selection.choices[SHADOW])
 }
 
-/// The parameters that count the steps of a method, by their keys in the order in which they are looked for.
+/// Keys of the parameters for the number of steps, in the order in which they are tried.
 const STEPS: [&str; 4] = ["slices.count", "search.steps", "search.limit", "refine.steps"];
 
 impl Contender {
-    /// A method of the [table](METHODS) by its name, or a search and a refinement as `linear+true-secant`.
+    /// Creates a contender from a name: a method of the [table](METHODS), or a search and a
+    /// refinement such as `linear+true-secant`.
     ///
     /// # Errors
     ///
-    /// When there is no such method, search or refinement, or the refinement makes nothing of what the search
-    /// gives.
+    /// When there is no such method, search or refinement, or the refinement cannot use the
+    /// search's result.
     ///
     /// ```
     /// use relief_compare::Contender;
@@ -62,19 +63,19 @@ impl Contender {
         Ok(Self { name: name.to_owned(), selection, steps: None, map_format: None, shadow: None })
     }
 
-    /// Every method of the [table](METHODS) that shows reliefs, in its order.
+    /// Returns every method of the [table](METHODS) that shows height maps, in its order.
     pub fn all() -> Vec<Self> {
         let named =
             METHODS.iter().filter(|method| method.is_of_reliefs()).map(|method| Self::named(method.name));
         named.filter_map(Result::ok).collect()
     }
 
-    /// The same with so many steps: of its search where that has them, else the search's limit, else those of
-    /// its refinement. `None` where it has none of these.
+    /// Returns a copy with `steps` steps: of its search, or the search's limit, or of its
+    /// refinement. `None` if it has none of these.
     ///
     /// # Errors
     ///
-    /// When so many are not allowed.
+    /// When the number is not allowed.
     pub fn with_steps(&self, steps: u32) -> Result<Option<Self>, SelectionError> {
         let Some(key) = self.steps_key() else { return Ok(None) };
         let mut with = self.clone();
@@ -83,30 +84,30 @@ impl Contender {
         Ok(Some(with))
     }
 
-    /// The same with baked maps of which values are stored so. `None` where it reads none.
+    /// Returns a copy whose baked maps have the given format. `None` if it reads none.
     pub fn with_map_format(&self, format: MapFormat) -> Option<Self> {
         let of_method = [GEOMETRY, SEARCH, REFINE].map(|place| &self.selection.choices[place]);
         let reads = of_method.into_iter().chain(&self.shadow).any(|choice| !choice.entry.maps.is_empty());
         reads.then(|| Self { map_format: Some(format), ..self.clone() })
     }
 
-    /// How the values of its baked maps are stored.
+    /// Format of its baked maps.
     pub(crate) fn format(&self) -> MapFormat {
         self.map_format.unwrap_or_default()
     }
 
-    /// The same with a [shadow] of its own.
+    /// Returns a copy with its own [shadow].
     #[must_use]
     pub fn with_shadow(&self, shadow: Choice) -> Self {
         Self { shadow: Some(shadow), ..self.clone() }
     }
 
-    /// The key of its steps, as in `search.steps`.
+    /// Returns the key of its number of steps, such as `search.steps`.
     pub fn steps_key(&self) -> Option<&'static str> {
         STEPS.into_iter().find(|key| self.has(key))
     }
 
-    /// Whether one of its stages has that parameter.
+    /// Whether one of its stages has a parameter.
     pub fn has(&self, key: &str) -> bool {
         key.split_once('.').is_some_and(|(stage, param)| {
             let place = STAGES.iter().position(|known| known.key == stage);
@@ -116,25 +117,25 @@ impl Contender {
         })
     }
 
-    /// The name, with what it is compared over: steps, the format of its maps, its shadow.
+    /// Returns the name with the settings by which it is compared: steps, format of maps, shadow.
     pub fn label(&self) -> String {
         let format = self.map_format.map(MapFormat::name);
         labelled(&self.name, self.steps, format, self.shadow.map(|shadow| shadow.entry.name))
     }
 
-    /// Whether it searches along rays; the others make triangles.
+    /// Whether it searches along rays. The others generate triangles.
     pub fn is_of_rays(&self) -> bool {
         self.selection.geometry().is_none()
     }
 
-    /// What is run on a surface: its own geometry, search and refinement, and all else as the surface has it.
-    /// Displaced triangles and slices have a surface of their own, displaced triangles also a shadow,
-    /// unless one is compared. The search for shadows is the method's own, unless the surface has one that is
-    /// not its own method's.
+    /// Selects the stages for a surface: the method's geometry, search and refinement, and the
+    /// surface's other stages. Displaced triangles and slices have a surface stage of their own,
+    /// and displaced triangles also a shadow, unless shadows are compared. The shadow search is the
+    /// method's own, unless the surface has one that differs from its own method's search.
     ///
     /// # Errors
     ///
-    /// When the method cannot be used on such a surface; the error says why.
+    /// When the method cannot be used on the surface; the error says why.
     pub(crate) fn on(&self, surface: &Surface) -> Result<Selection, SelectionError> {
         let of_surface = surface.selection();
         let mut selection = *of_surface;
@@ -149,7 +150,7 @@ impl Contender {
         let has_relief = self.selection.paths().has_normals_of_relief();
         let usual = if has_relief || !of_surface.has_shadows() { of_surface } else { &self.selection };
         let shadow = self.shadow.unwrap_or(usual.choices[SHADOW]);
-        // Chooses the search for shadows, too.
+        // This also selects the shadow search.
         selection.choose(STAGES[SHADOW].key, shadow.entry.name)?;
         selection.choices[SHADOW] = shadow;
         let another = &of_surface.choices[SHADOW_SEARCH];
@@ -162,14 +163,14 @@ impl Contender {
         Ok(selection)
     }
 
-    /// What is run on each of some surfaces: the method where it can be used, and the others as they are.
-    /// With it the numbers of these, and why it cannot.
+    /// Selects the stages for several surfaces: the method where it can be used, and the surface's
+    /// own elsewhere. Also returns the indices of the latter, with the reason.
     ///
     /// # Errors
     ///
-    /// When it can be used on none; the error is that of the first.
-    pub(crate) fn on_all(&self, surfaces: &[Surface]) -> Result<Used, SelectionError> {
-        let mut used = Used { selections: Vec::new(), others: Vec::new() };
+    /// When it can be used on none; returns the first surface's error.
+    pub(crate) fn on_all(&self, surfaces: &[Surface]) -> Result<SurfaceSelections, SelectionError> {
+        let mut used = SurfaceSelections { selections: Vec::new(), others: Vec::new() };
         for (number, surface) in surfaces.iter().enumerate() {
             let selection = self.on(surface).unwrap_or_else(|error| {
                 used.others.push((number, error));
@@ -180,20 +181,20 @@ impl Contender {
         if used.others.len() < surfaces.len() {
             return Ok(used);
         }
-        used.others.into_iter().next().map_or(Ok(Used::default()), |(_, error)| Err(error))
+        used.others.into_iter().next().map_or(Ok(SurfaceSelections::default()), |(_, error)| Err(error))
     }
 }
 
-/// What is run on some surfaces.
+/// Stages selected for several surfaces.
 #[derive(Default)]
-pub(crate) struct Used {
-    /// Of each surface what is run on it.
+pub(crate) struct SurfaceSelections {
+    /// Selection for each surface.
     pub selections: Vec<Selection>,
-    /// The numbers of those on which the method is not used, and why.
+    /// Indices of the surfaces on which the method is not used, with the reason.
     pub others: Vec<(usize, SelectionError)>,
 }
 
-/// A name with what it is compared over.
+/// Combines a name with the settings by which it is compared.
 pub(crate) fn labelled(
     name: &str,
     steps: Option<u32>,
@@ -233,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shadow_of_its_own_counts_and_is_refused_where_nothing_can_be_made_of_it() {
+    fn shadow_methods_count_and_are_refused_if_unsuitable() {
         let of = |name: &str, own: &str| {
             let contender = Contender::named(name).expect("a method").with_shadow(shadow(own).expect("one"));
             contender
@@ -250,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn maps_have_formats_where_there_are_any() {
+    fn maps_have_formats_if_there_are_any() {
         let half = |name: &str| Contender::named(name).expect("a method").with_map_format(MapFormat::F16);
         assert_eq!(half("cone").map(|it| it.label()).as_deref(), Some("cone (half)"));
         assert!(half("relief").is_none() && half("bump").is_none());
@@ -260,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn names_that_nothing_has_and_senseless_pairs_are_refused() {
+    fn unknown_names_and_senseless_pairs_are_refused() {
         for name in ["paralax", "linear+nothing", "none+binry", "cells+half-texel"] {
             assert!(Contender::named(name).is_err(), "{name}");
         }

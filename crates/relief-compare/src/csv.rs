@@ -1,10 +1,10 @@
-//! Records as comma-separated values.
+//! Writer of records as comma-separated values.
 
 use crate::columns::{COLUMNS, Cell, Row};
 use crate::record::Records;
 
-/// The records as comma-separated values (RFC 4180): a row for each, with a column for each field, empty
-/// where a record has no such figure. The column `kind` says `rays` or `picture`.
+/// Formats records as comma-separated values (RFC 4180): a row for each record and a column for
+/// each field, empty if a record has no such figure. The column `kind` is `rays` or `picture`.
 pub fn csv(records: &Records) -> String {
     let line = |cells: Vec<String>| cells.join(",") + "\r\n";
     let mut text = line(COLUMNS.iter().map(|column| column.key.to_owned()).collect());
@@ -62,7 +62,7 @@ mod tests {
         assert_eq!(lines[2].split(',').nth(at("angle_deg")), Some(""));
     }
 
-    /// One that is forgotten in either place is missed by half of those who read it.
+    /// A field that is missing in one of the two would be hidden from its readers.
     #[test]
     fn columns_are_the_fields_of_records() {
         let records = records();
@@ -75,8 +75,8 @@ mod tests {
             let has = |column: &&crate::columns::Column| (column.cell)(&row) != Cell::Empty;
             let mut columns: Vec<String> =
                 COLUMNS.iter().filter(has).map(|column| column.key.to_owned()).collect();
-            // What a record is stands where it is kept, and what it is compared over is said of those alone
-            // that are.
+            // The kind is not a field. The settings by which methods are compared are only present
+            // if they are set.
             columns.retain(|key| key != "kind");
             let is_of_some =
                 |key: &String| key.starts_with("steps") || ["map_format", "shadow"].contains(&key.as_str());

@@ -1,4 +1,4 @@
-//! Why there is no comparison.
+//! Errors of comparisons.
 
 use relief_core::camera::CameraError;
 use relief_core::exact::DisplacedMeshError;
@@ -10,78 +10,80 @@ use relief_shaders::SelectionError;
 
 use crate::picture::ImageError;
 
-/// Why there is no comparison.
+/// Reason why a comparison failed.
 #[derive(Debug, thiserror::Error)]
 pub enum CompareError {
     /// A number is out of range.
     #[error("{what} is {value}: it must be {must}")]
     Value {
-        /// What it is of.
+        /// Name of the number.
         what: &'static str,
-        /// The number.
+        /// Value of the number.
         value: f64,
-        /// What it must be.
+        /// Allowed range.
         must: &'static str,
     },
     /// There is nothing to compare.
-    #[error("there are no {0} to compare")]
+    #[error("there are no {0} to compare: name at least one")]
     Nothing(&'static str),
-    /// A surface is an object of images.
-    #[error("a surface is an object of images: methods are compared on height maps on meshes")]
+    /// A surface is a depth object.
+    #[error("a surface is an object of images: compare methods on a height map on a mesh")]
     Object,
-    /// It is too much.
+    /// The comparison needs too much memory.
     #[error(
-        "{} MiB are needed for rays and pictures, more than the {limit} allowed",
+        "rays and pictures need {} MiB of memory, but {limit} are allowed: compare fewer or smaller ones, or raise the limit",
         needed.div_ceil(1 << 20)
     )]
     TooMuchMemory {
-        /// Bytes.
+        /// Bytes needed.
         needed: u64,
-        /// The most that may be taken.
+        /// Memory limit.
         limit: ByteSize,
     },
-    /// The map has no level of that size.
+    /// The map has no level with that side.
     #[error(
-        "the map of {}x{} texels cannot be filtered down to {side}: its levels are {}",
+        "the map of {}x{} texels has no level of {side} texels: choose one of {}",
         size[0],
         size[1],
         listed(sides)
     )]
     NoLevel {
-        /// The side that was asked for.
+        /// Side that was requested.
         side: u32,
         /// Columns and rows of the map.
         size: [u32; 2],
-        /// The longer sides of the map's levels.
+        /// Longer sides of the map's levels.
         sides: Vec<u32>,
     },
-    /// An orthographic camera sees the same from everywhere along its view.
-    #[error("an orthographic picture is the same from every distance")]
+    /// Distances were given for an orthographic camera, whose picture does not depend on them.
+    #[error(
+        "an orthographic picture is the same from every distance: compare without distances, or use a perspective camera"
+    )]
     Orthographic,
-    /// A method cannot have such settings.
+    /// A method does not allow such settings.
     #[error(transparent)]
     Selection(#[from] SelectionError),
-    /// The height map cannot be displaced so.
+    /// The height map cannot be displaced as requested.
     #[error(transparent)]
     Heights(#[from] HeightMapError),
     /// A baked map cannot be provided.
     #[error(transparent)]
     Maps(MapsError),
-    /// A picture cannot be made.
+    /// A picture cannot be rendered.
     #[error("{method}: {source}")]
     Render {
-        /// The method.
+        /// Label of the method.
         method: String,
-        /// Why.
+        /// Error of the renderer.
         source: Box<RenderError>,
     },
-    /// The scene cannot be shown by a method.
+    /// A method cannot render the scene.
     #[error(transparent)]
     Scene(#[from] ValueError),
     /// The camera cannot be moved.
     #[error(transparent)]
     Camera(#[from] CameraError),
-    /// There is no judge of such a surface.
+    /// The exact tracer cannot judge a surface.
     #[error(transparent)]
     Judge(#[from] DisplacedMeshError),
     /// Pictures cannot be compared.
@@ -93,7 +95,7 @@ pub enum CompareError {
 }
 
 impl CompareError {
-    /// The error of a method's picture.
+    /// Creates the error of a method's picture.
     pub(crate) fn of_picture(method: &str, error: RenderError) -> Self {
         match error {
             RenderError::Cancelled(cancelled) => cancelled.into(),

@@ -1,8 +1,9 @@
-//! Displacement methods beside the truth and beside each other: how wrong their hits are, what these cost,
-//! and how their pictures look.
+//! Comparison of displacement methods with the truth and with each other: errors of hits, their
+//! costs, and pictures.
 //!
-//! A [`Comparison`] is a scene and what is to be compared on it. It gives [`Records`], the
-//! numbers, and the pictures that they are of; [`page`] makes a page of both that needs nothing else.
+//! A [`Comparison`] is a scene with the methods and settings to compare. It produces [`Records`],
+//! the figures, and the pictures that they describe. [`page`] makes a self-contained HTML page of
+//! both.
 //!
 //! ```
 //! use relief_compare::{Comparison, Contender};
@@ -39,11 +40,11 @@ mod record;
 mod run;
 mod spread;
 
-/// A map to try methods on: a PNG of 256 x 256 texels of 16 bits, computed cobbles that tile.
+/// Height map for trying methods: a PNG of 256 x 256 texels of 16 bits, computed cobbles that tile.
 pub const COBBLES_PNG: &[u8] = include_bytes!("../data/cobbles.png");
 
 pub use case::{Case, cost, hits, judged};
-pub use choose::{Candidate, Goal, Tried, choose, with_other_steps};
+pub use choose::{Candidate, Goal, Ranking, choose, with_other_steps};
 pub use comparison::{Comparison, Machine, MachineBackend, Timing};
 pub use contender::{Contender, shadow};
 pub use csv::csv;
@@ -53,4 +54,4 @@ pub use record::{
     About, CostRecord, ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord, RayRecord, Records,
     TimeRecord,
 };
-pub use run::{Compared, Reference, Renderers, Shown};
+pub use run::{Compared, MethodPicture, Reference, Renderers};

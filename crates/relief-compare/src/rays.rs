@@ -1,4 +1,4 @@
-//! Rays that methods are compared on: view rays on a plane, the same for every method.
+//! Rays on which methods are compared: view rays on a plane, the same for every method.
 
 use std::f64::consts::TAU;
 
@@ -7,9 +7,9 @@ use relief_core::{HeightMap, Metric, Path, PathMetric};
 
 use relief_core::rng::Rng;
 
-/// View rays through a map at so many degrees from the normal, from height 1 down to 0, everywhere and in all
-/// directions, where a tile of the texture is so many metres large. They depend on the seed, the angle, these
-/// metres and the map's scale alone.
+/// Generates view rays through a map at `degrees` from the normal, from height 1 down to 0, at
+/// random places and in random directions. `tile_m` is the size of a texture tile in metres. The
+/// rays depend only on the seed, the angle, the tile and the map's scale.
 pub fn view_paths(map: &HeightMap, tile_m: [f64; 2], degrees: f64, count: usize, seed: u64) -> Vec<Path> {
     let mut rng = Rng::new(seed);
     (0..count)
@@ -20,7 +20,8 @@ pub fn view_paths(map: &HeightMap, tile_m: [f64; 2], degrees: f64, count: usize,
         .collect()
 }
 
-/// A view ray of that angle and direction in the tile from a place at height 1 down to 0.
+/// Generates a view ray with the given angle and direction in the tile, from the point `uv` at
+/// height 1 down to 0.
 fn view_path(scale_m: f64, tile_m: [f64; 2], degrees: f64, direction: f64, uv: [f64; 2]) -> Path {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     let (sin, cos) = direction.sin_cos();
@@ -28,34 +29,34 @@ fn view_path(scale_m: f64, tile_m: [f64; 2], degrees: f64, direction: f64, uv: [
         uv,
         duv: [sine * cos / tile_m[0], sine * sin / tile_m[1]],
         h: [1.0, -cosine / scale_m, 0.0],
-        // A little below the floor, as the surface stage makes them.
+        // The exit lies slightly below the floor, as in the surface stage.
         exit: scale_m / cosine * 1.000_001,
         base: 0.0,
         metric: PathMetric { uu: tile_m[0] * tile_m[0], uv: 0.0, vv: tile_m[1] * tile_m[1], scale_m },
     };
-    // What a shader is given is the ray to judge.
+    // The ray is rounded as for a shader, since that ray is judged.
     Path::from(&relief_shaders::cpu::Path::from(&path))
 }
 
-/// Metres of a tile along `u` and `v` that is as large as texture units are.
+/// Size in metres of a tile in the unit metric, along `u` and `v`.
 pub const UNIT_TILE: [f64; 2] = Metric::UNIT.tile_m;
 
 /// Columns and rows of the pictures of [`picture_paths`]: whole tiles of [`WAVE`].
 pub const PICTURE: [usize; 2] = [20 * WAVE[0], 30 * WAVE[1]];
 
-/// Directions from which these pictures are seen.
+/// Number of directions from which these pictures are seen.
 const DIRECTIONS: usize = 8;
 
-/// View rays of neighbouring pixels: orthographic pictures of the map, a tile of it a metre large, at that
-/// angle, seen from several sides, one below the other. A pixel is a texel of the longer side wide, and as
-/// high, so that along the view a pixel's footprint is longer.
+/// Generates view rays of neighbouring pixels: orthographic pictures of the map at `degrees` from
+/// the normal, seen from several sides, one below the other. A tile is one metre large. A pixel is
+/// as wide and as high as a texel of the longer side, so its footprint is longer along the view.
 pub fn picture_paths(map: &HeightMap, degrees: f64) -> Vec<Path> {
     let pixel = 1.0 / f64::from(map.width().max(map.height()));
     let stretched = pixel / degrees.to_radians().cos();
     let [columns, rows] = PICTURE;
     let mut paths = Vec::with_capacity(columns * rows * DIRECTIONS);
     for side in 0..DIRECTIONS {
-        // Not along the axes, nor along the diagonals.
+        // The directions avoid the axes and the diagonals.
         let direction = (side as f64 + 0.3) / DIRECTIONS as f64 * TAU;
         let (sin, cos) = direction.sin_cos();
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {

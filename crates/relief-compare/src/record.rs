@@ -1,4 +1,4 @@
-//! What a comparison finds, as numbers: the same for programs, tables and pages.
+//! Figures of a comparison, the same for programs, tables and pages.
 
 use relief_core::metrics::{CostReport, CostSpread, ErrorReport};
 use serde::{Deserialize, Serialize};
@@ -6,104 +6,104 @@ use serde::{Deserialize, Serialize};
 use crate::contender::labelled;
 use crate::spread::SURE;
 
-/// What a comparison finds.
+/// All figures of a comparison.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Records {
-    /// What was compared, and how.
+    /// Description of the comparison.
     pub about: About,
-    /// Methods along rays at given angles.
+    /// Results of methods along rays at given angles.
     pub rays: Vec<RayRecord>,
-    /// Methods in pictures.
+    /// Results of methods in pictures.
     pub pictures: Vec<PictureRecord>,
-    /// What could not be compared.
+    /// Methods and figures that could not be compared.
     pub left_out: Vec<LeftOut>,
 }
 
-/// What was compared, and how.
+/// Description of a comparison.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct About {
-    /// The map's name; of several surfaces the first one's.
+    /// Name of the height map; of the first one if there are several surfaces.
     pub map: String,
     /// Columns and rows of that map.
     pub map_size: [u32; 2],
-    /// Metres of a tile along `u` and `v`.
+    /// Size of a tile along `u` and `v` in metres.
     pub tile_m: [f64; 2],
-    /// How many surfaces the scene has.
+    /// Number of surfaces in the scene.
     pub surfaces: usize,
-    /// The program and its version.
+    /// Program with its version.
     pub program: String,
-    /// The command that made it; empty where a program did.
+    /// Command that made the comparison; empty if a program did.
     pub command: String,
-    /// What computed it: of each backend what it is.
+    /// Backends that were used, with their devices.
     pub machines: Vec<MachineRecord>,
-    /// What a reference picture is, in words.
+    /// Description of the reference pictures in words.
     pub reference: String,
 }
 
-/// A backend and what it is.
+/// Backend with its device.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MachineRecord {
     /// `cpu` or `gpu`.
     pub backend: String,
     /// `exact` or `fast`.
     pub sampling: String,
-    /// The number of threads, or the adapter and its driver; or why there is none.
+    /// Number of threads, or adapter with its driver; or the reason why there is none.
     pub device: String,
 }
 
-/// A method, as records name it.
+/// Method with its settings.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MethodRecord {
-    /// Its name.
+    /// Name of the method.
     pub method: String,
-    /// How many steps it takes, where it is compared over these.
+    /// Number of steps, if methods are compared by steps.
     pub steps: Option<u32>,
-    /// The parameter that says so.
+    /// Parameter of the number of steps.
     pub steps_key: Option<String>,
-    /// How the values of its baked maps are stored, where it is compared over that; else as 32-bit floats.
+    /// Format of its baked maps, if methods are compared by format. None: 32-bit floats.
     pub map_format: Option<String>,
-    /// Its shadow, where pictures are compared over these.
+    /// Shadow, if pictures are compared by shadow.
     pub shadow: Option<String>,
-    /// The variant of each stage that finds hits.
+    /// Variant of the stage `geometry`.
     pub geometry: String,
-    /// The search.
+    /// Variant of the stage `search`.
     pub search: String,
-    /// The refinement.
+    /// Variant of the stage `refine`.
     pub refine: String,
-    /// What it promises for view rays.
+    /// Guarantee for view rays.
     pub promise: String,
-    /// Columns and rows of the height map; of several surfaces the first one's.
+    /// Columns and rows of the height map; of the first one if there are several surfaces.
     pub map_size: [u32; 2],
-    /// Texels of all height maps.
+    /// Number of texels of all height maps.
     pub map_texels: u64,
-    /// Metres between heights 0 and 1; of several surfaces the first one's.
+    /// Metres between heights 0 and 1; of the first map if there are several surfaces.
     pub scale_m: f64,
-    /// Bytes of the baked maps that it reads besides the heights.
+    /// Bytes of the baked maps that the method reads besides the heights.
     pub map_bytes: u64,
-    /// Seconds that baking these took; 0 where it reads none.
+    /// Seconds for baking these maps; 0 if it reads none.
     pub bake_seconds: f64,
 }
 
-/// A method along rays at an angle.
+/// Results of a method along rays at an angle.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RayRecord {
-    /// The method.
+    /// Method with its settings.
     #[serde(flatten)]
     pub method: MethodRecord,
-    /// Degrees between ray and normal.
+    /// Angle between ray and normal in degrees.
     pub angle_deg: f64,
-    /// How wrong it is.
+    /// Errors of the hits.
     #[serde(flatten)]
     pub error: ErrorRecord,
-    /// What it costs.
+    /// Cost of the rays.
     #[serde(flatten)]
     pub cost: CostRecord,
 }
 
-/// A method in a picture.
+/// Results of a method in a picture.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PictureRecord {
-    /// The method.
+    /// Method with its settings.
     #[serde(flatten)]
     pub method: MethodRecord,
     /// `cpu` or `gpu`.
@@ -112,132 +112,134 @@ pub struct PictureRecord {
     pub sampling: String,
     /// Columns and rows of the picture.
     pub size: [u32; 2],
-    /// Samples of a pixel.
+    /// Samples per pixel.
     pub samples: u32,
-    /// Metres between the eye and the point that it looks at, where these are compared.
+    /// Metres between the camera and its target, if distances are compared.
     pub distance_m: Option<f64>,
-    /// Mean FLIP to the reference.
+    /// Mean FLIP difference from the reference.
     pub flip: f64,
     /// Structural similarity to the reference.
     pub ssim: f64,
-    /// Peak signal to noise ratio in decibels; none where the pictures are the same.
+    /// Peak signal-to-noise ratio in decibels; none if the pictures are equal.
     pub psnr_db: Option<f64>,
-    /// Root of the mean squared error of the linear colours.
+    /// Root mean square error of the linear colours.
     pub rms: f64,
-    /// The same between two frames a tenth of a pixel apart, less that of many samples a pixel.
+    /// Root mean square difference between two frames a tenth of a pixel apart, less the difference
+    /// between the reference's, which have many samples a pixel.
     pub flicker_rms: Option<f64>,
-    /// Mean FLIP between these, less that of many samples a pixel.
+    /// Mean FLIP between the same two frames, less the FLIP between the reference's.
     pub flicker_flip: Option<f64>,
-    /// How wrong the hits of its pixels' centres are; nothing where several surfaces hide each other.
+    /// Errors of the hits at the pixels' centres; none if several surfaces hide each other.
     #[serde(flatten)]
     pub error: Option<ErrorRecord>,
-    /// What these cost where the surface is; nothing of displaced triangles, which are not searched, and of
-    /// the exact method on the CPU, where a tracer of its own answers.
+    /// Cost of the hits on the surface. None for displaced triangles, which are not searched, and
+    /// for the exact method on the CPU, which has its own tracer.
     #[serde(flatten)]
     pub cost: Option<CostRecord>,
-    /// Mean of the greatest number of reads in tiles of 8 x 4 pixels, for which a GPU's wave waits.
+    /// Mean over tiles of 8 x 4 pixels of the greatest number of reads in the tile, for which a
+    /// GPU's wave waits.
     pub wave_reads: Option<f64>,
-    /// How long frames take, where that was measured.
+    /// Times of frames, if they were measured.
     #[serde(flatten)]
     pub times: Option<TimeRecord>,
 }
 
-/// How long frames of one sample a pixel take.
+/// Times of frames with one sample per pixel.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TimeRecord {
-    /// What told the time: the machine's clock around whole frames, and of passes the GPU's.
+    /// Clock: the machine's clock around whole frames, and the GPU's for passes.
     pub clock: String,
-    /// Columns and rows of the frames.
+    /// Columns and rows of the timed frames.
     pub timed_size: [u32; 2],
-    /// Milliseconds of a whole frame: the median, and what the true median lies between, with that
-    /// [`confidence`](Self::confidence).
+    /// Median time of a whole frame in milliseconds. The true median lies in the following interval
+    /// with [`confidence`](Self::confidence).
     pub frame_ms: f64,
-    /// Its lower end.
+    /// Lower end of the interval of `frame_ms`.
     pub frame_low_ms: f64,
-    /// Its upper end.
+    /// Upper end of the interval of `frame_ms`.
     pub frame_high_ms: f64,
-    /// Milliseconds that finding the surface takes: more than bump mapping without shadows does. By a GPU's
-    /// clock, where it has one, of the pass that traces, as those of lighting and of shadows are of the pass
-    /// that shades; else of the whole frame.
+    /// Milliseconds for finding the surface: the extra time over bump mapping, both without
+    /// shadows. With a GPU's clock it is the time of the tracing pass (and the times of lighting
+    /// and shadows are of the shading pass); otherwise of the whole frame.
     pub displacement_ms: f64,
-    /// Its lower end.
+    /// Lower end of the interval of `displacement_ms`.
     pub displacement_low_ms: f64,
-    /// Its upper end.
+    /// Upper end of the interval of `displacement_ms`.
     pub displacement_high_ms: f64,
     /// Milliseconds of bump mapping without light.
     pub base_ms: f64,
-    /// Milliseconds of lighting that.
+    /// Milliseconds of lighting for bump mapping.
     pub shade_ms: f64,
-    /// Milliseconds of shadows; 0 where there are none.
+    /// Milliseconds of shadows; 0 if there are none.
     pub shadow_ms: f64,
-    /// Milliseconds of the pass that rasterises and traces, by a GPU's own clock.
+    /// Milliseconds of the pass that rasterises and traces, by the GPU's own clock.
     pub trace_pass_ms: Option<f64>,
-    /// Milliseconds of the pass that shades.
+    /// Milliseconds of the pass that shades, by the GPU's own clock.
     pub shade_pass_ms: Option<f64>,
-    /// In what part of all cases a true median lies between its ends, at least: 0.95 from six frames on. Of
-    /// fewer the ends are the least and the greatest that was seen.
+    /// Least probability that a true median lies in its interval: 0.95 from six frames on. With
+    /// fewer frames the ends are the least and the greatest time measured.
     #[serde(default)]
     pub confidence: f64,
-    /// The keys of differences that may be 0 for all that is known: their lower ends are not above it.
+    /// Keys of differences that may be 0: the lower ends of their intervals are not above it.
     #[serde(default)]
     pub below_noise: Vec<String>,
 }
 
 impl TimeRecord {
-    /// Whether the true medians lie between their ends in 95 of 100 cases.
+    /// Whether true medians lie in their intervals in at least 95 of 100 cases.
     pub fn is_sure(&self) -> bool {
         self.confidence >= SURE
     }
 }
 
-/// How wrong hits are; shares are from 0 to 1.
+/// Errors of hits; shares are from 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorRecord {
-    /// Rays that were compared.
+    /// Number of rays that were compared.
     pub rays: usize,
-    /// Share that passed the first hit: missed, or hit more than half a texel behind it.
+    /// Share of rays that passed the true hit: missed, or hit more than half a texel behind it.
     pub passed: f64,
-    /// Share that was given as a miss and truly hits.
+    /// Share of rays that should hit, but were reported as misses.
     pub missed: f64,
-    /// Share that was given as a hit and truly misses.
+    /// Share of rays that should miss, but were reported as hits.
     pub false_hits: f64,
     /// Share of hits more than half a texel behind the true one.
     pub late: f64,
     /// Share of hits more than half a texel before the true one.
     pub early: f64,
-    /// Share that ran out of steps; they are judged by the last point that they reached.
+    /// Share of rays that ran out of steps; they are judged by the last point that they reached.
     pub exhausted: f64,
-    /// Distance from the true hit in texels: mean.
+    /// Mean distance from the true hit in texels.
     pub mean_texels: f64,
-    /// Median.
+    /// Median distance in texels.
     pub median_texels: f64,
-    /// 99th percentile.
+    /// 99th percentile of the distance in texels.
     pub p99_texels: f64,
-    /// Greatest.
+    /// Greatest distance in texels.
     pub max_texels: f64,
-    /// Difference of the depth in metres: 99th percentile.
+    /// 99th percentile of the difference in depth, in metres.
     pub p99_depth_m: f64,
 }
 
-/// What rays cost.
+/// Cost of rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct CostRecord {
-    /// Mean reads of a ray.
+    /// Mean number of reads per ray.
     pub reads: f64,
-    /// 99th percentile.
+    /// 99th percentile of the reads.
     pub p99_reads: f64,
-    /// Mean turns of loops.
+    /// Mean number of steps of search and refinement per ray.
     pub turns: f64,
-    /// Mean bytes that reads fetch.
+    /// Mean number of bytes that a ray's reads fetch.
     pub bytes: f64,
 }
 
-/// What could not be compared.
+/// Method or figure that could not be compared.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct LeftOut {
-    /// The method, or what else.
+    /// Label of the method, or name of the figure.
     pub what: String,
-    /// Why.
+    /// Reason.
     pub reason: String,
 }
 
@@ -270,17 +272,17 @@ impl From<&CostReport> for CostRecord {
 }
 
 impl MethodRecord {
-    /// The name, with what it is compared over: steps, the format of its maps, its shadow.
+    /// Returns the name with the settings by which it is compared: steps, format of maps, shadow.
     pub fn label(&self) -> String {
         labelled(&self.method, self.steps, self.map_format.as_deref(), self.shadow.as_deref())
     }
 
-    /// The same without the shadow, of which rays of the view know nothing.
+    /// Returns the label without the shadow, which does not affect view rays.
     pub fn label_of_rays(&self) -> String {
         labelled(&self.method, self.steps, self.map_format.as_deref(), None)
     }
 
-    /// Bytes of baked maps for a texel of the height maps.
+    /// Returns the bytes of baked maps per texel of the height maps.
     pub fn bytes_a_texel(&self) -> f64 {
         self.map_bytes as f64 / self.map_texels as f64
     }

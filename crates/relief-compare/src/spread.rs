@@ -1,29 +1,30 @@
-//! Medians of times, and how sure these are.
+//! Medians of times with confidence intervals.
 
-/// How sure intervals are that are said to hold the true median, as a part of 1.
+/// Confidence of intervals for a true median, from 0 to 1.
 pub const SURE: f64 = 0.95;
 
-/// The fewest numbers whose median has such an interval.
+/// Least number of values for an interval of that confidence.
 pub const FEWEST: usize = 6;
 
-/// A median, and what the true one lies between, whatever the times are distributed like.
+/// Median with an interval for the true one, for any distribution of times.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Median {
-    /// The median.
+    /// Median of the values.
     pub middle: f64,
-    /// The least that the true one is.
+    /// Lower end of the interval for the true median.
     pub low: f64,
-    /// The greatest.
+    /// Upper end of the interval.
     pub high: f64,
-    /// In what part of all cases the true one lies between these, at least: [`SURE`] from [`FEWEST`] numbers
+    /// Least probability that the true median lies in the interval: [`SURE`] from [`FEWEST`] values
     /// on.
     pub confidence: f64,
 }
 
 impl Median {
-    /// The median of some numbers; of none it is 0. Its interval has the ranks `n/2 ± 0.98 √n`, which of
-    /// fewer than eleven are all: each number is below the true median with a chance of a half, so that all of
-    /// them are on one side of it in `2^(1 - n)` of the cases.
+    /// Computes the median of some numbers; 0 if there are none. The interval has the ranks `n/2 ±
+    /// 0.98 √n`, which include all of fewer than eleven numbers. Each number is below the true
+    /// median with probability one half. All of them are on one side of it in `2^(1 - n)` of the
+    /// cases.
     pub fn of(mut numbers: Vec<f64>) -> Self {
         numbers.sort_unstable_by(f64::total_cmp);
         let count = numbers.len();
@@ -44,11 +45,11 @@ mod tests {
     use relief_core::rng::Rng;
 
     #[test]
-    fn intervals_are_as_sure_as_they_say() {
+    fn intervals_have_their_stated_confidence() {
         for count in 1..400_usize {
             let numbers: Vec<f64> = (0..count).map(|number| number as f64).collect();
             let Median { low, high, confidence, .. } = Median::of(numbers);
-            // The true median is not between them when at most `low` of all numbers are below it, or above.
+            // The true median is outside when at most `low` of all numbers are below it, or above.
             let mut ways = 0.5_f64.powi(count as i32);
             let mut outside = 0.0;
             for below in 0..=low as usize {
@@ -66,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn the_interval_holds_the_true_median_as_often_as_it_says() {
+    fn the_interval_covers_the_median_as_often_as_stated() {
         let mut rng = Rng::new(1);
         let mut held = 0;
         for _ in 0..1000 {

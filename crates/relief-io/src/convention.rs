@@ -1,5 +1,5 @@
-//! Height or depth, green up or down: what a height map and the normal map that belongs to it say of each
-//! other.
+//! Detection of conventions: whether a height map's white is high or deep, and whether a normal
+//! map's green points up or down.
 
 use std::path::Path;
 
@@ -7,27 +7,28 @@ use relief_core::HeightMap;
 
 use crate::{Convention, GreenSign, NormalMap};
 
-/// The conventions under which a pair of maps agrees best.
+/// Conventions under which a height map and a normal map agree best.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Detection {
     /// Whether white is high or deep in the height map as it was read.
     pub convention: Convention,
-    /// How sure that is: the size of the correlation along `u`, from 0 (nothing to see) to 1.
+    /// Confidence in `convention`, from 0 to 1: the absolute correlation along `u`.
     pub convention_confidence: f64,
-    /// Which way green pointed in the normal map's file, if it was read as [`GreenSign::PlusY`].
+    /// Direction of green in the normal map's file, given that it was read as [`GreenSign::PlusY`].
     pub green: GreenSign,
-    /// How sure that is: the lesser of the correlations along `u` and `v`, from 0 to 1, since both signs
-    /// decide it.
+    /// Confidence in `green`, from 0 to 1: the lesser absolute correlation along `u` and `v`, since
+    /// both signs decide it.
     pub green_confidence: f64,
 }
 
-/// Compares the slopes of a normal map, read as [`GreenSign::PlusY`], with the gradient of a height map, read
-/// as [`Convention::Height`].
+/// Compares the slopes of a normal map with the gradient of a height map. The normal map must be
+/// read as [`GreenSign::PlusY`] and the height map as [`Convention::Height`].
 ///
-/// The normal of a height field leans against its slope: `x` falls with `∂h/∂u`, and `y`, which points along
-/// falling `v`, rises with `∂h/∂v`. The correlation of `-x` with `∂h/∂u` is positive for heights and negative
-/// for depths; that of `y` with `∂h/∂v` has the same sign if green points up and the other if it points down.
-/// The sizes of the maps may differ: heights are taken at the normals' texel centres.
+/// The normal of a height field leans against its slope: `x` falls with `∂h/∂u`. `y`, which points
+/// along falling `v`, rises with `∂h/∂v`. The correlation of `-x` with `∂h/∂u` is positive for
+/// heights and negative for depths. The correlation of `y` with `∂h/∂v` has the same sign if green
+/// points up, and the opposite sign if it points down. The maps may differ in size: heights are
+/// sampled at the normals' texel centres.
 pub fn detect(height: &HeightMap, normals: &NormalMap) -> Detection {
     let (mut along_u, mut along_v) = (Correlation::default(), Correlation::default());
     let (du, dv) = (1.0 / f64::from(normals.width), 1.0 / f64::from(normals.height));
@@ -49,18 +50,19 @@ pub fn detect(height: &HeightMap, normals: &NormalMap) -> Detection {
     }
 }
 
-/// A convention that is no more than likely.
+/// Convention guessed from a file's name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Guess {
     /// Whether white is high or deep.
     pub convention: Convention,
-    /// How often such a guess is right, from 0 to 1.
+    /// Share of such guesses that are right, from 0 to 1.
     pub confidence: f64,
 }
 
-/// Words of names, what they say, and how often they were right: of maps of other projects whose convention
-/// is known, all three named as depths are, and five of six named as heights. Of so few, `n` right ones of
-/// `m` make `(n + 1) / (m + 2)`.
+/// Words in file names, the convention that each suggests, and the confidence. They were checked
+/// with maps of other projects whose convention is known: all three that were named as depths are
+/// depths, and five of six named as heights are heights. For samples this small the confidence is
+/// `(n + 1) / (m + 2)`, if `n` of `m` are right.
 const WORDS: [(&[&str], Guess); 2] = [
     (&["depth", "depthmap"], Guess { convention: Convention::Depth, confidence: 0.8 }),
     (
@@ -85,10 +87,10 @@ const WORDS: [(&[&str], Guess); 2] = [
     ),
 ];
 
-/// What a height map's name says of its convention; nothing of most.
+/// Guesses a height map's convention from its file name. None for most names.
 ///
-/// Its texels say nothing: of nine maps whose convention is known, neither the skewness of the values nor
-/// that of their curvature, at any scale, told depths from heights better than chance.
+/// The texels give no hint. In nine maps whose convention is known, guesses by the skewness of the
+/// values, or of their curvature at any scale, were no better than chance.
 pub fn guess_by_name(path: &Path) -> Option<Guess> {
     let stem = path.file_stem()?.to_string_lossy().to_ascii_lowercase();
     let mut words = stem.split(|sign: char| !sign.is_ascii_alphabetic());
@@ -112,7 +114,7 @@ impl Correlation {
         self.product += a * b;
     }
 
-    /// In `[-1, 1]`; 0 where one of both is constant.
+    /// Correlation in `[-1, 1]`; 0 if either side is constant.
     fn value(&self) -> f64 {
         let mean = self.sum.map(|sum| sum / self.count);
         let variance = [0, 1].map(|i| self.squares[i] / self.count - mean[i] * mean[i]);
@@ -132,7 +134,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_that_say_something_are_understood() {
+    fn maps_are_recognised_by_file_names() {
         let of = |name: &str| guess_by_name(Path::new(name)).map(|guess| guess.convention);
         for depth in ["bevy_cube_depth.png", "maps/Wool-Depth.PNG", "depth.exr"] {
             assert_eq!(of(depth), Some(Convention::Depth), "{depth}");

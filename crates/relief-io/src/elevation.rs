@@ -1,75 +1,80 @@
-//! What a georeferenced file says of the ground, and what its values stand for.
+//! Georeference of a file: the place of its texels on the ground, and the meaning of its values as
+//! elevations.
 
-/// Where a file says that its map lies on the ground.
+/// Position of a map on the ground, as its file states it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Georeference {
-    /// The kind of its coordinate system.
+    /// Kind of the coordinate system.
     pub system: CoordinateSystem,
-    /// The coordinate system's number in the EPSG's list, where the file gives it.
+    /// EPSG code of the coordinate system, if the file gives one.
     pub epsg: Option<u16>,
-    /// Size of a texel along `u` and `v` in metres, at the middle of the map; or why it is not known.
+    /// Size of a texel along `u` and `v` in metres, at the middle of the map; or the reason why it
+    /// is unknown.
     pub texel_size_m: Result<[f64; 2], String>,
-    /// Whether the file's columns, and whether its rows, lie in the other order than the map's: they are
-    /// turned over in reading, so that column 0 is in the west and row 0 in the north. Of a grid that is
-    /// turned by some angle the rows are turned over where it would be mirrored else.
+    /// Whether the file's columns, and whether its rows, run opposite to the map's. They are
+    /// flipped when the file is read, so that column 0 is in the west and row 0 in the north. In a
+    /// rotated grid the rows are flipped if it would be mirrored otherwise.
     pub turned_over: [bool; 2],
-    /// Where the texels lie in the file's coordinates; none where the file does not say it.
+    /// Transform from texels to the file's coordinates; none if the file does not give it.
     pub transform: Option<GridTransform>,
-    /// Metres in one unit of the file's coordinates, along x and y, at the middle of the map; none where they
-    /// are not known.
+    /// Metres per unit of the file's coordinates, along x and y, at the middle of the map; none if
+    /// unknown.
     pub metres_per_unit: Option<[f64; 2]>,
-    /// The shortest and the longest row, as parts of the middle one: 1 and 1 but for coordinates whose metres
-    /// depend on the latitude.
+    /// Lengths of the shortest and the longest row, relative to the middle one. Both are 1, except
+    /// in coordinates whose metres depend on the latitude.
     pub row_lengths: [f64; 2],
-    /// The unit of its coordinates, as the file names it; none where it names none.
+    /// Unit of the coordinates, as the file names it; none if it names none.
     pub unit: Option<String>,
-    /// Who says that unit.
+    /// Source of `unit`.
     pub unit_origin: UnitOrigin,
-    /// The file beside the map that says where the grid lies; none where the map's own does.
+    /// Name of the sidecar file that gives the grid's position; none if the map's own file gives
+    /// it.
     pub grid_file: Option<String>,
 }
 
-/// Where the texels of a map lie in the coordinates of its file. The map is the one that is read: its rows
-/// are those of the file turned over where [`Georeference::turned_over`] says so.
+/// Affine transform from a map's texels to the coordinates of its file. It belongs to the map as
+/// read: flipped where [`Georeference::turned_over`] says so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridTransform {
-    /// The outer corner of the first texel, x and y.
+    /// Outer corner of the first texel, x and y.
     pub origin: [f64; 2],
-    /// The way from a column to the next one, along x and y.
+    /// Step from one column to the next, along x and y.
     pub column: [f64; 2],
-    /// The way from a row to the next one, along x and y.
+    /// Step from one row to the next, along x and y.
     pub row: [f64; 2],
 }
 
 impl GridTransform {
-    /// The coordinates of a point of the map, in texels from the outer corner of the first one.
+    /// Returns the coordinates of a point of the map, given in texels from the outer corner of the
+    /// first one.
     pub fn at(&self, [columns, rows]: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| self.origin[axis] + columns * self.column[axis] + rows * self.row[axis])
     }
 
-    /// The six numbers `a b c d e f` of `x = a column + b row + c` and `y = d column + e row + f`.
+    /// Returns the six numbers `a b c d e f` of `x = a column + b row + c` and `y = d column + e
+    /// row + f`.
     pub fn affine(&self) -> [f64; 6] {
         let Self { origin: [c, f], column: [a, d], row: [b, e] } = *self;
         [a, b, c, d, e, f]
     }
 }
 
-/// A kind of coordinate system, by how its units become metres.
+/// Kind of coordinate system, by how its units convert to metres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CoordinateSystem {
     /// Angles on the ellipsoid.
     Geographic,
-    /// Lengths in a map projection, taken for those on the ground.
+    /// Lengths in a map projection, taken as lengths on the ground.
     Projected,
     /// The projection of web maps (EPSG:3857), whose lengths are too long by 1 over the cosine of the
     /// latitude.
     WebMercator,
-    /// Another one, or one that the file does not name.
+    /// Another kind, or one that the file does not name.
     Unknown,
 }
 
 impl CoordinateSystem {
-    /// The name that users are shown.
+    /// Name shown to users.
     pub const fn name(self) -> &'static str {
         match self {
             CoordinateSystem::Geographic => "geographic",
@@ -80,24 +85,25 @@ impl CoordinateSystem {
     }
 }
 
-/// Who says what a unit is.
+/// Source of a unit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum UnitOrigin {
     /// A key of a GeoTIFF.
     Key(u16),
-    /// The number of the coordinate system in the EPSG's list.
+    /// The EPSG code of the coordinate system.
     Epsg(u16),
     /// The metadata that GDAL keeps in a TIFF.
     Metadata,
-    /// A file beside the map, by its name.
+    /// A sidecar file, by its name.
     Beside(String),
     /// The user, by [`HeightOptions::unit`](crate::HeightOptions::unit).
     Given,
-    /// The ground for the heights, or the heights for the ground: of these nothing is said.
+    /// The ground's unit taken for the heights, or the heights' unit for the ground, because the
+    /// file names only one.
     Shared,
-    /// Nobody: metres for heights over degrees, or degrees, as is usual.
+    /// No source: metres are assumed for heights over degrees, and degrees as is usual.
     Assumed,
-    /// Nobody, and it is not known.
+    /// No source, and the unit is unknown.
     #[default]
     Unnamed,
 }
@@ -117,46 +123,47 @@ impl std::fmt::Display for UnitOrigin {
     }
 }
 
-/// What the values of an elevation model's channel stand for: `(value * scale + offset) * metres_per_unit`
-/// metres, above or below the zero of its system.
+/// Meaning of an elevation model's values: a raw value stands for `(value * scale + offset) *
+/// metres_per_unit` metres, above or below the zero of its vertical system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Elevation {
-    /// The unit by its name; none where nobody names one.
+    /// Name of the unit; none if no source names one.
     pub unit: Option<String>,
-    /// Metres in one unit; none where it is not known.
+    /// Metres per unit; none if unknown.
     pub metres_per_unit: Option<f64>,
-    /// The factor on a raw value; 1 where the file names none.
+    /// Factor on a raw value; 1 if the file names none.
     pub scale: f64,
-    /// The units of raw value 0; 0 where the file names none.
+    /// Units at raw value 0; 0 if the file names none.
     pub offset: f64,
-    /// Whether its vertical system counts downward, so that its values are depths.
+    /// Whether the vertical system counts downward, so that values are depths.
     pub downward: bool,
-    /// Who says the unit.
+    /// Source of the unit.
     pub origin: UnitOrigin,
 }
 
 impl Elevation {
-    /// The metres that raw values stand for, where the unit is known. Those of depths are negative.
+    /// Converts raw values to metres, negative for depths. None if the unit is unknown.
     pub fn metres<const N: usize>(&self, raw: [f64; N]) -> Option<[f64; N]> {
         let metres_per_unit = self.metres_per_unit?;
         Some(self.units(raw).map(|units| units * metres_per_unit))
     }
 
-    /// The same in units, whatever they are.
+    /// Converts raw values to units of the file, negative for depths.
     pub(crate) fn units<const N: usize>(&self, raw: [f64; N]) -> [f64; N] {
         let sign = if self.downward { -1.0 } else { 1.0 };
         raw.map(|raw| sign * (raw * self.scale + self.offset))
     }
 
-    /// Whether the file, one beside it or the user names the unit of the heights, and it is known.
+    /// Whether the file, a sidecar or the user names the unit of the heights, and it is known.
     pub fn is_named(&self) -> bool {
         let is_guess = matches!(self.origin, UnitOrigin::Shared | UnitOrigin::Assumed | UnitOrigin::Unnamed);
         !is_guess && self.metres_per_unit.is_some()
     }
 
-    /// Why the least and the greatest of its values are no metres of ground, if they are none. `ground_m` is
-    /// the longer side of the whole map. Units that the user gives are not doubted, and of those that the
-    /// file itself names only heights that no ground has.
+    /// Returns a reason to doubt that the values are metres of ground, if there is one. `range`
+    /// holds the least and the greatest raw value; `ground_m` is the longer side of the whole map
+    /// in metres. Units that the user gives are not doubted. If the file itself names the unit,
+    /// only heights outside all ground on Earth are doubted.
     pub fn doubt(&self, range: [f64; 2], ground_m: Option<f64>) -> Option<Doubt> {
         if self.origin == UnitOrigin::Given {
             return None;
@@ -172,28 +179,28 @@ impl Elevation {
     }
 }
 
-/// The deepest and the highest ground of the Earth in metres, with something to spare.
+/// Deepest and highest ground of the Earth in metres, with a margin.
 const GROUND_M: [f64; 2] = [-11_100.0, 9_000.0];
 
-/// The deepest relief as a part of the longer side of a map. A map shorter than a kilometre may be deeper,
-/// since a single cliff may fill it.
+/// Deepest plausible relief, relative to the longer side of a map. A map shorter than a kilometre
+/// may be deeper, since a single cliff may fill it.
 const DEEPEST: f64 = 1.0 / 3.0;
 const DEEPEST_OF_SHORT: f64 = 0.75;
 const SHORT_GROUND_M: f64 = 1000.0;
 
-/// Why heights are no metres of ground.
+/// Reason to doubt that values are metres of ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Doubt {
-    /// They lie where no ground is.
+    /// The heights lie outside all ground on Earth.
     Heights {
-        /// The least and the greatest.
+        /// Least and greatest height in metres.
         range_m: [f64; 2],
     },
-    /// The relief is deeper to its length than ground is.
+    /// The relief is too deep for its horizontal size.
     Relief {
-        /// From the least to the greatest height.
+        /// Difference of the greatest and the least height in metres.
         relief_m: f64,
-        /// The longer side of the map.
+        /// Longer side of the map in metres.
         ground_m: f64,
     },
 }
@@ -205,7 +212,7 @@ impl std::fmt::Display for Doubt {
                 let [deepest, highest] = GROUND_M;
                 write!(
                     f,
-                    "its heights would go from {least} m to {greatest} m, and ground lies from {deepest} m to \
+                    "its heights would go from {least} m to {greatest} m, but ground lies from {deepest} m to \
                      {highest} m"
                 )
             }
@@ -222,7 +229,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn heights_that_no_ground_has_are_doubted() {
+    fn heights_beyond_the_earths_are_reported() {
         let model = |metres: f64, origin: UnitOrigin| Elevation {
             unit: Some("m".to_owned()),
             metres_per_unit: Some(metres),

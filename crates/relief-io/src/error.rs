@@ -1,4 +1,4 @@
-//! What can go wrong with a file, and what can be done about it.
+//! Errors of reading and writing files: what is wrong, and what to do about it.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -9,41 +9,41 @@ use relief_core::{Cancelled, HeightMapError};
 
 use crate::{ForeignFormat, RawLayout};
 
-/// A file could not be read: which file, and why.
+/// Error of reading a file: the file and the reason.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {problem}", path.display())]
 pub struct ReadError {
-    /// The file's path, or the name given with its bytes.
+    /// Path of the file, or the name given with its bytes.
     pub path: PathBuf,
-    /// What is wrong with it and what to do about it.
+    /// Reason why the file could not be read, and the remedy.
     pub problem: ReadProblem,
 }
 
-/// Why a file could not be read.
+/// Reason why a file could not be read.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadProblem {
-    /// The operating system refused.
+    /// The operating system reported an error.
     #[error("cannot be read: {0}")]
     Io(#[from] io::Error),
     /// The path is a folder.
     #[error("is a folder: give a file")]
     Folder,
     /// The path is a pipe, a device or the like.
-    #[error("is no regular file: save what it gives to a file first")]
+    #[error("is not a regular file: save its content to a file first")]
     NoFile,
     /// The file has no bytes.
-    #[error("is empty")]
+    #[error("is empty: obtain or export it again")]
     Empty,
-    /// The content is none of the formats that are read.
+    /// The content is in none of the supported formats.
     #[error("is not a PNG, JPEG, EXR, TIFF, Radiance HDR, PGM or WebP file: convert it")]
     Unrecognised,
-    /// The content is of a format of heights that is known and not read.
+    /// The content is in a known format of heights that is not supported.
     #[error("{0}")]
     Foreign(ForeignFormat),
-    /// A headerless file, by its name, without its layout.
+    /// A headerless file, by its name, was given without its layout.
     #[error("holds samples without a header: give its size and byte order")]
     NeedsRawLayout,
-    /// The length of a headerless file is not that of its layout.
+    /// The length of a headerless file does not fit its layout.
     #[error(
         "holds {actual} bytes, but {layout} needs {expected}: check width, height and that samples are 16 bit"
     )]
@@ -55,12 +55,12 @@ pub enum ReadProblem {
         /// Bytes in the file.
         actual: u64,
     },
-    /// The size, or a texel, is none of a height map.
+    /// The size, or a texel, is invalid for a height map.
     #[error(transparent)]
     Map(#[from] HeightMapError),
     /// Reading would take more memory than allowed.
     #[error(
-        "{width}x{height} texels need {} MiB of memory, {} MiB are allowed: make the file smaller or raise the limit",
+        "{width}x{height} texels need {} MiB of memory, but {} MiB are allowed: make the file smaller or raise the limit",
         needed.div_ceil(1 << 20),
         limit >> 20
     )]
@@ -75,7 +75,7 @@ pub enum ReadProblem {
         limit: u64,
     },
     /// The system has no more memory.
-    #[error("needs {needed} bytes of memory, which the system refuses: make the file smaller")]
+    #[error("needs {needed} bytes of memory, which the system does not have: make the file smaller")]
     OutOfMemory {
         /// Bytes asked for.
         needed: u64,
@@ -85,21 +85,21 @@ pub enum ReadProblem {
     Damaged {
         /// The format.
         format: &'static str,
-        /// What is wrong.
+        /// Description of the damage.
         what: String,
     },
-    /// The file uses a part of its format that is not read.
+    /// The file uses a feature of its format that is not supported.
     #[error("uses {what}, which is not supported: {advice}")]
     Unsupported {
-        /// What is not supported.
+        /// The unsupported feature.
         what: String,
-        /// What to do instead.
+        /// Advice on what to do instead.
         advice: &'static str,
     },
     /// The channel asked for does not exist.
     #[error("{0}")]
     UnknownChannel(UnknownName),
-    /// There are several channels and none was chosen.
+    /// The file has several channels and none was chosen.
     #[error("has the channels {}: choose one", relief_core::registry::listed(channels))]
     ChooseChannel {
         /// The channels.
@@ -116,54 +116,57 @@ pub enum ReadProblem {
         channels: Vec<String>,
         /// Column of the first texel whose channels differ.
         column: u32,
-        /// Its row.
+        /// Row of that texel.
         row: u32,
-        /// Whether there is an alpha that varies, so that it may be the height.
+        /// Whether an alpha channel exists and varies, so that it may be the height.
         alpha_varies: bool,
     },
-    /// The channels are none of a picture.
-    #[error("has the channels {}, which make no {what}", relief_core::registry::listed(channels))]
+    /// The channels do not form a picture or a normal map.
+    #[error(
+        "has the channels {}, which do not form a {what}: export it with R, G and B",
+        relief_core::registry::listed(channels)
+    )]
     NoColour {
-        /// What was wanted: a picture or a normal map.
+        /// Kind of image wanted: a picture or a normal map.
         what: &'static str,
         /// The channels.
         channels: Vec<String>,
     },
-    /// Texels without a value.
+    /// Some texels have no value.
     #[error(
         "{} of its texels have no value ({not_finite} NaN or infinite, {nodata} marked as nodata, {masked} masked), the first at ({column}, {row}): fill them from their surroundings",
         not_finite + nodata + masked
     )]
     Holes {
-        /// How many are NaN or infinite.
+        /// Number of texels that are NaN or infinite.
         not_finite: u64,
-        /// How many equal the file's nodata value.
+        /// Number of texels that equal the nodata value.
         nodata: u64,
-        /// How many the file's mask leaves out.
+        /// Number of texels that the file's mask excludes.
         masked: u64,
-        /// Column of the first.
+        /// Column of the first such texel.
         column: u32,
-        /// Row of the first.
+        /// Row of the first such texel.
         row: u32,
     },
-    /// The file says things of the ground or of its metres that cannot be.
+    /// The file states an impossible georeference or impossible units.
     #[error(
-        "cannot be an elevation model: {what}: correct what it says or remove it, for instance with gdal_edit"
+        "cannot be an elevation model: {what}: correct that entry or remove it, for instance with gdal_edit"
     )]
     Georeference {
-        /// What cannot be.
+        /// The impossible entry.
         what: String,
     },
-    /// The mask that says which texels have a value cannot be used.
+    /// The mask that marks texels with a value cannot be used.
     #[error("has a mask that cannot be used: {mask}: {problem}")]
     Mask {
-        /// The mask's file, or that it is inside the file itself.
+        /// Name of the mask's file, or a note that it is inside the map's file.
         mask: String,
-        /// What is wrong with it.
+        /// Problem with the mask.
         problem: Box<ReadProblem>,
     },
-    /// A mask has another size, or other channels, than what it belongs to.
-    #[error("is {mask}, the map {map}: make them alike, or remove the mask")]
+    /// A mask differs from its map in size or channels.
+    #[error("is {mask}, but the map is {map}: make them alike, or remove the mask")]
     MaskSize {
         /// Size and channels of the mask.
         mask: String,
@@ -175,7 +178,7 @@ pub enum ReadProblem {
         "{not_finite} of its texels are NaN or infinite, the first at ({column}, {row}): repair the picture"
     )]
     NotFinite {
-        /// How many texels.
+        /// Number of such texels.
         not_finite: u64,
         /// Column of the first.
         column: u32,
@@ -183,7 +186,7 @@ pub enum ReadProblem {
         row: u32,
     },
     /// No texel has a value.
-    #[error("holds no texel with a finite value")]
+    #[error("holds no texel with a finite value: check its nodata value and mask, or export it again")]
     AllHoles,
     /// Values lie outside the range given.
     #[error("its values go from {} to {}, outside the range {} to {}: widen the range", actual[0], actual[1], range[0], range[1])]
@@ -193,36 +196,38 @@ pub enum ReadProblem {
         /// Least and greatest value in the file.
         actual: [f64; 2],
     },
-    /// The name is no mesh's.
-    #[error("is no mesh by its name: glTF (.gltf, .glb), OBJ, PLY and STL are read")]
+    /// The file's name has no extension of a mesh format.
+    #[error("is not named as a mesh: give a glTF (.gltf, .glb), OBJ, PLY or STL file")]
     NoMesh,
     /// A mesh takes more memory than allowed.
     #[error(
-        "is a mesh that takes more than the {} MiB of memory allowed: make it coarser or raise the limit",
+        "is a mesh that needs more than the {} MiB of memory allowed: make it coarser or raise the limit",
         limit >> 20
     )]
     MeshMemory {
         /// Bytes that may be used.
         limit: u64,
     },
-    /// What the file holds makes no mesh.
+    /// The content does not form a usable mesh.
     #[error("cannot be used: {0}")]
     Mesh(#[from] FramingError),
-    /// A file that this one names cannot be read.
-    #[error("names {}, which {problem}", file.display())]
+    /// A file that this file refers to cannot be read.
+    #[error("refers to {}, which {problem}", file.display())]
     Part {
-        /// The file that is named.
+        /// The file referred to.
         file: PathBuf,
-        /// What is wrong with it.
+        /// Problem with that file.
         problem: Box<ReadProblem>,
     },
-    /// A file that this one names lies elsewhere.
-    #[error("names '{file}', which is not in its folder: put it there, and name it by a relative path")]
+    /// A file that this file refers to is outside its folder.
+    #[error(
+        "refers to '{file}', which is not in its folder: put it there, and refer to it by a relative path"
+    )]
     OutsideFolder {
-        /// The name.
+        /// The name as it is written in the file.
         file: String,
     },
-    /// The range given is no range.
+    /// The range given is not a valid range.
     #[error("the range {} to {} is not usable: both ends must be finite, the first below the second (for maps of depth use the depth convention)", range[0], range[1])]
     BadRange {
         /// The range given.
@@ -231,7 +236,7 @@ pub enum ReadProblem {
 }
 
 impl ReadProblem {
-    /// Whether a mesh is refused for its texture coordinates alone, which a projection makes.
+    /// Whether a mesh is refused only for its texture coordinates, which a projection can supply.
     pub fn is_of_texture_coordinates(&self) -> bool {
         use relief_core::mesh::FramingError::{NoTextureArea, NoTextureCoordinates};
         matches!(self, Self::Mesh(NoTextureCoordinates { .. } | NoTextureArea { .. }))
@@ -242,32 +247,32 @@ impl ReadProblem {
     }
 }
 
-/// A file could not be written: which file, and why. Nothing is left behind.
+/// Error of writing a file: the file and the reason. Nothing is left behind.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {problem}", path.display())]
 pub struct WriteError {
     /// The file.
     pub path: PathBuf,
-    /// What went wrong and what to do about it.
+    /// Reason why the file could not be written, and the remedy.
     pub problem: WriteProblem,
 }
 
-/// Why a file could not be written.
+/// Reason why a file could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteProblem {
     /// The folder cannot be written to, or does not exist.
     #[error("cannot write into its folder ({0}): create it, or check its permissions")]
     Folder(#[source] io::Error),
-    /// Writing failed on the way.
+    /// Writing failed before the end.
     #[error("writing failed ({0}): check the free space of the disk")]
     Io(#[from] io::Error),
-    /// The finished file could not take its name.
+    /// The finished file could not be renamed to its final name.
     #[error(
-        "the finished file could not be moved to its name ({0}): check that it is no folder and not protected"
+        "the finished file could not be moved to its name ({0}): check that it is not a folder and not write-protected"
     )]
     Rename(#[source] io::Error),
     /// The path ends in no file name.
-    #[error("is no file name")]
+    #[error("has no file name: end the path with one")]
     NoName,
     /// The samples do not fit the size.
     #[error("{width}x{height} needs {expected} samples, {given} were given")]

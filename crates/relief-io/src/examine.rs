@@ -1,5 +1,5 @@
-//! What is to be said of heights that have been read: values that stand for none without being declared, and
-//! a range that hides the relief. Nothing is held but the samples themselves.
+//! Checks of heights that have been read: values that probably stand for nodata without being
+//! declared, and a range that hides the relief. Only the samples themselves are held in memory.
 
 use crate::height::HeightOptions;
 use crate::layout::{Layout, SampleKind, SampleType};
@@ -7,20 +7,20 @@ use crate::nodata::NO_HEIGHT;
 use crate::omissions::{ABSENT_NODATA, FITTED_RANGE, NARROW_RANGE, NEAR_NODATA, Remark, UNDECLARED_NODATA};
 use crate::samples::Samples;
 
-/// How far from the declared value for none lossy compression leaves it, as a part of it.
+/// Greatest relative distance from the declared nodata value that lossy compression causes.
 const LOSSY: f64 = 2.5e-4;
 
-/// How many times their whole relief heights lie from a value that stands for none.
+/// Least distance of a nodata value from all heights, in multiples of their whole relief.
 const FAR: f64 = 3.0;
 
-/// The same of values that are the ends of a type or common besides, and of those that mean nothing.
+/// Like [`FAR`]: for values that are ends of a type or common as heights, and for all other values.
 const FAR_ENDS: f64 = 5.0;
 const FAR_OTHERS: f64 = 10.0;
 
-/// Different values that heights have at least, where another value is taken for none by its distance alone.
+/// Least number of different heights for another value to count as nodata by its distance alone.
 const LEVELS: usize = 4;
 
-/// Values that programs write for none. No picture has them, and no ground.
+/// Values that programs write as nodata. No picture and no ground has them.
 const USUAL: [f64; 18] = [
     -9999.0,
     9999.0,
@@ -42,23 +42,23 @@ const USUAL: [f64; 18] = [
     1e20,
 ];
 
-/// Ends of types, and what else is common as a value for none and as a height.
+/// Ends of types, and other values that are common both as nodata and as heights.
 const ENDS: [f64; 7] = [0.0, -1.0, 255.0, 65535.0, 65534.0, 4_294_967_295.0, -128.0];
 
-/// The part of its type that a relief uses at least.
+/// Least part of its type's range that a relief should use.
 const NARROW: f64 = 0.1;
 
-/// The part of 0 to 1 that floats use where it makes no difference which range is taken.
+/// Part of 0 to 1 used by floats above which the choice of the range makes no difference.
 const NEARLY_ALL: f64 = 0.9;
 
-/// How many of the least and of the greatest different values are looked at.
+/// Number of the least and of the greatest different values that are inspected.
 const VALUES: usize = 8;
 
-/// How many values for none there are at most at either end.
+/// Greatest number of nodata values at either end.
 const MARKS: usize = 3;
 
-/// Makes holes of what is nearly a value for none, and says what is to be said. `is_noted` is for files that
-/// Relief wrote, whose range has a meaning.
+/// Turns texels that nearly equal a nodata value into holes, and returns the notes for the user.
+/// `is_noted` is set for files that Relief wrote, whose range is meaningful.
 pub(crate) fn examine(
     samples: &mut Samples,
     layout: &Layout,
@@ -79,7 +79,7 @@ pub(crate) fn examine(
             }
             _ => String::new(),
         };
-        let text = format!("no texel has the value {} that was given for none{values}", shown(given));
+        let text = format!("no texel has the nodata value {} that was given{values}", shown(given));
         remarks.push(Remark::new(&ABSENT_NODATA, text));
     }
     if is_noted || samples.extremes[0] >= samples.extremes[1] {
@@ -97,7 +97,7 @@ pub(crate) fn examine(
     remarks
 }
 
-/// A number as it would be written: with the digits that its type holds.
+/// Formats a number with the digits that its type holds.
 fn number(value: f64, sample: SampleType) -> String {
     let is_large = value.abs() >= 1e15;
     match sample.kind {
@@ -108,12 +108,12 @@ fn number(value: f64, sample: SampleType) -> String {
     }
 }
 
-/// Makes holes of texels that have the declared value but for a little, where nothing else is near it.
+/// Turns texels close to the declared nodata value into holes, if no other value is near it.
 fn near(samples: &mut Samples, declared: f64, sample: SampleType) -> Option<Remark> {
     let mark = samples.raw(declared);
     let tolerance = LOSSY * declared.abs();
     let is_near = |value: f64| (value - mark).abs() <= tolerance;
-    // What is far from all else is the least or the greatest.
+    // A value far from all others is the least or the greatest.
     if !(declared.abs() < NO_HEIGHT && samples.extremes.into_iter().any(is_near)) {
         return None;
     }
@@ -138,14 +138,14 @@ fn near(samples: &mut Samples, declared: f64, sample: SampleType) -> Option<Rema
     let values = if least == greatest { least } else { format!("{least} to {greatest}") };
     let declared = number(declared, sample);
     let text = format!(
-        "{count} texels have {values}, nearly the value {declared} for none, as lossy compression leaves it: \
-         they have no value"
+        "{count} texels have {values}, which is the nodata value {declared} after lossy compression: they are \
+         read as holes"
     );
     Some(Remark::new(&NEAR_NODATA, text))
 }
 
-/// The least and the greatest different values, outermost first, with how many texels have each. Where there
-/// are no more than [`VALUES`], both are all of them.
+/// Least and greatest different values, outermost first, with the number of texels of each. If
+/// there are at most [`VALUES`] different values, both lists hold all of them.
 struct Ends {
     low: Vec<(f64, u64)>,
     high: Vec<(f64, u64)>,
@@ -165,14 +165,14 @@ impl Ends {
         }
     }
 
-    /// How many different values there are, as far as is known: at most one more than [`VALUES`].
+    /// Number of different values: exact up to [`VALUES`], and one more than that beyond.
     fn levels(&self) -> usize {
         let is_all = self.low.len() < VALUES || self.high.last().is_some_and(|last| last.0 == self.low[0].0);
         if is_all { self.low.len() } else { VALUES + 1 }
     }
 }
 
-/// The least different values, in their order.
+/// Least different values in ascending order.
 struct Side {
     values: [(f32, u64); VALUES],
 }
@@ -203,18 +203,19 @@ impl Side {
     }
 }
 
-/// The values at the ends that are far from all others.
+/// Reports values at the ends that are far from all others.
 fn undeclared(ends: &Ends, samples: &Samples, layout: &Layout, sample: SampleType) -> Option<Remark> {
     let levels = ends.levels();
-    // The least and the greatest height, without so many values at either end; how far these are, as a part
-    // of what they have to be; and whether there is any.
+    // The least and the greatest height without `lows` values at the low end and `highs` at the
+    // high end; and the least distance of those values, relative to the distance that they need.
+    // None if no height remains, or if any value is too near.
     let split = |lows: usize, highs: usize| -> Option<([f64; 2], f64)> {
         let rest = levels.checked_sub(lows + highs).filter(|rest| *rest > 0)?;
         let (low, high) = (ends.low.get(lows)?.0, ends.high.get(highs)?.0);
         let far = |mark: (f64, u64), away: f64| {
             let needed = needed(samples.stored([mark.0; 2])[0], mark.1, rest, layout.is_elevation(), sample)?;
             let relief = high - low;
-            // A level ground is as far from a mark as this is from 0.
+            // If the heights are all equal, every mark is infinitely far in units of the relief.
             let ratio = if relief > 0.0 { away / relief } else { f64::INFINITY };
             (away > 0.0 && ratio >= needed).then_some(ratio / needed)
         };
@@ -226,7 +227,7 @@ fn undeclared(ends: &Ends, samples: &Samples, layout: &Layout, sample: SampleTyp
     let sides = (0..=MARKS).flat_map(|lows| (0..=MARKS).map(move |highs| (lows, highs)));
     let possible = sides.filter(|sides| *sides != (0, 0));
     let found = possible.filter_map(|(lows, highs)| Some(((lows, highs), split(lows, highs)?)));
-    // That without which heights are nearest to each other.
+    // Choose the split that leaves the narrowest range of heights.
     let ((lows, highs), ([low, high], _)) =
         found.min_by(|(_, (a, _)), (_, (b, _))| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
     let marks = ends.low[..lows].iter().chain(&ends.high[..highs]);
@@ -236,27 +237,28 @@ fn undeclared(ends: &Ends, samples: &Samples, layout: &Layout, sample: SampleTyp
         format!("{count} {texels} {}", number(samples.stored([*value; 2])[0], sample))
     });
     let each = each.collect::<Vec<_>>().join(", ");
-    // Where white is stored as 0 what is far above is stored far below.
+    // If white is stored as 0, values far above are stored far below.
     let is_below = (highs == 0) != samples.white.is_some();
     let side = match (lows, highs) {
         (0, _) | (_, 0) if is_below => "below",
         (0, _) | (_, 0) => "above",
         _ => "beyond",
     };
-    // Where all is one height its digits may be lost beside the mark's.
+    // If all heights are equal, their digits may be lost beside the mark's.
     let rest = if low < high {
         let [low, high] = samples.stored([low, high]).map(|value| number(value, sample));
         format!(" ({low} to {high})")
     } else {
         String::new()
     };
-    let what = if lows + highs == 1 { "a value" } else { "values" };
-    let text = format!("{each}, far {side} the rest{rest}: {what} for none?");
+    let what = if lows + highs == 1 { "a nodata value" } else { "nodata values" };
+    let text = format!("{each}, far {side} the rest{rest}: {what}?");
     let mend = number(samples.stored([most.0; 2])[0], sample);
     Some(Remark::new(&UNDECLARED_NODATA, text).with_mend(mend))
 }
 
-/// How many times the relief a value is away from all heights where it stands for none; none where it cannot.
+/// Distance from all heights, in multiples of the relief, that a value needs to count as nodata.
+/// None if it cannot count.
 fn needed(value: f64, count: u64, rest: usize, is_elevation: bool, sample: SampleType) -> Option<f64> {
     if value.abs() >= NO_HEIGHT {
         return Some(1.0);
@@ -272,7 +274,7 @@ fn needed(value: f64, count: u64, rest: usize, is_elevation: bool, sample: Sampl
     has_levels.then_some(if ENDS.contains(&value) { ends } else { others })
 }
 
-/// What is to be said of the range that is taken where none is given: of that one, or of the extremes.
+/// Note on the default range: that its part used is small, or that it was fitted to the extremes.
 fn range(
     [least, greatest]: [f64; 2],
     taken: Option<f64>,
@@ -291,8 +293,8 @@ fn range(
     let is_fraction = sample.kind == SampleKind::Float && !is_elevation && least >= 0.0 && greatest <= 1.0;
     (taken.is_none() && is_fraction && used < NEARLY_ALL).then(|| {
         let text = format!(
-            "heights 0 and 1 are its least and greatest value, {low} and {high}; of integers they would be the \
-             ends of the type"
+            "heights 0 and 1 are its least and greatest value, {low} and {high}; in a file of integers they would \
+             be the ends of the type"
         );
         Remark::new(&FITTED_RANGE, text).with_mend("0,1")
     })

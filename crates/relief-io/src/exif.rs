@@ -1,15 +1,14 @@
 //! The orientation in EXIF metadata (JEITA CP-3451, a TIFF of tags alone).
 
-/// Bytes that stand before the metadata in a JPEG, and in PNG files of some programs.
+/// Bytes before the metadata in a JPEG, and in PNG files of some programs.
 pub(crate) const HEAD: &[u8] = b"Exif\0\0";
 
 const TAG_ORIENTATION: u16 = 0x112;
 
-/// Bytes of a directory's entry.
+/// Bytes in a directory's entry.
 const ENTRY: usize = 12;
 
-/// The orientation that the metadata name, whatever number that is. None where they name none, or are
-/// damaged.
+/// Reads the orientation's number, of any value. None if the metadata have none or are damaged.
 pub(crate) fn orientation(bytes: &[u8]) -> Option<u32> {
     let bytes = bytes.strip_prefix(HEAD).unwrap_or(bytes);
     let big_endian = match bytes {
@@ -29,7 +28,7 @@ pub(crate) fn orientation(bytes: &[u8]) -> Option<u32> {
     let entries = (0..usize::from(short(directory)?)).map(|entry| directory + 2 + entry * ENTRY);
     let mut entries = entries.take_while(|&entry| entry + ENTRY <= bytes.len());
     let entry = entries.find(|&entry| short(entry) == Some(TAG_ORIENTATION))?;
-    // A short; some programs write a byte or a long.
+    // The standard type is a short; some programs write a byte or a long.
     match short(entry + 2)? {
         1 => bytes.get(entry + 8).map(|&byte| u32::from(byte)),
         3 => short(entry + 8).map(u32::from),

@@ -1,8 +1,8 @@
-//! EXR, block by block: f16, f32 and u32 channels of flat scan line and tiled parts, all compressions but
-//! HTJ2K, LJ2K and ZSTD.
+//! Reader of EXR, block by block: f16, f32 and u32 channels of flat scan line and tiled parts. All
+//! compressions are read, except HTJ2K, LJ2K and ZSTD.
 //!
-//! The header is parsed here ([`header`]): the `exr` crate takes memory by what an unchecked header claims.
-//! Chunks are found and checked here too; the crate only decompresses them.
+//! The header is parsed in [`header`], because the `exr` crate allocates what an unchecked header
+//! claims. Chunks are located and checked here, too; the crate only decompresses them.
 
 mod dwa;
 mod header;
@@ -43,7 +43,8 @@ impl<'a> ExrFile<'a> {
                     advice: "export the part with the heights into a file of its own",
                 });
             }
-            // A chunk has an entry of 8 bytes in the offset table, and begins with its place and its length.
+            // A chunk has an 8-byte entry in the offset table, and begins with its coordinates and
+            // its length.
             let least = (part.chunks() * 16).max(part.least_bytes(part.bytes()));
             let decoder_bytes = 3 * part.block_bytes() + 8 * part.chunks();
             input.check_size(Format::Exr, part.size, decoder_bytes, least)?;
@@ -88,7 +89,7 @@ impl<'a> ExrFile<'a> {
             let bytes_per_texel = part.channels.iter().map(|c| c.sample.bytes_per_sample()).sum::<usize>();
             let line_bytes = columns as usize * bytes_per_texel;
             if block.data.len() != line_bytes * rows as usize {
-                return Err(ReadProblem::damaged("EXR", "a block has another length than its header says"));
+                return Err(ReadProblem::damaged("EXR", "a block's length differs from its header"));
             }
             for (row, line) in (top..).zip(block.data.chunks_exact(line_bytes)) {
                 samples.clear();
@@ -106,7 +107,7 @@ impl<'a> ExrFile<'a> {
         Ok(())
     }
 
-    /// The part that holds the chosen channels, and their places in it.
+    /// Finds the part that holds the chosen channels, and their indices in it.
     fn part_of(&self, channels: &[usize]) -> Result<(usize, Vec<usize>), ReadProblem> {
         let mut first = 0;
         for (index, part) in self.header.parts.iter().enumerate() {
@@ -123,7 +124,7 @@ impl<'a> ExrFile<'a> {
     }
 }
 
-/// Reads the compressed bytes of one chunk, which has to be the one expected.
+/// Reads the compressed bytes of one chunk, and checks that it is the expected one.
 fn read_chunk(
     file: &mut SourceReader<'_>,
     header: &FileHeader,
@@ -158,8 +159,8 @@ fn read_chunk(
     let length = number()?;
     let [_, [columns, rows]] = part.block_rectangle(place);
     let most = u64::from(columns) * u64::from(rows) * part.bytes_per_texel();
-    // Writers store a block as it is where compressing would make it longer, so that no chunk is longer than
-    // its texels.
+    // Writers store a block uncompressed if compression would make it longer. Therefore no chunk is
+    // longer than its texels.
     match u64::try_from(length) {
         Ok(length) if length <= most && length >= part.least_bytes(most) && length <= header.file_len => {
             let mut bytes = zeros(length as usize)?;
@@ -170,7 +171,8 @@ fn read_chunk(
     }
 }
 
-/// The crate's description of a part, moved to the origin and without resolution levels below the first.
+/// Builds the `exr` crate's description of a part, moved to the origin and with the first
+/// resolution level only.
 fn metadata(part: &Part) -> MetaData {
     let descriptions = part.channels.iter().map(ExrChannel::description).collect();
     let size = (part.size[0] as usize, part.size[1] as usize);

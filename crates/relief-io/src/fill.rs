@@ -1,19 +1,21 @@
-//! Texels without a value, filled smoothly from their surroundings.
+//! Filling of holes, smoothly from their surroundings.
 //!
-//! The fill solves Laplace's equation over the holes (each filled texel is the mean of its four neighbours)
-//! with the valid texels around as boundary: no new extremes, no creases. It is solved by cascadic multigrid
-//! (Bornemann and Deuflhard, "The cascadic multigrid method for elliptic problems", 1996): a pyramid of means
-//! of valid texels, then from coarse to fine bilinear interpolation and Gauss-Seidel sweeps, more of them
-//! where they are cheap. One order of texels, so the same bits every time. It takes 2.7 bytes a texel besides
-//! the map.
+//! The fill solves Laplace's equation over the holes: each filled texel is the mean of its four
+//! neighbours, with the valid texels around as boundary. It creates no new extremes and no creases.
+//! The solver is cascadic multigrid (Bornemann and Deuflhard, "The cascadic multigrid method for
+//! elliptic problems", 1996). It builds a pyramid of means of valid texels. From coarse to fine it
+//! then interpolates bilinearly and applies Gauss-Seidel sweeps, more of them on levels where they
+//! are cheap. The order of texels is fixed, so the result has the same bits every time. It takes
+//! 2.7 bytes a texel besides the map.
 
 use relief_core::Wrap;
 
-/// Sweeps of the finest level; each coarser one, of a quarter of the texels, has twice as many up to
-/// [`MOST_DOUBLINGS`]. Fewer leave the interpolation's grid visible in large holes, more cost time.
+/// Sweeps of the finest level. Each coarser level, of a quarter of the texels, has twice as many,
+/// up to [`MOST_DOUBLINGS`]. Fewer leave the interpolation's grid visible in large holes; more cost
+/// time.
 const SWEEPS: usize = 8;
 
-/// See [`SWEEPS`].
+/// Greatest number of times that [`SWEEPS`] is doubled.
 const MOST_DOUBLINGS: usize = 6;
 
 struct FillLevel {
@@ -28,7 +30,8 @@ impl FillLevel {
         self.values[j as usize * self.width as usize + i as usize]
     }
 
-    /// The next coarser level: means of the valid texels of each 2x2, NaN where there is none.
+    /// Returns the next coarser level: means of the valid texels of each 2x2, NaN if there are
+    /// none.
     fn coarser(&self) -> FillLevel {
         let (width, height) = (self.width.div_ceil(2), self.height.div_ceil(2));
         let mut values = Vec::with_capacity(width as usize * height as usize);
@@ -89,7 +92,7 @@ impl FillLevel {
     }
 }
 
-/// The coarser level, bilinear, at the centre of a texel of the finer one.
+/// Samples the coarser level bilinearly at the centre of a texel of the finer one.
 fn interpolate(coarser: &FillLevel, column: u32, row: u32, wrap: Wrap) -> f32 {
     // The finer texel's centre lies a quarter of a coarse texel before or behind the centre of the coarse
     // texel over it.
@@ -101,8 +104,8 @@ fn interpolate(coarser: &FillLevel, column: u32, row: u32, wrap: Wrap) -> f32 {
         + 0.0625 * coarser.at(far[0], far[1], wrap)
 }
 
-/// Fills the NaN of a map that has at least one other value. Neighbours across the edges are those of the
-/// wrap.
+/// Fills the NaN of a map with at least one other value. `wrap` gives the neighbours across the
+/// edges.
 pub(crate) fn fill_holes(width: u32, height: u32, values: &mut Vec<f32>, wrap: Wrap) {
     let mut levels = vec![FillLevel { width, height, values: std::mem::take(values) }];
     while let Some(last) = levels.last()

@@ -1,9 +1,10 @@
-//! Files of heights in formats that are not read, recognised so that an error can say what they are.
+//! Known formats of heights that are not supported. They are recognised so that an error can name
+//! them.
 
 use std::fmt;
 use std::path::Path;
 
-/// A format of heights that is not read.
+/// Known format of heights that is not supported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ForeignFormat {
@@ -21,7 +22,7 @@ pub enum ForeignFormat {
 }
 
 impl ForeignFormat {
-    /// The format of a file of that name, length and beginning; none where it is no format that is known.
+    /// Recognises a format by the file's name, length and first bytes. None if it is unknown.
     pub(crate) fn of(name: &Path, len: u64, start: &[u8]) -> Option<Self> {
         let extension = name.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
         let extension = extension.as_deref().unwrap_or_default();
@@ -46,7 +47,7 @@ impl fmt::Display for ForeignFormat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Npy => f.write_str(
-                "is an array of NumPy: write it as a TIFF of 32-bit floats, for instance with \
+                "is a NumPy array: write it as a TIFF of 32-bit floats, for instance with \
                  tifffile.imwrite(\"out.tif\", array.astype(\"float32\"))",
             ),
             Self::Npz => f.write_str(

@@ -1,31 +1,31 @@
-//! What the header of a height map's file says of the ground.
+//! Reader of a height map's georeference, from its header alone.
 
 use crate::elevation::Elevation;
 use crate::height::{BYTES_PER_TEXEL, select};
 use crate::image_file::ImageFile;
 use crate::{Format, Georeference, HeightNote, HeightOptions, ReadError, ReadProblem, Source};
 
-/// What a height map's file says of the ground.
+/// Georeference and units of a height map's file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ground {
-    /// Columns and rows of the map.
+    /// Numbers of columns and rows of the map.
     pub size: [u32; 2],
-    /// Length of the whole map along `u` and `v` in metres, where the file says it.
+    /// Lengths of the whole map along `u` and `v` in metres, if the file gives them.
     pub tile_m: Option<[f64; 2]>,
-    /// Where the map lies, where the file says anything of it.
+    /// Position of the map on the ground, if the file gives any.
     pub georeference: Option<Georeference>,
-    /// What the values of the channel that is read stand for, where the file is an elevation model.
+    /// Meaning of the values of the channel that is read, if the file is an elevation model.
     pub elevation: Option<Elevation>,
-    /// The format of the file.
+    /// File format.
     pub format: Format,
 }
 
-/// Reads what a height map's file says of the ground, and none of its texels. Options are used as in
-/// [`crate::read_height`].
+/// Reads the georeference and units of a height map's file, and none of its texels. Options are
+/// used as in [`crate::read_height`].
 ///
 /// # Errors
 ///
-/// When the file cannot be read, its header is damaged, or it says of itself what cannot be.
+/// When the file cannot be read, its header is damaged, or it states an impossible georeference.
 pub fn read_ground<'a>(source: impl Into<Source<'a>>, options: &HeightOptions) -> Result<Ground, ReadError> {
     let source = source.into();
     read(source, options).map_err(|problem| source.error(problem))
@@ -41,7 +41,7 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<Ground, ReadProbl
     let of_texel = |[u, v]: [f64; 2]| [u * f64::from(size[0]), v * f64::from(size[1])];
     let tile_m = note.map(|note| note.tile_m).or_else(|| terrain?.texel_size_m().map(of_texel));
     let channel = select(layout, options.channel.as_deref()).ok().map(|selection| selection.first());
-    // What Relief notes of a map comes before what is said of the ground.
+    // A note by Relief takes precedence over the georeference.
     let elevation = terrain.filter(|_| note.is_none()).zip(channel);
     Ok(Ground {
         size,

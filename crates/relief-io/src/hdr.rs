@@ -1,9 +1,10 @@
-//! Radiance pictures (`.hdr`, RGBE), scan line by scan line.
+//! Reader of Radiance pictures (`.hdr`, RGBE), scan line by scan line.
 //!
-//! Format: Ward, "Real Pixels", Graphics Gems II (1991): three mantissas share an exponent,
-//! `mantissa 2^(exponent - 136)`, exponent 0 is black. (Radiance itself adds ½ to a mantissa, most programs
-//! do not: without it, what the format can hold exactly comes back exactly.) Scan lines are flat, run-length
-//! encoded by repeats (1, 1, 1, count), or, from 8 to 32767 texels, component by component.
+//! Format: Ward, "Real Pixels", Graphics Gems II (1991). Three mantissas share an exponent: a value
+//! is `mantissa 2^(exponent - 136)`, and exponent 0 is black. Radiance itself adds ½ to a mantissa,
+//! but most programs do not. Without it, values that the format holds exactly survive a round trip
+//! exactly. Scan lines are flat, run-length encoded by repeats (1, 1, 1, count), or, from 8 to
+//! 32767 texels, encoded component by component.
 
 use std::io::{BufRead, Read};
 
@@ -13,10 +14,10 @@ use crate::layout::{Format, Layout, SampleType, Sink, Span};
 use crate::orientation::Orientation;
 use crate::source::SourceReader;
 
-/// The longest line of a header; longer ones are no header.
+/// Greatest length of a header line; a longer one is not a header.
 const MAX_LINE: u64 = 4096;
 
-/// The most lines of a header.
+/// Greatest number of header lines.
 const MAX_LINES: usize = 1024;
 
 /// Widths that can be stored component by component.
@@ -53,7 +54,7 @@ impl<'a> HdrFile<'a> {
         let &[slow, lines, fast, texels] = words.as_slice() else {
             return Err(damaged("its size is missing"));
         };
-        // y runs up there.
+        // In this format y runs upward.
         let turned = |axis: &str| match axis {
             "+X" | "-Y" => Ok(false),
             "-X" | "+Y" => Ok(true),
@@ -64,7 +65,7 @@ impl<'a> HdrFile<'a> {
         if fast.ends_with('X') == orientation.transposed {
             return Err(damaged("its size names one axis twice"));
         }
-        let side = |text: &str| text.parse::<u32>().map_err(|_| damaged("its size is no number"));
+        let side = |text: &str| text.parse::<u32>().map_err(|_| damaged("its size is not a number"));
         let size = [side(texels)?, side(lines)?];
         // The best encoding turns 127 equal bytes into 2.
         let least = u64::from(size[0]) * u64::from(size[1]) / 32;
@@ -119,8 +120,8 @@ fn read_scan_line(file: &mut SourceReader<'_>, texels: &mut [[u8; 4]]) -> Result
     }
 }
 
-/// One component of a scan line: a count up to 128 and as many bytes, or 128 plus a count and one byte for
-/// all.
+/// Reads one component of a scan line: a count up to 128 and as many bytes, or 128 plus a count and
+/// one byte for all.
 fn read_component(
     file: &mut SourceReader<'_>,
     texels: &mut [[u8; 4]],
@@ -146,8 +147,8 @@ fn read_component(
     Ok(())
 }
 
-/// A scan line of whole texels, where (1, 1, 1, count) repeats the last one; several in a row make a longer
-/// count.
+/// Reads a scan line of whole texels, in which (1, 1, 1, count) repeats the last one. Several such
+/// repeats in a row form a longer count.
 fn read_repeats(
     file: &mut SourceReader<'_>,
     texels: &mut [[u8; 4]],

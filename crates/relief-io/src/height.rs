@@ -1,4 +1,4 @@
-//! From a file to a [`HeightMap`]: choice of the channel, holes, range and convention.
+//! Reader of a [`HeightMap`] from a file: choice of the channel, holes, range and convention.
 
 use std::fmt;
 use std::str::FromStr;
@@ -16,18 +16,18 @@ use crate::{
     GivenUnits, HeightNote, HeightRange, RawLayout, ReadError, ReadNote, ReadProblem, Remark, Source,
 };
 
-/// What white means in a file.
+/// Meaning of white in a file of heights.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Convention {
     /// White is high.
     #[default]
     Height,
-    /// White is deep: a texel becomes 1 minus its value.
+    /// White is deep: a texel's height is 1 minus its value.
     Depth,
 }
 
 impl Convention {
-    /// The name used on the command line.
+    /// Name used on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Convention::Height => "height",
@@ -52,16 +52,16 @@ impl FromStr for Convention {
     }
 }
 
-/// What becomes of texels without a value (NaN, infinite, nodata, masked).
+/// Treatment of holes: texels that are NaN, infinite, nodata or masked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Fill {
-    /// They are an error.
+    /// Holes are an error.
     #[default]
     Never,
-    /// In elevation models, which have them often, and in files whose nodata value is given by
-    /// [`HeightOptions::nodata`] they are filled; in other files they are an error.
+    /// Holes are filled in elevation models, where they are common, and in files whose nodata value
+    /// is given by [`HeightOptions::nodata`]. In other files they are an error.
     Elevation,
-    /// They are filled.
+    /// Holes are filled.
     Always,
 }
 
@@ -75,35 +75,37 @@ impl Fill {
     }
 }
 
-/// The most memory that reading takes unless told otherwise: 4 GiB, a map of 23,000 texels a side.
+/// Default limit of memory for reading in bytes: 4 GiB, enough for a map of 23,000 texels a side.
 pub const DEFAULT_MAX_BYTES: u64 = 4 << 30;
 
-/// How to read a height map.
+/// Options for reading a height map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightOptions {
-    /// The channel to read, by its name in any case (`r`, `g`, `b`, `a`, `y`, or a name in an EXR file;
-    /// `luminance` and `height` stand for `y`). None: the only channel; of grey with alpha the grey; of red,
-    /// green and blue that are equal everywhere that grey, and of those that are nearly equal their mean, of
-    /// which [`HeightMap::nearly_grey_texels`] tells.
+    /// Name of the channel to read, in any case: `r`, `g`, `b`, `a`, `y`, or a name in an EXR file.
+    /// `luminance` and `height` stand for `y`. None reads the only channel. In a picture of grey
+    /// with alpha it reads the grey. In a picture of red, green and blue it reads their common
+    /// value if they are equal everywhere, or their mean if they are nearly equal (see
+    /// [`HeightMap::nearly_grey_texels`]).
     pub channel: Option<String>,
-    /// Whether white is high or deep. None: deep where the file names a vertical system that counts downward,
-    /// else high.
+    /// Whether white is high or deep. None: deep if the file names a vertical system that counts
+    /// downward, otherwise high.
     pub convention: Option<Convention>,
-    /// The raw values that become 0 and 1. None: see [`read_height`].
+    /// Raw values that become heights 0 and 1. None: see [`read_height`].
     pub range: Option<HeightRange>,
-    /// A raw value, as stored in the file, that marks texels without a value, beside the one that the file
-    /// itself declares. It must be finite.
+    /// Raw value, as stored in the file, that marks texels without a value, in addition to the
+    /// nodata value that the file itself declares. It must be finite.
     pub nodata: Option<f64>,
-    /// The units of heights and ground, where the file does not say them or says them wrong. A file that says
-    /// nothing of either becomes an elevation model by it.
+    /// Units of heights and ground, if the file does not state them or states wrong ones. A file
+    /// without units becomes an elevation model by this option.
     pub unit: Option<GivenUnits>,
-    /// Read the file as headerless samples of this layout, whatever it holds.
+    /// Layout for reading the file as headerless samples, whatever its content.
     pub raw: Option<RawLayout>,
-    /// What becomes of texels without a value.
+    /// Treatment of texels without a value. Default: an error.
     pub fill: Fill,
-    /// How the map goes on beyond its edges. None: elevation models are clamped, others repeated.
+    /// Continuation of the map beyond its edges. None: elevation models are clamped, other maps
+    /// repeated.
     pub wrap: Option<Wrap>,
-    /// The most memory that reading may take, in bytes.
+    /// Greatest memory for reading, in bytes. Default: [`DEFAULT_MAX_BYTES`].
     pub max_bytes: u64,
 }
 
@@ -123,55 +125,55 @@ impl Default for HeightOptions {
     }
 }
 
-/// What reading a height map holds for a texel at its peak: the values, and in filling a pyramid of a third
-/// more and marks.
+/// Peak memory of reading a height map per texel: the values and, while holes are filled, marks and
+/// a pyramid of a third more.
 pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 
-/// Reads a height map of texels in `[0, 1]`, 1 highest, from a file or from the bytes of one.
+/// Reads a height map from a file or from the bytes of one. Its texels are in `[0, 1]`, 1 highest.
 ///
-/// The format (PNG, JPEG, EXR, TIFF and GeoTIFF, Radiance HDR, PGM, headerless raw) is recognised by the
-/// file's content. Samples are taken as stored: no gamma or colour profile is applied. Which raw values
-/// become 0 and 1:
+/// The format (PNG, JPEG, EXR, TIFF and GeoTIFF, Radiance HDR, PGM, WebP, headerless raw) is
+/// recognised by the file's content. Samples are taken as stored: no gamma or colour profile is
+/// applied. These raw values become 0 and 1:
 ///
 /// * the ends of [`HeightOptions::range`] where they are given;
 /// * the least and the greatest value for elevation models, for floats, and for signed and 32 and 64-bit
 ///   integers, whose type's maximum says nothing of what they hold. A constant map becomes 0;
 /// * 0 and the type's maximum for other unsigned integers of up to 16 bit (255, 65535, a PGM's maxval).
 ///
-/// [`HeightMap::physical_range`] keeps those raw values, of texel 0 and of texel 1 (with the depth convention
-/// the first is the greater). Where the file has a [`HeightNote`](crate::HeightNote), range and
-/// [`HeightMap::texel_size_m`] are what it says, in metres, and its values are fractions of their type's
-/// maximum or, in floats, as they are. Where it says that these are displacements of a mesh they are the
-/// map's ([`HeightMap::stated_displacement_m`]).
+/// [`HeightMap::physical_range`] returns the raw values of texels 0 and 1; with the depth
+/// convention the first is the greater. If the file has a [`HeightNote`](crate::HeightNote), the
+/// range and [`HeightMap::texel_size_m`] come from the note, in metres. Its values are then
+/// fractions of their type's maximum or, if they are floats, the fractions themselves. If the note
+/// belongs to a mesh, its displacements become [`HeightMap::stated_displacement_m`].
 ///
 /// # Elevation models
 ///
-/// A TIFF, PNG or JPEG file with a georeference, or with a scale, an offset or a unit of its values, is an
-/// elevation model. All of that may stand in files beside it, as GDAL writes and reads them: `.aux.xml`,
-/// world files (`.tfw`, `.pgw`, `.jgw`, `.wld`) and `.prj`. Its physical range is in metres (see
-/// [`Elevation`](crate::Elevation)), and unknown where its unit is no length that is known here; the size of
-/// its texels is that on the ground (see [`Georeference`](crate::Georeference)).
+/// A TIFF, PNG or JPEG file with a georeference, or with a scale, an offset or a unit of its
+/// values, is an elevation model. Sidecar files can supply all of that, as GDAL writes and reads
+/// them: `.aux.xml`, world files (`.tfw`, `.pgw`, `.jgw`, `.wld`) and `.prj`. The physical range is
+/// in metres (see [`Elevation`](crate::Elevation)), and unknown if the unit is not a known length.
+/// The size of texels is their size on the ground (see [`Georeference`](crate::Georeference)).
 ///
-/// Its units are the ones that it names, or the units of the coordinate systems whose numbers it names. Where
-/// only one of ground and heights has a unit, both share it. Where neither has one, only their proportions
-/// are known. Heights that count downward are depths.
+/// The units are the ones that the file names, or the units of the coordinate systems whose EPSG
+/// codes it gives. If only one of ground and heights has a unit, both share it. If neither has one,
+/// only their proportions are known. Heights that count downward are depths.
 ///
-/// Its row 0 lies in the north, however the file stores it. Texels that its mask leaves out, in the file or
-/// in one beside it with `.msk` after its name, have no value.
+/// Row 0 lies in the north, however the file stores it. Texels that a mask excludes have no value;
+/// the mask is in the file itself or in a sidecar with `.msk` after its name.
 ///
-/// Texels without a value are an error unless [`HeightOptions::fill`] says otherwise. They are filled
-/// smoothly from their surroundings; [`HeightMap::filled_texels`] counts them, and [`HeightMap::holes`] says
-/// which they are.
+/// Texels without a value are an error unless [`HeightOptions::fill`] says otherwise. They are
+/// filled smoothly from their surroundings. [`HeightMap::filled_texels`] counts them, and
+/// [`HeightMap::holes`] marks them.
 ///
-/// Peak memory is 8 bytes a texel and one row or block of the file; see the crate's documentation for the
-/// exceptions.
+/// Peak memory is 8 bytes a texel and one row or block of the file; see the crate's documentation
+/// for the exceptions.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is damaged, too large or not a picture; when the channel is unknown or none
-/// stands out; when texels have no value and are not to be filled, or no texel has one; when values lie
-/// outside the range given; when an elevation model says of itself what cannot be, or its mask cannot be
-/// used.
+/// When the file cannot be read, is damaged, too large or not a picture. When the channel is
+/// unknown, or no channel stands out. When texels have no value and are not to be filled, or no
+/// texel has one. When values lie outside the range given. When an elevation model states an
+/// impossible georeference, or its mask cannot be used.
 pub fn read_height<'a>(
     source: impl Into<Source<'a>>,
     options: &HeightOptions,
@@ -179,20 +181,20 @@ pub fn read_height<'a>(
     Ok(read_height_file(source, options)?.map)
 }
 
-/// A height map with what its reader left out or assumed.
+/// Height map with notes on everything that its reader ignored or assumed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightFile {
     /// The map.
     pub map: HeightMap,
-    /// What is to be said of reading it.
+    /// Notes for the user.
     pub notes: Vec<ReadNote>,
 }
 
-/// As [`read_height`], with notes.
+/// Reads a height map like [`read_height`], and returns notes with it.
 ///
 /// # Errors
 ///
-/// As [`read_height`].
+/// See [`read_height`].
 pub fn read_height_file<'a>(
     source: impl Into<Source<'a>>,
     options: &HeightOptions,
@@ -259,12 +261,12 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<(HeightMap, Vec<R
     Ok((map, remarks))
 }
 
-/// Reads heights that lie from 0 to 1 as they are stored: floats as they are, integers of up to 16 bit
-/// divided by their type's maximum. Beyond its edges the map is clamped.
+/// Reads heights from 0 to 1 without scaling: floats unchanged, integers of up to 16 bit divided by
+/// their type's maximum. Beyond its edges the map is clamped.
 ///
 /// # Errors
 ///
-/// As [`read_height`], and when a float is below 0 or above 1.
+/// See [`read_height`]. Also when a float is below 0 or above 1.
 pub fn read_stored_heights<'a>(
     source: impl Into<Source<'a>>,
     max_bytes: u64,
@@ -281,7 +283,7 @@ pub fn read_stored_heights<'a>(
     read_as_stored().map_err(|problem| source.error(problem))
 }
 
-/// What is known of a picture in colour, with whether its alpha varies.
+/// Adds to the problem of a colour picture whether its alpha varies.
 fn with_alpha(problem: ReadProblem, source: Source<'_>, options: &HeightOptions) -> ReadProblem {
     let ReadProblem::NotGrey { channels, column, row, .. } = problem else { return problem };
     let read = || {
@@ -293,7 +295,7 @@ fn with_alpha(problem: ReadProblem, source: Source<'_>, options: &HeightOptions)
     ReadProblem::NotGrey { channels, column, row, alpha_varies }
 }
 
-/// The raw values that become 0 and 1.
+/// Determines the raw values that become 0 and 1.
 fn range(
     samples: &Samples,
     full_scale: Option<f64>,
@@ -351,7 +353,7 @@ fn height_map(
     })
 }
 
-/// Other names of the channels of pictures.
+/// Other names of channels of pictures.
 const ALIASES: [(&str, &str); 8] = [
     ("red", "r"),
     ("green", "g"),
@@ -363,7 +365,7 @@ const ALIASES: [(&str, &str); 8] = [
     ("height", "y"),
 ];
 
-/// The channel asked for, or the one that stands out.
+/// Selects the channel asked for, or the one that stands out.
 pub(crate) fn select(layout: &Layout, asked: Option<&str>) -> Result<Selection, ReadProblem> {
     if let Some(name) = asked {
         // EXR files may hold `r` beside `R`.

@@ -1,36 +1,38 @@
-//! What a height map's file that Relief wrote says of its size in the world.
+//! Note on the real size of a height map, in files that Relief wrote.
 
 use crate::layout::{Format, Layout};
 use crate::{Metadata, Source, WriteProblem, read_metadata};
 
-/// What a file says whose displacements are those of a mesh.
+/// Value of `relief.displacement` in a map made for a mesh.
 const OF_MESH: &str = "of the mesh";
 
-/// The kind that such a file names.
+/// Value of `relief.kind` in such a file.
 const KIND: &str = "height";
 
-/// The size in the world of a height map whose texels are in `[0, 1]`, as metadata of its file: `relief.kind`
-/// is `height`, `relief.tile_m` is the tile's length along `u` and `v`, `relief.scale_m` the displacement of
-/// 1 above 0 and `relief.bias_m` that of 0.
+/// Real size of a height map whose texels are in `[0, 1]`, stored as metadata of its file.
+/// `relief.kind` is `height`. `relief.tile_m` holds the tile's lengths along `u` and `v`.
+/// `relief.scale_m` is the displacement of texel 1 above texel 0, and `relief.bias_m` the
+/// displacement of texel 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeightNote {
-    /// Length of the tile along `u` and `v` in metres.
+    /// Lengths of the tile along `u` and `v` in metres.
     pub tile_m: [f64; 2],
     /// Displacement of texel 1 above texel 0 in metres; 0 for a level map.
     pub scale_m: f64,
     /// Displacement of texel 0 in metres.
     pub bias_m: f64,
-    /// Whether these are displacements of the mesh that the map was made for, whatever its tile:
-    /// `relief.displacement` is `of the mesh`.
+    /// Whether the displacements belong to the mesh that the map was made for, whatever its tile.
+    /// Then `relief.displacement` is `of the mesh`.
     pub of_mesh: bool,
 }
 
 impl HeightNote {
-    /// The metadata of a file that says so, and `more` beside it, each name without `relief.`.
+    /// Returns the metadata of a file with this note and the entries `more`, whose names are given
+    /// without `relief.`.
     ///
     /// # Errors
     ///
-    /// When `more` holds what metadata cannot, or a name of these.
+    /// When `more` holds an invalid entry, or a name that the note uses itself.
     pub fn metadata(&self, more: Vec<(&str, String)>) -> Result<Metadata, WriteProblem> {
         let [tile_u, tile_v] = self.tile_m;
         let own = [
@@ -44,7 +46,7 @@ impl HeightNote {
         Metadata::new(entries.map(|(name, value)| (format!("relief.{name}"), value)).collect())
     }
 
-    /// What a file says, if it is one that says so. Numbers that cannot be are as good as none.
+    /// Reads the note of a file, if it has one. A note with impossible numbers counts as none.
     pub(crate) fn of_file(source: Source<'_>, layout: &Layout) -> Option<Self> {
         if !matches!(layout.format, Format::Png | Format::Exr) {
             return None;
@@ -67,12 +69,12 @@ impl HeightNote {
         can_be.then_some(Self { tile_m, scale_m, bias_m, of_mesh })
     }
 
-    /// Size of a texel of a map of that size along `u` and `v` in metres.
+    /// Returns the size of a texel along `u` and `v` in metres, for a map of the given size.
     pub(crate) fn texel_size_m(&self, [width, height]: [u32; 2]) -> [f64; 2] {
         [self.tile_m[0] / f64::from(width), self.tile_m[1] / f64::from(height)]
     }
 
-    /// The displacement that a texel value stands for, in metres.
+    /// Converts a texel value to its displacement in metres.
     pub(crate) fn metres(&self, texel: f64) -> f64 {
         self.bias_m + self.scale_m * texel
     }
@@ -83,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_was_noted_is_found_and_nonsense_is_not() {
+    fn valid_notes_are_read_and_nonsense_is_refused() {
         let note = HeightNote { tile_m: [2.0, 0.3], scale_m: 0.125, bias_m: -0.1, of_mesh: false };
         let metadata = note.metadata(vec![("wrap", "clamp".to_owned())]).expect("plain text");
         assert_eq!(HeightNote::of(&metadata), Some(note));

@@ -1,22 +1,22 @@
-//! Which values of a file become heights 0 and 1.
+//! Range of raw values that are mapped to heights 0 to 1.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// Which raw values become heights 0 and 1, in the file's own units: sample values, not fractions.
+/// Raw values that become heights 0 and 1, in the file's own units: sample values, not fractions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HeightRange {
-    /// These two, the first below the second.
+    /// Two given values, the first below the second.
     Between([f64; 2]),
-    /// The least and the greatest value of the texels that have one, whatever their type: `auto`.
+    /// The least and the greatest value of all texels that have one, whatever their type: `auto`.
     Extremes,
 }
 
-/// The name of [`HeightRange::Extremes`].
+/// Name of [`HeightRange::Extremes`].
 const AUTO: &str = "auto";
 
 impl HeightRange {
-    /// The two values, where they are given.
+    /// Returns the two values, if they are given.
     pub const fn between(self) -> Option<[f64; 2]> {
         match self {
             HeightRange::Between(range) => Some(range),

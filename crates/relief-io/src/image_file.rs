@@ -1,4 +1,4 @@
-//! A file that has been recognised and whose header has been checked: what it holds, and its samples row by
+//! Image file that has been recognised and whose header has been checked, with its samples row by
 //! row.
 
 use std::io::{Read, Seek, SeekFrom};
@@ -18,14 +18,14 @@ use crate::tiff::TiffFile;
 use crate::webp::WebpFile;
 use crate::{ForeignFormat, GivenUnits, RawLayout, ReadProblem, Source};
 
-/// A recognised file. Its header is checked; no memory has been taken for samples.
+/// Recognised image file. Its header is checked; no memory has been allocated for samples.
 pub(crate) struct ImageFile<'a> {
     stored: StoredImage<'a>,
-    /// What the header says of the picture as it is shown.
+    /// Header of the picture as it is displayed.
     layout: Layout,
 }
 
-/// The picture of a file as it is stored.
+/// Picture of a file as it is stored.
 enum StoredImage<'a> {
     Png(Box<PngFile<'a>>),
     Jpeg(JpegFile<'a>),
@@ -37,15 +37,15 @@ enum StoredImage<'a> {
     Raw(RawFile<'a>),
 }
 
-/// The largest of the formats' signatures.
+/// Length of the longest signature of a format.
 const SIGNATURE_LEN: u64 = 16;
 
 impl<'a> ImageFile<'a> {
-    /// Opens a source and recognises it by its content; with a raw layout it is read as raw, whatever it
-    /// holds.
+    /// Opens a source and recognises it by its content. With a raw layout it is read as raw,
+    /// whatever its content.
     ///
-    /// `bytes_per_texel` is what the caller will hold for each texel; it and the decoder's own buffers must
-    /// stay within `max_bytes`.
+    /// `bytes_per_texel` is the caller's memory for each texel; with the decoder's own buffers it
+    /// must stay within `max_bytes`.
     pub(crate) fn open(
         source: Source<'a>,
         raw: Option<RawLayout>,
@@ -57,26 +57,26 @@ impl<'a> ImageFile<'a> {
         Ok(Self { stored, layout })
     }
 
-    /// What the header says, of the picture as it is shown.
+    /// Returns the header of the picture as it is displayed.
     pub(crate) fn layout(&self) -> &Layout {
         &self.layout
     }
 
-    /// The same file with the units that a user gives, if any, in place of its own.
+    /// Replaces the file's units by the user's, if any are given.
     pub(crate) fn in_units(mut self, units: Option<GivenUnits>) -> Self {
         self.stored.layout_mut().give_units(units);
         self.layout.give_units(units);
         self
     }
 
-    /// The same picture as it is stored, whatever it says of its orientation.
+    /// Returns the picture as it is stored, ignoring its orientation.
     pub(crate) fn unturned(mut self) -> Self {
         self.layout = self.stored.layout().clone();
         self
     }
 
-    /// Gives the numbers that say which texels of a channel have a value, if the file has such a mask: 0
-    /// where there is none.
+    /// Decodes the mask of a channel: numbers that mark which texels have a value, 0 for none.
+    /// Calls `sink` for no texel if the file has no mask.
     pub(crate) fn decode_mask(&self, channel: usize, sink: &mut LineSink<'_>) -> Result<(), ReadProblem> {
         let (orientation, size) = (self.layout.orientation, self.stored_size());
         match &self.stored {
@@ -87,8 +87,8 @@ impl<'a> ImageFile<'a> {
         }
     }
 
-    /// The sample of white of a channel, where the raw value of a height is this less the stored number:
-    /// where shades are stored with 0 as white. Elevations are numbers and no shades.
+    /// Returns the sample of white of a channel that stores white as 0. The raw height is this
+    /// sample minus the stored number. None for elevations, which are numbers and not shades.
     pub(crate) fn white_of_heights(&self, channel: usize) -> Option<f64> {
         match &self.stored {
             StoredImage::Tiff(file) => file.white_of_heights(channel),
@@ -96,7 +96,7 @@ impl<'a> ImageFile<'a> {
         }
     }
 
-    /// The same file, whose samples come as they are stored, with 0 as white, too.
+    /// Returns the file with its samples as stored, even if they store white as 0.
     pub(crate) fn into_stored(mut self) -> Self {
         if let StoredImage::Tiff(file) = &mut self.stored {
             file.keep_stored();
@@ -104,7 +104,7 @@ impl<'a> ImageFile<'a> {
         self
     }
 
-    /// Decodes the chosen channels and gives every texel once.
+    /// Decodes the chosen channels and passes every texel to `sink` once.
     pub(crate) fn decode(self, channels: &[usize], sink: &mut LineSink<'_>) -> Result<(), ReadProblem> {
         let (orientation, size) = (self.layout.orientation, self.stored_size());
         let sink: &mut Sink<'_> = &mut |span| sink(orientation.line(size, &span));
@@ -140,7 +140,7 @@ impl<'a> StoredImage<'a> {
         if let Some(layout) = raw {
             return Ok(Self::Raw(RawFile::open(input, layout)?));
         }
-        // A plain map is a text, which may begin with a byte order mark.
+        // A plain PGM is a text file, which may begin with a byte order mark.
         let text = signature.strip_prefix(MARK).filter(|text| matches!(text, [b'P', b'2' | b'3', ..]));
         if text.is_some() {
             input.file.seek(SeekFrom::Start(MARK.len() as u64))?;
@@ -196,7 +196,7 @@ impl<'a> StoredImage<'a> {
         }
     }
 
-    /// The same file with what those beside it say.
+    /// Applies the file's sidecars.
     fn with_sidecars(mut self, source: Source<'a>, max_bytes: u64) -> Self {
         apply_sidecars(source, max_bytes, self.layout_mut());
         if let Self::Tiff(file) = &mut self {
@@ -207,8 +207,8 @@ impl<'a> StoredImage<'a> {
 }
 
 impl Format {
-    /// The format of a file that begins with these bytes; none where it is no picture that is read. Raw files
-    /// have no signature.
+    /// Recognises the format by the first bytes of a file. None if it is not a supported picture.
+    /// Raw files have no signature.
     pub fn by_signature(start: &[u8]) -> Option<Self> {
         recognise(start)
     }

@@ -1,4 +1,4 @@
-//! An opened source before its header is read, and what all decoders do with it.
+//! Opened source before its header is read, and tools for all decoders.
 
 use std::io;
 
@@ -8,7 +8,7 @@ use crate::layout::Format;
 use crate::source::SourceReader;
 use crate::{ReadProblem, Source};
 
-/// An opened source with what is known of it before its header is read.
+/// Opened source with its length and the limits of memory.
 pub(crate) struct Input<'a> {
     pub source: Source<'a>,
     pub file: SourceReader<'a>,
@@ -18,8 +18,8 @@ pub(crate) struct Input<'a> {
 }
 
 impl<'a> Input<'a> {
-    /// Opens a source, of which `bytes_per_texel` will be held for each texel, and at most `max_bytes` in
-    /// all.
+    /// Opens a source. The caller will hold `bytes_per_texel` for each texel, and at most
+    /// `max_bytes` in all.
     pub(crate) fn open(
         source: Source<'a>,
         bytes_per_texel: u64,
@@ -29,10 +29,10 @@ impl<'a> Input<'a> {
         Ok(Self { source, file, file_len, bytes_per_texel, max_bytes })
     }
 
-    /// Refuses sizes that no height map has, that need too much memory, or that a file of this length cannot
-    /// hold.
+    /// Refuses sizes that are invalid for a height map, need too much memory, or do not fit into a
+    /// file of this length.
     ///
-    /// `decoder_bytes` is what the decoder itself holds at its peak, and `least_file_bytes` the length of the
+    /// `decoder_bytes` is the decoder's own peak memory, and `least_file_bytes` the length of the
     /// shortest file that can hold such a picture.
     pub(crate) fn check_size(
         &self,
@@ -49,7 +49,7 @@ impl<'a> Input<'a> {
         }
         if least_file_bytes > self.file_len {
             let what = format!(
-                "a header of {width}x{height} texels needs at least {least_file_bytes} bytes, the file has {}",
+                "{width}x{height} texels need at least {least_file_bytes} bytes, but the file has {}",
                 self.file_len
             );
             return Err(ReadProblem::damaged(format.name(), what));
@@ -58,7 +58,8 @@ impl<'a> Input<'a> {
     }
 }
 
-/// A vector of `len` zeros; an error, not an abort, where the system has no memory for it.
+/// Allocates `len` zeros. Returns an error, instead of aborting, if the system has no memory for
+/// it.
 pub(crate) fn zeros<T: Clone + Default>(len: usize) -> Result<Vec<T>, ReadProblem> {
     let mut values = Vec::new();
     let needed = (len as u64).saturating_mul(size_of::<T>() as u64);
@@ -67,7 +68,8 @@ pub(crate) fn zeros<T: Clone + Default>(len: usize) -> Result<Vec<T>, ReadProble
     Ok(values)
 }
 
-/// Reading past the end means a cut-off file; everything else is the system's.
+/// Converts an error of reading: reading past the end means a cut-off file; other errors are the
+/// system's.
 pub(crate) fn io_problem(format: Format, error: io::Error) -> ReadProblem {
     match error.kind() {
         io::ErrorKind::UnexpectedEof => ReadProblem::damaged(format.name(), "it ends too early"),

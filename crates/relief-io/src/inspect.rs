@@ -1,4 +1,4 @@
-//! What a file holds, without judging it.
+//! Inspection of a file's content, without judging it.
 
 use crate::examine::examine;
 use crate::height::{BYTES_PER_TEXEL, HeightOptions, select};
@@ -7,91 +7,93 @@ use crate::layout::{Channel, Format};
 use crate::samples::Samples;
 use crate::{Elevation, Georeference, HeightNote, ReadError, ReadNote, ReadProblem, Source};
 
-/// Bins of [`Values::histogram`].
+/// Number of bins of [`Values::histogram`].
 pub const HISTOGRAM_BINS: usize = 64;
 
-/// What a file says of itself, and what its values are.
+/// Header of a file and statistics of its values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SourceInfo {
-    /// The format, by the file's content.
+    /// Format, recognised by the file's content.
     pub format: Format,
     /// Width in texels.
     pub width: u32,
     /// Height in texels.
     pub height: u32,
-    /// The channels, in the file's order, with type and depth of their samples.
+    /// Channels, in the file's order, with type and depth of their samples.
     pub channels: Vec<Channel>,
-    /// The raw value that marks texels without a value, where the file names one.
+    /// Nodata value: the raw value that marks texels without a value, if the file names one.
     pub nodata_value: Option<f64>,
-    /// Size of a texel along `u` and `v` in metres, where the file says so.
+    /// Size of a texel along `u` and `v` in metres, if the file gives it.
     pub texel_size_m: Option<[f64; 2]>,
-    /// What the file says of the ground, where it says anything.
+    /// Georeference, if the file has one.
     pub georeference: Option<Georeference>,
-    /// What the file notes of its size in the world, where Relief wrote it.
+    /// Note on the map's real size, if Relief wrote the file.
     pub note: Option<HeightNote>,
-    /// The orientation of EXIF or TIFF by which the picture is turned, from 2 to 8; none where it is shown as
-    /// it is stored.
+    /// Orientation number of EXIF or TIFF by which the picture is turned, from 2 to 8; none if it
+    /// is displayed as stored.
     pub orientation: Option<u32>,
-    /// The values of the channel that [`crate::read_height`] would read; none where it would ask for one.
+    /// Values of the channel that [`crate::read_height`] would read; none if it would ask for a
+    /// channel.
     pub values: Option<Values>,
-    /// What [`crate::read_height_file`] would say of reading it.
+    /// Notes that [`crate::read_height_file`] would return.
     pub notes: Vec<ReadNote>,
 }
 
-/// The values of one channel, in the file's own units.
+/// Statistics of one channel, in the file's own units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
-    /// The channel; of grey stored as red, green and blue, the first of them.
+    /// Name of the channel; the first one if grey is stored as red, green and blue.
     pub channel: String,
-    /// The raw values that [`crate::read_height`] makes 0 and 1 if no range is given; none where no texel has
-    /// a value.
+    /// Raw values that [`crate::read_height`] maps to 0 and 1 if no range is given; none if no
+    /// texel has a value.
     pub normalised_range: Option<[f64; 2]>,
-    /// Least and greatest value; none where no texel has one.
+    /// Least and greatest value; none if no texel has one.
     pub range: Option<[f64; 2]>,
-    /// How many different values occur (at the precision of `f32` relative to their range).
+    /// Number of different values, at the precision of `f32` relative to their range.
     pub levels: u64,
-    /// How many texels lie in each of [`HISTOGRAM_BINS`] equal parts of `range`.
+    /// Number of texels in each of [`HISTOGRAM_BINS`] equal parts of `range`.
     pub histogram: [u64; HISTOGRAM_BINS],
-    /// Texels that are NaN or infinite.
+    /// Number of texels that are NaN or infinite.
     pub not_finite: u64,
-    /// Texels that hold the file's nodata value.
+    /// Number of texels with the nodata value.
     pub nodata: u64,
-    /// Texels that the file's mask leaves out.
+    /// Number of texels that the file's mask excludes.
     pub masked: u64,
-    /// What the values stand for, where the file is an elevation model.
+    /// Meaning of the values, if the file is an elevation model.
     pub elevation: Option<Elevation>,
-    /// Whether the map goes on smoothly across its edges; none where a texel has no value.
+    /// Smoothness across the map's edges; none if a texel has no value.
     pub tiling: Option<Tiling>,
 }
 
-/// Whether a map goes on smoothly across its edges.
+/// Smoothness of a map across its edges, which decides whether it tiles.
 ///
-/// The step between the last and the first column is compared with the steps inside the map: `seam` is its
-/// mean absolute difference over all rows, divided by the greatest such mean of two neighbouring columns (of
-/// rows, for `v`). A map made to tile has a step there as any other; one that is cut out of something larger
-/// has a multiple. A side of one texel tiles.
+/// The step between the last and the first column is compared with the steps inside the map. `seam`
+/// is the mean absolute difference over all rows at the edge, divided by the greatest such mean of
+/// two neighbouring columns (of rows, for `v`). A map made to tile has an ordinary step at its
+/// edges; one cut out of a larger map has a multiple. A side of one texel tiles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tiling {
-    /// The ratio along `u` and `v`; 0 for constant maps.
+    /// Ratio along `u` and `v`; 0 for constant maps.
     pub seam: [f64; 2],
     /// Whether the ratio is at most [`SEAM_LIMIT`], along `u` and `v`.
     pub tiles: [bool; 2],
 }
 
-/// The largest seam of a map that tiles. Real tiling maps have at most 0.9, since the seam is one of many
-/// steps, cut-outs 1.8 and far more.
+/// Greatest seam of a map that tiles. Real tiling maps have at most 0.9, since the seam is one of
+/// many steps; cut-outs have 1.8 and far more.
 pub const SEAM_LIMIT: f64 = 1.25;
 
-/// Reads a file, or the bytes of one, and says what it holds. Options are used as in [`crate::read_height`]:
-/// `channel`, `nodata`, `unit`, `range` (for notes alone), `raw` and `max_bytes`.
+/// Inspects a file, or the bytes of one. Options are used as in [`crate::read_height`]: `channel`,
+/// `nodata`, `unit`, `range` (for notes only), `raw` and `max_bytes`.
 ///
-/// Texels without a value are counted, not an error; nor is a picture in colour, of which `values` are not
-/// given.
+/// Texels without a value are counted and are no error. A picture in colour is no error either, but
+/// has no `values`.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is damaged, too large or not a picture, when the channel is unknown, or when
-/// an elevation model says of itself what cannot be or its mask cannot be used.
+/// When the file cannot be read, is damaged, too large or not a picture; when the channel is
+/// unknown; or when an elevation model states an impossible georeference or its mask cannot be
+/// used.
 pub fn inspect<'a>(source: impl Into<Source<'a>>, options: &HeightOptions) -> Result<SourceInfo, ReadError> {
     let source = source.into();
     read(source, options).map_err(|problem| source.error(problem))
@@ -155,7 +157,7 @@ fn values(
         histogram[((fraction * HISTOGRAM_BINS as f64) as usize).min(HISTOGRAM_BINS - 1)] += 1;
     }
     let tiling = (samples.holes() == 0).then(|| tiling(&samples));
-    // Sorted in place: the order is not needed any more.
+    // The values are sorted in place, since their order is not needed any more.
     samples.values.retain(|value| !value.is_nan());
     samples.values.sort_unstable_by(f32::total_cmp);
     let levels = samples.values.chunk_by(|a, b| a == b).count() as u64;
@@ -176,7 +178,8 @@ fn values(
 fn tiling(samples: &Samples) -> Tiling {
     let (width, height) = (samples.width as usize, samples.height as usize);
     let value = |column: usize, row: usize| f64::from(samples.values[row * width + column]);
-    // Sums of the steps from each column to the next, and from each row; the last of each is the seam.
+    // Sums of the steps from each column to the next, and from each row to the next; the last step
+    // is the seam.
     let mut across = vec![0.0f64; width];
     let mut down = vec![0.0f64; height];
     for (row, down) in down.iter_mut().enumerate() {

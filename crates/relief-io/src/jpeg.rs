@@ -1,8 +1,10 @@
-//! JPEG, 8 bit, grey and colour. Samples are the decoded ones; colour profiles are not applied.
+//! Reader of JPEG: 8 bit, grey and colour. Samples are the decoded ones; colour profiles are not
+//! applied.
 //!
-//! The decoder gives the whole picture at once (1 or 3 bytes a texel; a progressive file takes twice as much
-//! again while it is decoded) and takes a cut-off file for a complete one, so the file's segments are walked
-//! first: size and components are known, and the end is there, before memory is taken.
+//! The decoder returns the whole picture at once: 1 or 3 bytes a texel, and for a progressive file
+//! twice as much in addition while it is decoded. It also takes a cut-off file for a complete one.
+//! Therefore the file's segments are walked first: size and components are known, and the end is
+//! present, before memory is allocated.
 
 use std::io::{BufRead, Read, Seek};
 
@@ -14,7 +16,7 @@ use crate::layout::{Format, Layout, SampleType, Sink, send_bytes};
 use crate::source::SourceReader;
 use crate::{ReadProblem, exif};
 
-/// The marker of EXIF metadata, and of others.
+/// Marker of EXIF metadata, and of other data.
 const APP1: u8 = 0xe1;
 
 pub(crate) struct JpegFile<'a> {
@@ -61,13 +63,13 @@ impl<'a> JpegFile<'a> {
     }
 }
 
-/// What the frame header says (ITU T.81, B.2.2).
+/// Frame header (ITU T.81, B.2.2).
 struct Frame {
     width: u32,
     height: u32,
     components: u8,
     progressive: bool,
-    /// The orientation in EXIF metadata, whatever number it is.
+    /// Orientation number in EXIF metadata, of any value.
     orientation: Option<u32>,
 }
 
@@ -82,12 +84,14 @@ impl Frame {
                     let frame = frame.ok_or_else(|| damaged("it has no frame header"))?;
                     return Ok(Self { orientation, ..frame });
                 }
-                // Restart markers, and one for arithmetic coding's private use, have no length.
+                // Restart markers, and one marker for private use in arithmetic coding, have no
+                // length.
                 0x01 | 0xd0..=0xd8 => {}
                 marker => {
                     let length = u16::from_be_bytes(bytes(file)?);
                     let mut rest = length.checked_sub(2).ok_or_else(|| damaged("a segment is too short"))?;
-                    // All frame headers but DHT (c4), JPG (c8) and DAC (cc), which share their range.
+                    // These are all frame headers; DHT (c4), JPG (c8) and DAC (cc) share their
+                    // range.
                     if matches!(marker, 0xc0..=0xcf) && !matches!(marker, 0xc4 | 0xc8 | 0xcc) {
                         let [precision, h1, h0, w1, w0, components] = bytes(file)?;
                         rest = rest.checked_sub(6).ok_or_else(|| damaged("its frame header is too short"))?;
@@ -131,7 +135,8 @@ impl Frame {
     }
 }
 
-/// Skips to the next marker: over entropy-coded data, in which a zero byte follows each ff that is none.
+/// Skips to the next marker. In entropy-coded data a zero byte follows each ff that is not a
+/// marker.
 fn next_marker(file: &mut SourceReader<'_>) -> Result<u8, ReadProblem> {
     loop {
         let buffer = file.fill_buf().map_err(io)?;
@@ -145,7 +150,7 @@ fn next_marker(file: &mut SourceReader<'_>) -> Result<u8, ReadProblem> {
             }
             Some(at) => {
                 file.consume(at + 1);
-                // Any number of ff may stand before a marker.
+                // Any number of ff bytes may precede a marker.
                 let mut marker = bytes::<1>(file)?;
                 while marker == [0xff] {
                     marker = bytes(file)?;

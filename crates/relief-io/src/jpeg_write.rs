@@ -1,7 +1,8 @@
-//! JPEG to files, eight rows at a time.
+//! Writer of JPEG, eight rows at a time.
 //!
-//! The encoder asks for pixels, block by block, and whoever renders hands over rows. So the encoder works in a
-//! thread of its own, which waits for the next eight rows; no more than three such bands are there at once.
+//! The encoder pulls pixels block by block, but a renderer pushes rows. Therefore the encoder works
+//! in a thread of its own, which waits for the next eight rows. At most three such bands are in
+//! memory at once.
 
 use std::cell::{Cell, RefCell};
 use std::io::{self, Write};
@@ -13,19 +14,19 @@ use image::{GenericImageView, ImageError, Rgb};
 
 use crate::WriteProblem;
 
-/// Of 100: higher ones hardly look better and take twice the room.
+/// Quality from 0 to 100. Higher ones hardly look better and take twice the space.
 const QUALITY: u8 = 92;
 
-/// The longest side of a JPEG.
+/// Greatest side of a JPEG.
 const MOST_SIDE: u32 = 65_535;
 
-/// Rows of a block.
+/// Rows of a band, as many as a block has.
 const BAND: u32 = 8;
 
-/// Takes the next row of a picture: red, green and blue of each pixel, in sRGB.
+/// Receiver of the next row of a picture: red, green and blue of each pixel, in sRGB.
 pub(crate) type ByteRows<'a> = dyn FnMut(&mut dyn Iterator<Item = u8>) -> io::Result<()> + 'a;
 
-/// Writes a picture whose rows, all of them, `rows` hands over from the top.
+/// Writes a picture. `rows` passes all rows to its argument, from the top.
 pub(crate) fn write_jpeg(
     out: &mut (impl Write + Send),
     [width, height]: [u32; 2],
@@ -42,7 +43,7 @@ pub(crate) fn write_jpeg(
         let handed = hand_over([width, height], sender, rows);
         let encoded = encoder.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         match (handed, encoded) {
-            // The encoder ends early where the file cannot be written, and else where rows end early.
+            // The encoder ends early if the file cannot be written, or if the rows end early.
             (Err(Ended::Rows(error)), _) => Err(error.into()),
             (_, Err(error)) => Err(error),
             (Err(Ended::Encoder), Ok(())) => Err(WriteProblem::Io(io::Error::other("it has too many rows"))),
@@ -51,13 +52,13 @@ pub(crate) fn write_jpeg(
     })
 }
 
-/// Why not all rows were handed over.
+/// Reason why not all rows were passed on.
 enum Ended {
     Rows(io::Error),
     Encoder,
 }
 
-/// Gathers rows to bands, and gives each to the encoder.
+/// Gathers rows into bands, and sends each to the encoder.
 fn hand_over(
     [width, height]: [u32; 2],
     sender: SyncSender<Vec<u8>>,
@@ -101,19 +102,19 @@ fn encode(
     })
 }
 
-/// Some rows of a picture.
+/// Band of rows of a picture.
 struct Band {
     first: u32,
     bytes: Vec<u8>,
 }
 
-/// A picture of which eight rows are there, later ones from request to request.
+/// Picture with one band in memory; later bands are received on request.
 struct Picture<'a> {
     width: u32,
     height: u32,
     bands: Receiver<Vec<u8>>,
     band: RefCell<Band>,
-    /// Whether there are no more rows.
+    /// Whether the rows have ended.
     ended: &'a Cell<bool>,
 }
 
@@ -124,7 +125,7 @@ impl GenericImageView for Picture<'_> {
         (self.width, self.height)
     }
 
-    /// A pixel of the rows that are there, or of the next ones; black where rows have ended.
+    /// Returns a pixel of the band in memory, or of a later one; black if the rows have ended.
     fn get_pixel(&self, x: u32, y: u32) -> Rgb<u8> {
         let mut band = self.band.borrow_mut();
         let row_len = 3 * self.width as usize;
@@ -143,7 +144,7 @@ impl GenericImageView for Picture<'_> {
     }
 }
 
-/// A file that fails when the rows of its picture have ended.
+/// Writer that fails once the picture's rows have ended.
 struct Unended<'a, W> {
     out: &'a mut W,
     ended: &'a Cell<bool>,
@@ -182,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn bands_make_the_bytes_of_the_whole_picture() {
+    fn bands_give_the_bytes_of_the_whole_picture() {
         for size @ [width, height] in [[1, 1], [7, 8], [8, 7], [17, 25], [40, 16], [3, 64]] {
             let all: Vec<u8> = (0..height).flat_map(|y| row(width, y)).collect();
             let mut whole = Vec::new();

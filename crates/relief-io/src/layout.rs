@@ -1,5 +1,5 @@
-//! What a file's header says: the format, the channels, how samples are stored; and how decoders hand samples
-//! over.
+//! Header of a file: format, channels and sample types; and the interface by which decoders pass on
+//! samples.
 
 use crate::ReadProblem;
 use crate::elevation::{Elevation, Georeference};
@@ -7,7 +7,7 @@ use crate::georeference::{Facts, GivenUnits, Grid};
 use crate::omissions::{NO_ORIENTATION, ORIENTATION_ON_GROUND, Remark};
 use crate::orientation::Orientation;
 
-/// A file format that is read.
+/// Supported file format of height maps and pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Format {
     /// Portable Network Graphics, 1 to 16 bit.
@@ -22,14 +22,14 @@ pub enum Format {
     Hdr,
     /// Netpbm grey and colour maps: P2, P3, P5, P6.
     Pgm,
-    /// WebP, 8 bit, lossy or lossless; of an animation its first picture.
+    /// WebP, 8 bit, lossy or lossless; the first picture of an animation.
     Webp,
     /// 16-bit samples without a header.
     Raw,
 }
 
 impl Format {
-    /// The format's name, as users know it.
+    /// Returns the format's common name.
     pub const fn name(self) -> &'static str {
         match self {
             Format::Png => "PNG",
@@ -44,7 +44,7 @@ impl Format {
     }
 }
 
-/// How a sample is stored.
+/// Number type of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SampleKind {
     /// Integer from 0.
@@ -55,12 +55,12 @@ pub enum SampleKind {
     Float,
 }
 
-/// How a sample is stored, and in how many bits.
+/// Number type and depth of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SampleType {
     /// Integer or float.
     pub kind: SampleKind,
-    /// Bits a sample.
+    /// Bits per sample.
     pub bits: u8,
 }
 
@@ -73,7 +73,7 @@ impl SampleType {
         Self { kind: SampleKind::Float, bits }
     }
 
-    /// Whether each sample is exactly an `f32`.
+    /// Whether `f32` holds every sample exactly.
     pub(crate) const fn fits_f32(self) -> bool {
         match self.kind {
             SampleKind::Float => self.bits <= 32,
@@ -93,64 +93,66 @@ impl std::fmt::Display for SampleType {
     }
 }
 
-/// One channel of a file.
+/// Channel of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Channel {
-    /// Its name: as stored in EXR files; `y`, `r`, `g`, `b`, `a`, or `band1` and so on in others.
+    /// Name: as stored in EXR files; `y`, `r`, `g`, `b`, `a`, or `band1` and so on in others.
     pub name: String,
-    /// How its samples are stored.
+    /// Type of its samples.
     pub sample: SampleType,
 }
 
-/// What a file's header says of the whole picture.
+/// Header of a file's picture.
 #[derive(Clone, Debug)]
 pub(crate) struct Layout {
     pub format: Format,
     pub width: u32,
     pub height: u32,
-    /// The channels, in the file's order.
+    /// Channels, in the file's order.
     pub channels: Vec<Channel>,
-    /// The raw value that stands for 1, for unsigned samples of at most 16 bit; none where the range of the
-    /// values decides.
+    /// Raw value of 1, for unsigned samples of at most 16 bit; none if the range of the values
+    /// decides.
     pub full_scale: Option<f64>,
-    /// The raw value that marks a texel without a value.
+    /// Nodata value: the raw value that marks a texel without a value.
     pub nodata: Option<f64>,
-    /// Whether the file says that integers are proportional to light.
+    /// Whether the file declares its integers as proportional to light.
     pub is_linear: bool,
-    /// The orientation that the file names by a number of EXIF or TIFF, if it names one, whatever it is.
+    /// Orientation number of EXIF or TIFF that the file states, of any value; none if it states
+    /// none.
     pub stated_orientation: Option<u32>,
-    /// How the stored picture is turned to be shown.
+    /// Transform from the stored picture to the displayed one.
     pub orientation: Orientation,
-    /// What the file says of the ground and of the metres of its values. An error, with the reason, where
-    /// what it says cannot be; that stops who reads heights, not who reads a picture.
+    /// Georeference and units of the values. An error, with the reason, if they are impossible;
+    /// that stops readers of heights, but not of pictures.
     pub terrain: Result<Option<Terrain>, String>,
-    /// What that follows from.
+    /// Facts from which `terrain` is derived.
     pub facts: Facts,
-    /// What the format's reader leaves out or assumes, for notes.
+    /// Notes on everything that the format's reader ignores or assumes.
     pub remarks: Vec<Remark>,
 }
 
-/// What makes a file an elevation model.
+/// Data of an elevation model.
 #[derive(Clone, Debug)]
 pub(crate) struct Terrain {
-    /// Where the map lies on the ground, if the file says so.
+    /// Position of the map on the ground, if the file gives it.
     pub georeference: Option<Georeference>,
-    /// What the values of each channel stand for.
+    /// Meaning of the values of each channel.
     pub channels: Vec<Elevation>,
-    /// Size of a texel along `u` and `v` in the unit that ground and heights share, where nobody names it.
+    /// Size of a texel along `u` and `v` in the unit that ground and heights share, if nobody names
+    /// it.
     pub relative_texel_size: Option<[f64; 2]>,
 }
 
 impl Terrain {
-    /// Size of a texel along `u` and `v` in metres, where it is known.
+    /// Size of a texel along `u` and `v` in metres, if known.
     pub(crate) fn texel_size_m(&self) -> Option<[f64; 2]> {
         self.georeference.as_ref()?.texel_size_m.clone().ok()
     }
 }
 
 impl Layout {
-    /// A layout whose channels are all stored alike, without georeference; unsigned samples are divided by
-    /// their type's maximum.
+    /// Creates a layout whose channels all have the same sample type, without georeference.
+    /// Unsigned samples are divided by their type's maximum.
     pub(crate) fn new(format: Format, [width, height]: [u32; 2], names: &[&str], sample: SampleType) -> Self {
         let channel = |name: &&str| Channel { name: (*name).to_owned(), sample };
         let full_scale = match sample.kind {
@@ -174,7 +176,7 @@ impl Layout {
         }
     }
 
-    /// Takes what is said of ground and heights.
+    /// Sets the facts about ground and heights.
     pub(crate) fn set_facts(&mut self, facts: Result<Facts, String>) {
         match facts {
             Ok(facts) => {
@@ -185,17 +187,17 @@ impl Layout {
         }
     }
 
-    /// Puts the units that a user gives, if any, in the place of the file's.
+    /// Replaces the file's units by those that a user gives, if any.
     pub(crate) fn give_units(&mut self, units: Option<GivenUnits>) {
         if units.is_some() && self.terrain.is_ok() {
             self.terrain = self.facts.terrain(self.channels.len(), units);
         }
     }
 
-    /// The same picture as it is shown.
+    /// Turns the layout of the stored picture into the displayed picture's.
     ///
-    /// On the ground north is on top and east to the right. What the file says of its orientation does not
-    /// count there, as the place is given for the grid as it is stored.
+    /// A georeferenced map has north on top and east to the right. Its stated orientation is
+    /// ignored, since the georeference refers to the grid as it is stored.
     pub(crate) fn shown(mut self) -> Self {
         let terrain = self.terrain.as_ref().ok().and_then(Option::as_ref);
         let on_ground = terrain.and_then(|terrain| terrain.georeference.as_ref());
@@ -208,8 +210,8 @@ impl Layout {
                 let is_turned = |number: &u32| *number != 1;
                 stated.filter(is_turned).map(|number| {
                     let text = format!(
-                        "it names the orientation {number} and a place on the ground: its rows are read as \
-                         the place says"
+                        "it names the orientation {number} and has a georeference: its rows are read as \
+                         the georeference says"
                     );
                     Remark::new(&ORIENTATION_ON_GROUND, text)
                 })
@@ -221,7 +223,7 @@ impl Layout {
                 }
                 None => {
                     let text = format!(
-                        "it names the orientation {number}, which is none of 1 to 8: the picture is read as \
+                        "it names the orientation {number}, but only 1 to 8 exist: the picture is read as \
                          it is stored"
                     );
                     Some(Remark::new(&NO_ORIENTATION, text))
@@ -234,14 +236,15 @@ impl Layout {
         self
     }
 
-    /// The number of EXIF or TIFF by which the picture is turned; none where it is shown as it is stored.
+    /// Returns the orientation number by which the picture is turned; none if it is displayed as
+    /// stored.
     pub(crate) fn turning_number(&self) -> Option<u32> {
         let is_followed =
             |number: &u32| *number != 1 && Orientation::of_number(*number) == Some(self.orientation);
         self.stated_orientation.filter(is_followed)
     }
 
-    /// What the file says as an elevation model; none where it is none.
+    /// Returns the data of an elevation model; none if the file is not one.
     pub(crate) fn terrain(&self) -> Result<Option<&Terrain>, ReadProblem> {
         self.terrain
             .as_ref()
@@ -249,42 +252,43 @@ impl Layout {
             .map_err(|what| ReadProblem::Georeference { what: what.clone() })
     }
 
-    /// Whether it is an elevation model.
+    /// Whether the file is an elevation model.
     pub(crate) fn is_elevation(&self) -> bool {
         matches!(self.terrain, Ok(Some(_)))
     }
 
-    /// The raw value that stands for height 1; none where the range of the values decides, as in every
+    /// Returns the raw value of height 1; none if the range of the values decides, as in every
     /// elevation model.
     pub(crate) fn height_full_scale(&self) -> Option<f64> {
         self.full_scale.filter(|_| matches!(self.terrain, Ok(None)))
     }
 
-    /// The channel of that name, whatever its case.
+    /// Finds a channel by its name, in any case.
     pub(crate) fn channel(&self, name: &str) -> Option<usize> {
         self.channels.iter().position(|channel| channel.name.eq_ignore_ascii_case(name))
     }
 
-    /// The channels' names, in the file's order.
+    /// Returns the channels' names, in the file's order.
     pub(crate) fn channel_names(&self) -> Vec<String> {
         self.channels.iter().map(|channel| channel.name.clone()).collect()
     }
 }
 
-/// Samples of one stored row, or of a part of it: texel `k` of the span lies in column `column + k * step`.
+/// Samples of a stored row, or of a part of it: texel `k` of the span is in column `column + k *
+/// step`.
 pub(crate) struct Span<'a> {
     pub row: u32,
     pub column: u32,
     pub step: u32,
-    /// Raw values, the chosen channels side by side.
+    /// Raw values, the chosen channels interleaved.
     pub samples: &'a [f64],
 }
 
-/// Takes the spans of a picture; every texel comes exactly once, in the decoder's order.
+/// Receiver of the spans of a picture. Every texel comes exactly once, in the decoder's order.
 pub(crate) type Sink<'a> = dyn FnMut(Span<'_>) -> Result<(), ReadProblem> + 'a;
 
-/// Hands over the rows of a picture that is decoded as bytes, with the chosen channels: `row_len`
-/// bytes a row, `texel_len` bytes a texel.
+/// Sends the rows of a picture that is decoded as bytes to a sink, with the chosen channels. A row
+/// has `row_len` bytes and a texel `texel_len` bytes.
 pub(crate) fn send_bytes(
     bytes: &[u8],
     [row_len, texel_len]: [usize; 2],

@@ -1,28 +1,29 @@
-//! Lengths as people write them: numbers of metres, or with their units.
+//! Parser of lengths as people write them: numbers of metres, or numbers with a unit.
 
 use relief_core::registry::UnknownName;
 
 use crate::LengthUnit;
 
-/// What is wrong with the text of a length.
+/// Error in the text of a length.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LengthError {
-    /// It is no number, with or without a unit.
+    /// The text is not a number, with or without a unit.
     #[error("write it as a number of metres, or with its unit, as in 5cm or 3ft")]
     NoNumber,
-    /// Its number or its metres are infinite or NaN.
+    /// The number or its metres are infinite or NaN.
     #[error("it must be finite")]
     NotFinite,
-    /// Its unit has no such name.
+    /// The unit's name is unknown.
     #[error(transparent)]
     Unit(UnknownName),
 }
 
-/// The metres of a length: of a number, or of one with a [`LengthUnit`], as in `5cm` or `3 ft`.
+/// Parses a length and converts it to metres: a plain number of metres, or a number with a
+/// [`LengthUnit`], such as `5cm` or `3 ft`.
 ///
 /// # Errors
 ///
-/// When it is no number of a known unit, or not finite in metres.
+/// When the text is not a number with a known unit, or not finite in metres.
 ///
 /// # Examples
 ///
@@ -50,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lengths_are_metres_whatever_their_unit() {
+    fn lengths_are_converted_to_metres() {
         let cases = [
             ("0.05", 0.05),
             ("5cm", 0.05),

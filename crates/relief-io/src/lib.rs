@@ -1,7 +1,8 @@
-//! Height maps, pictures, normal maps and meshes from files; pictures, float channels and meshes to files.
+//! Readers of height maps, pictures, normal maps and meshes; writers of pictures, float channels
+//! and meshes.
 //!
-//! Meshes are read by [`read_mesh`] and written by [`write_mesh`], which list their formats. Those of maps
-//! and pictures are:
+//! [`read_mesh`] and [`write_mesh`] read and write meshes, and list their formats. Maps and
+//! pictures have these formats:
 //!
 //! | format | recognised by | samples | notes |
 //! | --- | --- | --- | --- |
@@ -14,29 +15,30 @@
 //! | WebP | content | 8 bit, colour, opacity | of animations the first picture |
 //! | raw | [`RawLayout`] given | 16 bit | |
 //!
-//! Pictures are turned as their EXIF metadata or their TIFF tag say, whatever they are read for; those that a
-//! glTF names, and TIFFs with a place on the ground, are not.
+//! Pictures are turned by the orientation in their EXIF metadata or TIFF tag, for all uses.
+//! Exceptions are pictures that a glTF refers to and TIFFs with a georeference.
 //!
-//! Writers leave a whole file or none; [`file_set`] does the same for several files at once.
+//! Writers leave a complete file or none; [`file_set`] does the same for several files at once.
 //!
-//! What a reader leaves out or assumes it says by a [`ReadNote`], whose row in [`OMISSIONS`] says what was
-//! met and what was done. [`read_height_file`] and [`inspect`](inspect()) give them, and [`read_notes`] for
-//! other pictures.
+//! A reader returns a [`ReadNote`] for everything that it ignores or assumes. The note's row in
+//! [`OMISSIONS`] describes the case and the treatment. [`read_height_file`] and
+//! [`inspect`](inspect()) return notes; [`read_notes`] returns them for other pictures.
 //!
-//! Every reader takes a [`Source`]: a file's path, or the bytes of a file that are in memory already.
+//! Every reader takes a [`Source`]: a file's path, or the bytes of a file that are already in
+//! memory.
 //!
 //! # Memory
 //!
-//! Headers are checked against [`HeightOptions::max_bytes`] and against the file's length before memory is
-//! taken for what they claim. Pictures are decoded row by row or block by block: reading a height map peaks
-//! at 8 bytes a texel and 32 MiB, with these exceptions, which `max_bytes` covers all the same. A
-//! *progressive colour JPEG* takes 9 bytes a texel and the file's length. An EXR or TIFF *block* (tile,
-//! strip, or the 16 to 256 rows of a compressed EXR block, all channels) is held two or three times: where
-//! the whole picture is one block, as a TIFF with a single strip, that is up to three times its uncompressed
-//! size.
+//! Headers are checked against [`HeightOptions::max_bytes`] and the file's length before memory is
+//! allocated for their claims. Pictures are decoded row by row or block by block: reading a height
+//! map peaks at 8 bytes a texel and 32 MiB. There are two exceptions, which `max_bytes` covers all
+//! the same. A *progressive colour JPEG* takes 9 bytes a texel and the file's length. An EXR or
+//! TIFF *block* (tile, strip, or the 16 to 256 rows of a compressed EXR block, all channels) is
+//! held two or three times. If the whole picture is one block, such as a TIFF with a single strip,
+//! that is up to three times its uncompressed size.
 //!
-//! Bytes in memory are decoded where they are. Only the decoder of JPEG copies them whole, as it does a
-//! file's.
+//! Bytes in memory are decoded in place. Only the decoder of JPEG copies them whole, as it also
+//! does with a file.
 //!
 //! ```
 //! use relief_io::{HeightOptions, Source, read_height};
@@ -108,9 +110,9 @@ pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspec
 pub use layout::{Channel, Format, SampleKind, SampleType};
 pub use length::{LengthError, metres};
 pub use mesh::{
-    GlbLayout, GlbLevel, GlbMaterials, GlbNode, MAX_SHELLS, MeshColors, MeshCounts, MeshFile, MeshFormat,
-    MeshMaterial, MeshOptions, MeshSink, Quantization, Shells, Standing, Up, beside_file, files_of_mesh,
-    read_mesh, read_mesh_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_standing, write_shells,
+    FileFrame, GlbLayout, GlbLevel, GlbMaterials, GlbNode, MAX_SHELLS, MeshColors, MeshCounts, MeshFile,
+    MeshFormat, MeshMaterial, MeshOptions, MeshSink, Quantization, Shells, Up, beside_file, files_of_mesh,
+    read_mesh, read_mesh_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_in_frame, write_shells,
 };
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use omissions::{OMISSIONS, Omission, ReadNote, Remark, read_notes};

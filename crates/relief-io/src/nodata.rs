@@ -1,28 +1,28 @@
-//! Which stored numbers mark texels without a value.
+//! Markers of texels without a value.
 
 use half::f16;
 
 use crate::layout::{SampleKind, SampleType};
 
-/// No height is that large, whatever its unit. Numbers beyond it are limits of their type, which programs
+/// Upper bound of heights in any unit. Greater numbers are limits of their type, which programs
 /// write with more or fewer digits.
 pub(crate) const NO_HEIGHT: f64 = 1e30;
 
-/// A number that marks texels without a value, for samples of one type.
+/// Marker of texels without a value, for samples of one type.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Marker {
-    /// This number.
+    /// Exactly this number.
     Number(f64),
-    /// Every number that a float of 32 bit makes this one of: those written by programs that reckon in
-    /// floats, stored in doubles.
+    /// Every number that rounds to this `f32`. Programs that compute in floats store such numbers
+    /// as doubles.
     Float(f32),
-    /// Every number of at least [`NO_HEIGHT`] with the sign of this one.
+    /// Every number of at least [`NO_HEIGHT`] in size with the sign of this one.
     Limit(f64),
 }
 
 impl Marker {
-    /// A number as it is declared in a file or given by a user, which need not have the digits that are
-    /// stored.
+    /// Creates a marker from a number that a file declares or a user gives, which may have fewer
+    /// digits than the stored one.
     pub(crate) fn new(number: f64, sample: SampleType) -> Self {
         let float = number as f32;
         match (sample.kind, sample.bits) {
@@ -34,7 +34,7 @@ impl Marker {
         }
     }
 
-    /// Whether a stored number is such a mark.
+    /// Whether a stored number marks a texel without a value.
     pub(crate) fn marks(self, stored: f64) -> bool {
         match self {
             Self::Number(number) => stored == number,
@@ -49,7 +49,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_number_marks_what_is_stored_for_it() {
+    fn numbers_match_their_stored_form() {
         let double = SampleType::float(64);
         for (declared, sample, stored, marks) in [
             (-9999.0, SampleType::float(32), -9999.0, true),

@@ -1,4 +1,4 @@
-//! Tangent-space normal maps.
+//! Reader of tangent-space normal maps.
 
 use std::fmt;
 use std::str::FromStr;
@@ -10,7 +10,7 @@ use crate::layout::{Layout, SampleKind};
 use crate::picture::collect;
 use crate::{ReadError, ReadProblem, Source};
 
-/// Which way the green channel of a normal map points.
+/// Direction of a normal map's green channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum GreenSign {
     /// Up in the picture (OpenGL, glTF, Blender, Godot, Unity): `+y`.
@@ -21,7 +21,7 @@ pub enum GreenSign {
 }
 
 impl GreenSign {
-    /// The name used on the command line.
+    /// Name used on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             GreenSign::PlusY => "+y",
@@ -39,7 +39,7 @@ impl fmt::Display for GreenSign {
 impl FromStr for GreenSign {
     type Err = UnknownName;
 
-    /// Also by `up` and `down`, or by who has it so: `opengl` and `directx`.
+    /// Parses `+y` and `-y`, `up` and `down`, or `opengl` and `directx`, in any case.
     fn from_str(name: &str) -> Result<Self, UnknownName> {
         let all = [
             ("+y", GreenSign::PlusY),
@@ -54,7 +54,7 @@ impl FromStr for GreenSign {
     }
 }
 
-/// A normal map, row by row from the top.
+/// Normal map, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalMap {
     /// Width in texels.
@@ -64,19 +64,21 @@ pub struct NormalMap {
     /// Unit normals: `x` along growing `u`, `y` up in the picture (along falling `v`), `z` out of the
     /// surface.
     pub normals: Vec<[f32; 3]>,
-    /// How many texels held no direction (shorter than [`SHORTEST`], or not finite) and became `(0, 0, 1)`.
+    /// Number of texels without a direction (shorter than [`SHORTEST`], or not finite). They are
+    /// set to `(0, 0, 1)`.
     pub degenerate: u64,
 }
 
-/// A decoded normal shorter than this has lost its direction: 8-bit rounding alone moves it by 0.007.
+/// Least length of a decoded normal that has a direction. Rounding to 8 bits alone moves a normal
+/// by 0.007.
 pub const SHORTEST: f32 = 0.1;
 
 const NORMAL_BYTES_PER_TEXEL: u64 = 12;
 
-/// While opacity is parted from the vectors there are both.
+/// While opacity is split from the vectors, memory holds both.
 const BYTES_PER_TEXEL_WITH_OPACITY: u64 = 32;
 
-/// What the texels of a normal map's file stand for, before anything is made of them.
+/// Decoded vectors of a normal map's file, before they are normalised.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalVectors {
     /// Width in texels.
@@ -85,28 +87,29 @@ pub struct NormalVectors {
     pub height: u32,
     /// `x`, `y` and `z` of each texel, of any length and perhaps not finite, row by row from the top.
     pub vectors: Vec<[f32; 3]>,
-    /// Opacity of each texel from 0 to 1, where the file has it. What it holds is not known: some files mark
-    /// texels without a normal by it, others keep heights or the normals' `x` there.
+    /// Opacity of each texel from 0 to 1, if the file has it. Its meaning varies: some files mark
+    /// texels without a normal by it, others store heights or the normals' `x` there.
     pub opacity: Option<Vec<f32>>,
-    /// The greatest integer, 255 say, that components are stored in; none of floats.
+    /// Greatest integer of the components, such as 255; none for floats.
     pub most: Option<u32>,
 }
 
 impl NormalVectors {
-    /// The same with `x` and `y` of the two integers around the middle moved to the mean of what was rounded
-    /// to them.
+    /// Moves `x` and `y` of the two integers around the middle to the mean of the values that were
+    /// rounded to them.
     ///
-    /// No integer stands for 0: 128 of 255 is 1/255, 127 is -1/255, and whoever writes a level normal takes
-    /// one of both. Level parts of a map lean by 0.2° then, which shading does not show and integration adds
-    /// up to a ramp. So the texels of an integer that are more than the mean of its two neighbours' are taken
-    /// for exact zeros, and the integer for the mean of those and of the others: 0 where nothing but level
-    /// normals has it, and hardly other than before where none has. What that moves is at most 1/255.
+    /// No integer stands for 0: 128 of 255 is 1/255, 127 is -1/255, and a writer of level normals
+    /// picks one of them. Level parts of a map then lean by 0.2°. Shading does not show it, but
+    /// integration adds it up to a ramp. Therefore the texels of an integer in excess of the mean
+    /// of its two neighbours' counts are taken as exact zeros. The integer is replaced by the mean
+    /// of these zeros and its other texels. The result is 0 if only level normals have the integer,
+    /// and almost unchanged if none has. It moves a component by at most 1/255.
     #[must_use]
     pub fn with_zero_centred(mut self) -> Self {
         let Some(most) = self.most.map(f64::from) else { return self };
         for axis in 0..2 {
-            // How many texels hold each of the four integers around the middle: -3, -1, 1 and 3 over the
-            // greatest.
+            // Numbers of texels with each of the four integers around the middle: -3, -1, 1 and 3
+            // over the greatest.
             let place = |value: f32| {
                 let steps = (f64::from(value) * most).round();
                 [-3.0, -1.0, 1.0, 3.0].iter().position(|&known| known == steps)
@@ -132,11 +135,12 @@ impl NormalVectors {
     }
 }
 
-/// Reads a normal map, from a file or from the bytes of one: from the channels red, green and blue (or `x`,
-/// `y` and `z`), whose `green` points as told.
+/// Reads a normal map from a file or from the bytes of one. It uses the channels red, green and
+/// blue (or `x`, `y` and `z`); `green` is the direction of the green channel.
 ///
-/// Vectors are those of [`read_normal_vectors`]. They are then scaled to length 1; a texel without a
-/// direction becomes `(0, 0, 1)` and is counted. At most `max_bytes` of memory are taken, 12 bytes a texel.
+/// Vectors are read as by [`read_normal_vectors`], then scaled to length 1. A texel without a
+/// direction becomes `(0, 0, 1)` and is counted. At most `max_bytes` of memory are used: 12 bytes a
+/// texel.
 ///
 /// # Errors
 ///
@@ -162,17 +166,17 @@ pub fn read_normal_map<'a>(
     Ok(NormalMap { width, height, normals, degenerate })
 }
 
-/// Reads what the texels of a normal map stand for, from a file or from the bytes of one: from the channels
+/// Reads the vectors of a normal map from a file or from the bytes of one. It uses the channels
 /// red, green and blue, or `x`, `y` and `z`, and opacity.
 ///
-/// Unsigned integers of up to 16 bit stand for `2 s / maximum - 1` (glTF 2.0, 3.9.3). Floats are taken as
-/// they are where the channels are `x`, `y` and `z` or any value is negative; otherwise as they are or as
-/// `2 s - 1`, whichever gives lengths nearer to 1. At most `max_bytes` of memory are taken, 12 bytes a texel, and 32 of
-/// files with opacity.
+/// Unsigned integers `s` of up to 16 bit stand for `2 s / maximum - 1` (glTF 2.0, 3.9.3). Floats
+/// are used unchanged if the channels are `x`, `y` and `z`, or if any value is negative. Otherwise
+/// they are used unchanged or as `2 s - 1`, whichever gives lengths nearer to 1. At most
+/// `max_bytes` of memory are used: 12 bytes a texel, and 32 for files with opacity.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is damaged, too large, not a picture, or has none of these channels.
+/// When the file cannot be read, is damaged, too large, not a picture, or lacks these channels.
 pub fn read_normal_vectors<'a>(
     source: impl Into<Source<'a>>,
     max_bytes: u64,
@@ -216,7 +220,7 @@ fn unpacked(vector: [f32; 3]) -> [f32; 3] {
     vector.map(|value| 2.0 * value - 1.0)
 }
 
-/// Whether floats are directions as they stand.
+/// Whether floats are components of directions without unpacking.
 fn is_signed(vectors: &[[f32; 3]]) -> bool {
     let off = |vector: [f32; 3]| {
         let off = f64::from((length(vector) - 1.0).abs());
@@ -226,7 +230,7 @@ fn is_signed(vectors: &[[f32; 3]]) -> bool {
         || vectors.iter().map(|&vector| off(vector) - off(unpacked(vector))).sum::<f64>() < 0.0
 }
 
-/// The three channels, and whether their names say that they hold a vector.
+/// Finds the three channels, and whether their names say that they hold a vector.
 fn normal_channels(layout: &Layout) -> Result<([usize; 3], bool), ReadProblem> {
     let named = |names: [&str; 3]| match names.map(|name| layout.channel(name)) {
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),

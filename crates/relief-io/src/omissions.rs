@@ -1,5 +1,5 @@
-//! What readers meet in files and leave out, assume, or take in another way than a user may expect. Every
-//! such thing is a row of one table, and every note that is given of it names its row.
+//! Table of everything that readers ignore, assume, or treat differently than a user may expect.
+//! Every note names its row of the table.
 
 use std::fmt;
 use std::path::PathBuf;
@@ -7,25 +7,25 @@ use std::path::PathBuf;
 use crate::image_file::ImageFile;
 use crate::{DEFAULT_MAX_BYTES, ReadError, Source};
 
-/// A row of the table of what readers meet.
+/// Row of the table of notes.
 #[derive(Debug, PartialEq, Eq, Hash)]
 pub struct Omission {
-    /// The name by which programs know it, as in `undeclared-nodata`.
+    /// Name for programs, such as `undeclared-nodata`.
     pub name: &'static str,
-    /// The reader that meets it: of heights, of meshes or of pictures, or a format.
+    /// Reader that gives the note: of heights, of meshes or of pictures, or a format.
     pub reader: &'static str,
-    /// What it meets.
-    pub met: &'static str,
-    /// What it does then.
-    pub done: &'static str,
+    /// Content of the file that causes the note.
+    pub case: &'static str,
+    /// Treatment by the reader.
+    pub treatment: &'static str,
 }
 
-/// Declares the rows, each a constant, and the list of all of them.
+/// Declares the rows, each as a constant, and the list of all rows.
 macro_rules! omissions {
-    ($($row:ident: $name:literal, $reader:literal, $met:literal, $done:literal;)*) => {
+    ($($row:ident: $name:literal, $reader:literal, $case:literal, $treatment:literal;)*) => {
         $(
-            #[doc = concat!("Met by the reader of ", $reader, ": ", $met, ". Then: ", $done, ".")]
-            pub const $row: Omission = Omission { name: $name, reader: $reader, met: $met, done: $done };
+            #[doc = concat!("Note on ", $reader, ": ", $case, ". Treatment: ", $treatment, ".")]
+            pub const $row: Omission = Omission { name: $name, reader: $reader, case: $case, treatment: $treatment };
         )*
 
         /// All rows.
@@ -36,56 +36,56 @@ macro_rules! omissions {
 // A new row needs a file that makes it appear: `FEEDS` in `crates/relief-cli/tests/pictures/notes.rs`.
 omissions! {
     UNDECLARED_NODATA: "undeclared-nodata", "heights",
-        "a value far beyond all others, which no file and no user declares as a value for none",
-        "it is taken for a height";
+        "a value far from all others, which neither the file nor the user declares as nodata",
+        "it is read as a height";
     NEAR_NODATA: "near-nodata", "heights",
-        "values that are the declared value for none but for a little, as lossy compression leaves it",
+        "values that nearly equal the declared nodata value, after lossy compression",
         "their texels have no value";
     ABSENT_NODATA: "absent-nodata", "heights",
-        "a value for none that is given, and that no texel has",
+        "a nodata value that is given, but that no texel has",
         "all texels keep their values";
     NARROW_RANGE: "narrow-range", "heights",
-        "integers that use less than a tenth of what their type holds",
+        "integers that use less than a tenth of their type's range",
         "heights 0 and 1 are the type's least and greatest value";
     FITTED_RANGE: "fitted-range", "heights",
-        "floats between 0 and 1 that use less than nine tenths of it",
+        "floats between 0 and 1 that use less than nine tenths of this range",
         "heights 0 and 1 are their least and greatest value";
     NEARLY_GREY: "nearly-grey", "heights",
         "red, green and blue that are nearly equal",
         "their mean is the height";
     FILLED: "filled", "heights",
-        "texels without a value, with nothing said of them",
+        "texels without a value, without an option for them",
         "they are filled from their surroundings";
     HOLES: "holes", "heights",
-        "texels without a value where holes are asked for",
-        "what is behind them is seen";
+        "texels without a value, with the option for open holes",
+        "the surface is open there";
     NO_HOLES: "no-holes", "heights",
-        "no texel without a value where holes are asked for",
-        "the whole surface is seen";
+        "no texel without a value, with the option for open holes",
+        "the surface has no openings";
     NAMED_LIKE_DEPTH: "named-like-depth", "heights",
-        "a name as depth maps have",
-        "white is high all the same";
+        "a file name that is usual for depth maps",
+        "white is high nevertheless";
     UNITS: "units", "heights",
-        "heights or a ground whose unit is not named or not known, or heights that are no metres",
-        "the unit of the other is taken, or metres are not known";
+        "heights or a ground whose unit is not named or not known, or heights that cannot be metres",
+        "both share the unit of one, or metres are not known";
     UNWEIGHTED: "unweighted-vertices", "meshes",
         "vertices of a skin whose weights add up to 0",
         "each follows its first joint";
     ABSENT_COORDINATES: "absent-coordinates", "meshes",
-        "a material whose picture lies by texture coordinates that are not there",
-        "the mesh's own coordinates are taken";
+        "a material whose picture needs texture coordinates that the mesh lacks",
+        "the mesh's own coordinates are used";
     UNREAD_PICTURE: "unread-picture", "meshes",
-        "a material's picture in a format that is not read, or a texture without a picture",
-        "the material has its colour alone";
+        "a material's picture in an unsupported format, or a texture without a picture",
+        "the material has only its colour";
     OTHER_PICTURES: "other-pictures", "meshes",
         "materials with pictures of normals, metal, roughness, occlusion or emission",
         "they are left out";
     MTL: "mtl", "meshes",
-        "an OBJ that names a file of materials",
+        "an OBJ that refers to a file of materials",
         "its materials are left out";
     BLENDED: "blended", "meshes",
-        "a material that is blended with what is behind it",
-        "it is opaque where its opacity is at least 0.5, and nothing elsewhere";
+        "a material that is blended with its background",
+        "it is opaque where its opacity is at least 0.5, and invisible elsewhere";
     UNEVEN_COLORS: "uneven-colours", "meshes that are drawn",
         "triangles whose vertices have several colours",
         "each triangle has the mean of its vertices' colours";
@@ -96,14 +96,14 @@ omissions! {
         "a material's picture where the height map is tiled",
         "the picture is tiled as the height map is";
     UNWRITTEN_MATERIALS: "unwritten-materials", "meshes that are displaced",
-        "materials of the base mesh in a format, strips or a plane that has none, or more than are drawn",
-        "the file that is written has none of them";
+        "materials of the base mesh that the format, strips or a plane cannot have, or more than are drawn",
+        "the written file has none of them";
     NO_ORIENTATION: "no-orientation", "pictures",
-        "an orientation that is none of 1 to 8",
+        "an orientation that is not from 1 to 8",
         "the picture is read as it is stored";
     ORIENTATION_ON_GROUND: "orientation-on-ground", "pictures",
-        "an orientation beside a place on the ground",
-        "rows are read as the place says";
+        "an orientation in a picture with a georeference",
+        "rows are read as the georeference says";
     PAGES: "pages", "pictures",
         "several pages of a TIFF",
         "the first is read";
@@ -112,54 +112,54 @@ omissions! {
         "0 is black";
     LONG_OPACITY: "long-opacity", "pictures",
         "opacity of a PNG without an alpha channel (chunk tRNS) that is longer than its colours allow",
-        "it is followed in part, or not at all";
+        "it is applied in part, or not at all";
     DISPLAY_WINDOW: "display-window", "pictures",
-        "an EXR whose display window is another than its data window",
+        "an EXR whose display window differs from its data window",
         "the data window is read";
     ANIMATION: "animation", "pictures",
         "an animation in a PNG or WebP file",
-        "the picture that is shown without it is read; of WebP the first";
+        "the PNG's still picture is read, or the WebP's first picture";
     ORIENTATION_IN_GLTF: "orientation-in-gltf", "meshes",
-        "a picture with an orientation that a glTF names",
+        "a picture of a glTF with an orientation",
         "it is read as it is stored, as viewers of glTF do";
 }
 
-/// Something that a reader met in a file.
+/// Remark of a reader on a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remark {
-    /// The row of the table.
+    /// Row of the table.
     pub row: &'static Omission,
-    /// What was met in this file, as a sentence without a full stop.
+    /// Description of the case in this file, as a sentence without a full stop.
     pub text: String,
-    /// The value of an option that reads the file in another way, where there is one: a number, or numbers
-    /// between commas.
+    /// Value of an option that reads the file in another way, if there is one: a number, or numbers
+    /// separated by commas.
     pub mend: Option<String>,
 }
 
 impl Remark {
-    /// A remark without an option that mends it.
+    /// Creates a remark without an option's value.
     pub fn new(row: &'static Omission, text: impl Into<String>) -> Self {
         Self { row, text: text.into(), mend: None }
     }
 
-    /// The same with the value of an option.
+    /// Adds the value of an option.
     #[must_use]
     pub fn with_mend(self, mend: impl Into<String>) -> Self {
         Self { mend: Some(mend.into()), ..self }
     }
 
-    /// A note of a file.
+    /// Turns the remark into a note on a file.
     pub fn of(self, path: impl Into<PathBuf>) -> ReadNote {
         ReadNote { path: path.into(), remark: self }
     }
 }
 
-/// What a reader met in a file of that name.
+/// Note on a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReadNote {
-    /// The file's path, or the name given with its bytes.
+    /// Path of the file, or the name given with its bytes.
     pub path: PathBuf,
-    /// What it met.
+    /// Remark on the file.
     pub remark: Remark,
 }
 
@@ -169,12 +169,13 @@ impl fmt::Display for ReadNote {
     }
 }
 
-/// What the header of a picture's file says that reading it does not follow, or tells of that is not read. No
-/// sample is decoded. Of heights [`crate::read_height_file`] says this, too, and more.
+/// Returns notes on everything in a picture's header that readers do not apply or read. No sample
+/// is decoded. For heights, [`crate::read_height_file`] returns these notes and more.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is none of the formats that are recognised by their content, or is damaged.
+/// When the file cannot be read, is in none of the formats that are recognised by content, or is
+/// damaged.
 pub fn read_notes<'a>(source: impl Into<Source<'a>>) -> Result<Vec<ReadNote>, ReadError> {
     let source = source.into();
     let file =

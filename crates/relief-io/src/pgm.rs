@@ -1,5 +1,5 @@
-//! Netpbm grey and colour maps, plain and binary, 8 and 16 bit: P2, P3, P5, P6. Samples are divided by the
-//! file's maxval.
+//! Reader of Netpbm grey and colour maps, plain and binary, 8 and 16 bit: P2, P3, P5, P6. Samples
+//! are divided by the file's maxval.
 
 use std::io::{BufRead, Read};
 
@@ -82,8 +82,8 @@ impl<'a> PgmFile<'a> {
     }
 }
 
-/// The next decimal number, after white space and comments (`#` to the end of the line); with it goes the one
-/// separator after it.
+/// Reads the next decimal number after white space and comments (`#` to the end of the line), and
+/// one separator after it.
 fn number(file: &mut SourceReader<'_>) -> Result<u32, ReadProblem> {
     let mut value: Option<u32> = None;
     let mut comment = false;
@@ -109,10 +109,7 @@ fn number(file: &mut SourceReader<'_>) -> Result<u32, ReadProblem> {
             }
             b'#' if value.is_none() => comment = true,
             _ => {
-                return Err(ReadProblem::damaged(
-                    "PGM",
-                    "something that is no number stands among its numbers",
-                ));
+                return Err(ReadProblem::damaged("PGM", "there is something else among its numbers"));
             }
         }
     }

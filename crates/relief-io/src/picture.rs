@@ -1,53 +1,53 @@
-//! Colour pictures for shading, in linear light.
+//! Reader of colour pictures for shading, in linear light.
 
 use crate::image_file::ImageFile;
 use crate::layout::{Layout, SampleKind};
 use crate::orientation::Line;
 use crate::{ReadError, ReadProblem, Source};
 
-/// A picture in linear light (BT.709 primaries where the file is sRGB), row by row from the top.
+/// Picture in linear light (BT.709 primaries if the file is sRGB), row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// Width in texels.
     pub width: u32,
     /// Height in texels.
     pub height: u32,
-    /// Red, green, blue and opacity of each texel. Opacity is 1 where the file has none; colours are not
-    /// multiplied by it. Float files may hold colours above 1 and below 0.
+    /// Red, green, blue and opacity of each texel. Opacity is 1 if the file has none; colours are
+    /// not multiplied by it. Float files may hold colours above 1 and below 0.
     pub texels: Vec<[f32; 4]>,
 }
 
 const PICTURE_BYTES_PER_TEXEL: u64 = 16;
 
-/// By which curve integer samples of up to 16 bit were made of light.
+/// Transfer curve of integer samples of up to 16 bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Curve {
-    /// That of sRGB (IEC 61966-2-1).
+    /// The sRGB curve (IEC 61966-2-1).
     #[default]
     Srgb,
-    /// None: samples are proportional to light.
+    /// No curve: samples are proportional to light.
     Linear,
 }
 
-/// Reads a picture from a file or from the bytes of one, as [`read_picture_as`] does. Its integers are sRGB
-/// unless the file, a PNG, says that they are linear: by a gamma of 1 (chunk `gAMA`) or by a transfer
-/// function (`cICP`).
+/// Reads a picture like [`read_picture_as`], with the curve that the file declares. Integers are
+/// sRGB, unless a PNG declares them as linear by a gamma of 1 (chunk `gAMA`) or a transfer function
+/// (`cICP`).
 ///
 /// # Errors
 ///
-/// As [`read_picture_as`].
+/// See [`read_picture_as`].
 pub fn read_picture<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<Picture, ReadError> {
     let source = source.into();
     let open = || ImageFile::open(source, None, PICTURE_BYTES_PER_TEXEL, max_bytes);
     open().and_then(|file| read(file, None)).map_err(|problem| source.error(problem))
 }
 
-/// Reads a picture of a glTF: as it is stored, whatever it says of its orientation, and in sRGB, whatever it
-/// says of its colours (glTF 2.0, 3.8.4.1). Says as well whether an orientation was left out.
+/// Reads a picture of a glTF: as it is stored, ignoring its orientation, and in sRGB, ignoring its
+/// colour chunks (glTF 2.0, 3.8.4.1). Also returns whether an orientation was ignored.
 ///
 /// # Errors
 ///
-/// As [`read_picture_as`].
+/// See [`read_picture_as`].
 pub(crate) fn read_gltf_picture(source: Source<'_>, max_bytes: u64) -> Result<(Picture, bool), ReadError> {
     let read = || {
         let file = ImageFile::open(source, None, PICTURE_BYTES_PER_TEXEL, max_bytes)?;
@@ -57,14 +57,14 @@ pub(crate) fn read_gltf_picture(source: Source<'_>, max_bytes: u64) -> Result<(P
     read().map_err(|problem| source.error(problem))
 }
 
-/// Reads a picture from a file or from the bytes of one: integers of up to 16 bit are decoded by the curve,
-/// floats are linear as they are. Grey becomes three equal channels. At most `max_bytes` of memory are taken,
-/// 16 bytes a texel. It is turned as the file says.
+/// Reads a picture from a file or from the bytes of one. Integers of up to 16 bit are decoded by
+/// `curve`; floats are linear. Grey becomes three equal channels. The picture is turned by its
+/// orientation. At most `max_bytes` of memory are used: 16 bytes a texel.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is damaged, too large, not a picture, has channels that make no colour, or
-/// holds a NaN or an infinite value.
+/// When the file cannot be read, is damaged, too large or not a picture; when its channels are not
+/// colours; or when it holds a NaN or an infinite value.
 pub fn read_picture_as<'a>(
     source: impl Into<Source<'a>>,
     curve: Curve,
@@ -81,7 +81,7 @@ fn read(file: ImageFile<'_>, curve: Option<Curve>) -> Result<Picture, ReadProble
     let layout = file.layout().clone();
     let channels = colour_channels(&layout)?;
     let transfer = Transfer::of(&layout, channels[0], curve)?;
-    // Colours come first, opacity last: of grey one colour, of colour three.
+    // Colours come first (one for grey, else three), then opacity.
     let colours = if channels.len() >= 3 { 3 } else { 1 };
     let texels = collect(file, &channels, [0.0; 4], |samples| {
         let colour = |channel: usize| transfer.linear(samples[channel.min(colours - 1)]);
@@ -98,7 +98,7 @@ fn read(file: ImageFile<'_>, curve: Option<Curve>) -> Result<Picture, ReadProble
     Ok(Picture { width: layout.width, height: layout.height, texels })
 }
 
-/// Reads every texel's chosen channels and keeps what `texel` makes of them.
+/// Reads the chosen channels of every texel, and collects the results of `texel`.
 pub(crate) fn collect<T: Copy>(
     file: ImageFile<'_>,
     channels: &[usize],
@@ -123,7 +123,7 @@ pub(crate) fn collect<T: Copy>(
     Ok(texels)
 }
 
-/// The channels of a picture: red, green, blue or grey, then opacity where there is one.
+/// Channels of a picture: red, green, blue or grey, then opacity if there is one.
 fn colour_channels(layout: &Layout) -> Result<Vec<usize>, ReadProblem> {
     let [y, r, g, b, a] = ["y", "r", "g", "b", "a"].map(|name| layout.channel(name));
     let mut channels = match (r, g, b, y) {
@@ -138,9 +138,9 @@ fn colour_channels(layout: &Layout) -> Result<Vec<usize>, ReadProblem> {
     Ok(channels)
 }
 
-/// How samples become light.
+/// Conversion of samples to light.
 enum Transfer {
-    /// Linear values by sample, and the sample that stands for 1.
+    /// Table of linear values by sample, and the sample of value 1.
     Table(Vec<f32>, f64),
     Linear,
 }
@@ -180,12 +180,12 @@ impl Transfer {
     }
 }
 
-/// The sRGB curve (IEC 61966-2-1), from encoded to linear, both in `[0, 1]`.
+/// Decodes a value by the sRGB curve (IEC 61966-2-1). Both values are in `[0, 1]`.
 pub fn srgb_to_linear(encoded: f64) -> f64 {
     if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }
 
-/// The sRGB curve from linear to encoded, both in `[0, 1]`.
+/// Encodes a linear value by the sRGB curve. Both values are in `[0, 1]`.
 pub fn linear_to_srgb(linear: f64) -> f64 {
     if linear <= 0.003_130_8 { linear * 12.92 } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }

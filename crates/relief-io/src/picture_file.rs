@@ -1,4 +1,4 @@
-//! Pictures to files, a row after the other, so that no memory need hold them.
+//! Writer of pictures, row by row, so that they need not fit into memory.
 
 use std::io;
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::write::write_png;
 use crate::write_whole::write_file;
 use crate::{Metadata, WriteError, WriteProblem};
 
-/// What a picture's file holds.
+/// Format of a picture's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PictureFormat {
     /// PNG with 8 bits a sample, marked as sRGB.
@@ -20,27 +20,28 @@ pub enum PictureFormat {
     Png16,
     /// EXR: linear 32-bit floats in the channels R, G and B, with the primaries of sRGB.
     Exr,
-    /// JPEG of a high quality, in sRGB, as programs take it to be.
+    /// JPEG of high quality, in sRGB, which programs assume.
     Jpeg,
 }
 
 impl PictureFormat {
-    /// Whether colours are linear light of any amount; else they are sRGB from 0 to 1.
+    /// Whether colours are linear light of any amount. Otherwise they are sRGB from 0 to 1.
     pub const fn is_linear(self) -> bool {
         matches!(self, PictureFormat::Exr)
     }
 }
 
-/// Takes the next row of a picture: red, green and blue of each pixel.
+/// Receiver of the next row of a picture: red, green and blue of each pixel.
 pub type PictureSink<'a> = dyn FnMut(&[[f32; 3]]) -> io::Result<()> + 'a;
 
-/// Writes a picture whose rows `rows` hands over, from the top: linear or in sRGB as the format
-/// [says](PictureFormat::is_linear). What is outside of 0 to 1 is cut off where the format cannot hold it.
+/// Writes a picture. `rows` passes the rows to its argument, from the top: linear or in sRGB,
+/// depending on the [format](PictureFormat::is_linear). Values outside 0 to 1 are clamped if the
+/// format cannot hold them.
 ///
 /// # Errors
 ///
-/// When the size is 0 or more than the format can hold, when `rows` fails or hands over rows of another
-/// length or another number of them, or when the file cannot be written. Nothing is left behind then.
+/// When the size is 0 or too large for the format, when `rows` fails or passes rows of a wrong
+/// length or number, or when the file cannot be written. Nothing is left behind then.
 pub fn write_picture(
     path: &Path,
     [width, height]: [u32; 2],
@@ -88,7 +89,7 @@ pub fn write_picture(
     })
 }
 
-/// Passes rows on, and finds out whether they are those of a picture of that size.
+/// Passes rows on, and checks that they match the picture's size.
 fn counted(
     [width, height]: [u32; 2],
     rows: impl FnOnce(&mut PictureSink) -> io::Result<()>,
@@ -103,5 +104,5 @@ fn counted(
         }
         sink(row)
     })?;
-    if count == height { Ok(()) } else { wrong(format!("{count} rows of a picture of {width}x{height}")) }
+    if count == height { Ok(()) } else { wrong(format!("{count} rows for a picture of {width}x{height}")) }
 }

@@ -1,8 +1,8 @@
-//! PNG, row by row: grey, grey with alpha, colour, colour with alpha and palettes, 1 to 16 bit, interlaced
-//! too.
+//! Reader of PNG, row by row: grey, grey with alpha, colour, colour with alpha and palettes, 1 to
+//! 16 bit, also interlaced.
 //!
-//! Samples are the stored ones. Of chunks about colours only the word that samples are linear is followed, in
-//! pictures.
+//! Samples are read as stored. Of the chunks about colours, only a declaration of linear samples is
+//! used, for pictures.
 
 mod chunks;
 
@@ -17,11 +17,11 @@ use crate::layout::{Format, Layout, SampleType, Sink, Span};
 use crate::omissions::{ANIMATION, LONG_OPACITY, Remark};
 use crate::source::SourceReader;
 
-/// What the decoder may take for chunks other than image data; a row of the widest height map needs half of
-/// it.
+/// Memory limit of the decoder for chunks other than image data. A row of the widest height map
+/// needs half of it.
 const DECODER_BYTES: usize = 16 << 20;
 
-/// Deflate turns one byte into at most 1032.
+/// Greatest ratio of Deflate: one byte expands to at most 1032.
 const DEFLATE_RATIO: u64 = 1032;
 
 /// Left-most column, top row, column step and row step of each of the seven passes of Adam7 (PNG
@@ -32,15 +32,15 @@ const ADAM7: [[u32; 4]; 7] =
 pub(crate) struct PngFile<'a> {
     reader: Reader<SourceReader<'a>>,
     layout: Layout,
-    /// What the decoder has multiplied samples of less than 8 bit by, to fill 8 bit.
+    /// Factor by which the decoder has multiplied samples of less than 8 bit, to fill 8 bit.
     expansion: u8,
 }
 
 impl<'a> PngFile<'a> {
     pub(crate) fn open(input: Input<'a>) -> Result<Self, ReadProblem> {
-        // The decoder owns the file, and the size has to be known before the decoder goes on: so the header
-        // is read twice, first by hand. Its place is fixed: signature, then the IHDR chunk (PNG
-        // specification, 5.6).
+        // The decoder owns the file, and the size must be known before the decoder continues.
+        // Therefore the header is read twice, first directly. It is at a fixed position: after the
+        // signature, in the IHDR chunk (PNG specification, 5.6).
         let (mut input, header) = Header::read(input)?;
         let chunks = Chunks::read(&mut input.file);
         input.file.rewind()?;
@@ -75,12 +75,12 @@ impl<'a> PngFile<'a> {
         layout.stated_orientation = chunks.orientation;
         layout.is_linear = chunks.is_linear;
         if chunks.is_animated {
-            let text = "it is an animation: the picture that is shown without it is read";
+            let text = "it is an animation: its still picture is read";
             layout.remarks.push(Remark::new(&ANIMATION, text));
         }
         if let Some([bytes, most]) = chunks.long_opacity {
             let text = format!(
-                "its opacity (chunk tRNS) has {bytes} bytes, where its colours allow {most}: it is followed in \
+                "its opacity (chunk tRNS) has {bytes} bytes, but its colours allow {most}: it is applied in \
                  part, or not at all"
             );
             layout.remarks.push(Remark::new(&LONG_OPACITY, text));
@@ -125,7 +125,7 @@ impl<'a> PngFile<'a> {
         let data = row.as_ref().map_or(&[][..], |row| row.data());
         let sample_bytes = if depth == BitDepth::Sixteen { 2 } else { 1 };
         if data.len() != columns * per_texel * sample_bytes {
-            return Err(ReadProblem::damaged("PNG", "a row is missing or has another length"));
+            return Err(ReadProblem::damaged("PNG", "a row is missing or has a wrong length"));
         }
         samples.clear();
         for texel in data.chunks_exact(per_texel * sample_bytes) {
@@ -141,7 +141,7 @@ impl<'a> PngFile<'a> {
     }
 }
 
-/// The part of the IHDR chunk that says how large the picture is.
+/// Part of the IHDR chunk with the picture's size.
 struct Header {
     width: u32,
     height: u32,

@@ -1,4 +1,5 @@
-//! Headerless 16-bit samples, as Unity, Unreal and World Machine exchange them (`.raw`, `.r16`).
+//! Reader of headerless 16-bit samples, as exchanged by Unity, Unreal and World Machine (`.raw`,
+//! `.r16`).
 
 use std::io::Read;
 
@@ -56,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn layouts_are_read_as_they_are_written() {
+    fn layouts_are_read_back_unchanged() {
         let layout = RawLayout { width: 403, height: 344, order: ByteOrder::Little };
         assert_eq!("403x344,le".parse(), Ok(layout));
         assert_eq!(layout.to_string(), "403x344,le");

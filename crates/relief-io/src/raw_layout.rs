@@ -1,9 +1,9 @@
-//! How headerless files are laid out.
+//! Layout of headerless files.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// Which byte of a 16-bit sample comes first.
+/// Byte order of 16-bit samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ByteOrder {
     /// The low byte first: `le`.
@@ -12,7 +12,8 @@ pub enum ByteOrder {
     Big,
 }
 
-/// The layout of a headerless file: unsigned 16-bit samples, row by row from the top. Written `403x344,le`.
+/// Layout of a headerless file: unsigned 16-bit samples, row by row from the top. Written
+/// `403x344,le`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct RawLayout {
     /// Width in texels, not 0.
@@ -23,10 +24,10 @@ pub struct RawLayout {
     pub order: ByteOrder,
 }
 
-/// The text is no layout of a headerless file.
+/// Error of a text that is not a layout of a headerless file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "'{0}' is no layout of a raw file: write width x height and the byte order, as in 1024x1024,le (or be)"
+    "'{0}' is not a layout of a raw file: write width x height and the byte order, as in 1024x1024,le (or be)"
 )]
 pub struct BadRawLayout(String);
 

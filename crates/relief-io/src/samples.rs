@@ -1,4 +1,4 @@
-//! One channel's raw values, collected from a decoder at 4 bytes a texel, with what has to be known of them.
+//! Raw values of one channel, collected from a decoder at 4 bytes a texel, with statistics.
 
 use crate::ReadProblem;
 use crate::image_file::ImageFile;
@@ -6,51 +6,52 @@ use crate::layout::{Layout, SampleType};
 use crate::nodata::Marker;
 use crate::orientation::Line;
 
-/// How far apart red, green and blue of a grey may be, as a part of the greatest value: what lossy
-/// compression does to it.
+/// Greatest difference of red, green and blue of a grey, relative to the greatest value: the effect
+/// of lossy compression.
 const NEARLY_GREY: f64 = 6.0 / 255.0;
 
 /// Raw values as `f32`, NaN where a texel has none.
 ///
-/// Types wider than `f32` are stored as differences from the first value, so that their rounding is relative
-/// to the range of the values and not to their size (heights far above sea level stay exact to 2^-24 of their
-/// range).
+/// Types wider than `f32` are stored as differences from the first value, so that rounding is
+/// relative to the range of the values and not to their size. Heights far above sea level stay
+/// exact to 2^-24 of their range.
 pub(crate) struct Samples {
     pub width: u32,
     pub height: u32,
     pub values: Vec<f32>,
-    /// The raw value of a stored 0.
+    /// Raw value of a stored 0.
     pub offset: f64,
-    /// Least and greatest raw value; the first is above the second where no texel has a value.
+    /// Least and greatest raw value; the first is above the second if no texel has a value.
     pub extremes: [f64; 2],
-    /// Texels that are NaN, infinite or beyond `f32`.
+    /// Number of texels that are NaN, infinite or beyond `f32`.
     pub not_finite: u64,
-    /// Texels that hold a nodata value: the file's, or one that was given.
+    /// Number of texels with a nodata value: the file's, or the one that was given.
     pub nodata: u64,
-    /// Texels among them that hold the value that was given.
+    /// Number of texels among them with the given nodata value.
     pub given_nodata: u64,
-    /// Texels that the file's mask leaves out, whatever they hold.
+    /// Number of texels that the file's mask excludes, whatever their value.
     pub masked: u64,
-    /// The first texel without a value, in rows from the top.
+    /// Index of the first texel without a value, row by row from the top.
     pub first_hole: Option<usize>,
-    /// Texels whose red, green and blue were nearly, but not quite, equal.
+    /// Number of texels whose red, green and blue were nearly, but not quite, equal.
     pub nearly_grey: u64,
-    /// The sample of white where samples are stored with 0 as white: the raw value is this less the stored
+    /// Sample of white if white is stored as 0: the raw value is this sample minus the stored
     /// number.
     pub white: Option<f64>,
 }
 
-/// Where the samples come from.
+/// Channels from which samples are read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Selection {
     /// One channel.
     Channel(usize),
-    /// Three channels that have to be equal everywhere, or nearly so: compression makes a colour of a grey.
+    /// Three channels that must be equal everywhere, or nearly so, since compression changes a grey
+    /// to a colour.
     Grey([usize; 3]),
 }
 
 impl Selection {
-    /// The channel; of grey the first of them.
+    /// Returns the channel, or the first of the three.
     pub(crate) fn first(&self) -> usize {
         match self {
             Self::Channel(channel) | Self::Grey([channel, ..]) => *channel,
@@ -59,7 +60,8 @@ impl Selection {
 }
 
 impl Samples {
-    /// Reads the texels of a selection. Those that store the file's nodata value or `nodata` have none.
+    /// Reads the texels of a selection. Texels with the file's nodata value or `nodata` have no
+    /// value.
     pub(crate) fn read(
         file: ImageFile<'_>,
         selection: &Selection,
@@ -75,7 +77,7 @@ impl Samples {
         };
         let sample = layout.channels[selection.first()].sample;
         let mut collector = Collector::new(layout, sample, white, nodata)?;
-        // Floats come from no lossy compression.
+        // Floats are not compressed lossily.
         let most_apart = layout.height_full_scale().map_or(0.0, |full| NEARLY_GREY * full);
         let mut means = Vec::new();
         file.decode_mask(selection.first(), &mut |line| {
@@ -96,7 +98,7 @@ impl Samples {
                 }
                 let least = texel.iter().copied().fold(f64::INFINITY, f64::min);
                 let greatest = texel.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-                // Not so where one of them is NaN.
+                // A texel with NaN is not near.
                 let is_near = greatest - least <= most_apart && texel.iter().all(|sample| sample.is_finite());
                 if !is_near {
                     let width = collector.samples.width as usize;
@@ -113,23 +115,23 @@ impl Samples {
         Ok(collector.samples)
     }
 
-    /// The raw value of a stored number, or the other way round: both are the same.
+    /// Converts a stored number to its raw value, or a raw value to its stored number.
     pub(crate) fn raw(&self, stored: f64) -> f64 {
         self.white.map_or(stored, |white| white - stored)
     }
 
-    /// The stored numbers of two raw values, the lesser first.
+    /// Converts two raw values to stored numbers, the lesser first.
     pub(crate) fn stored(&self, values: [f64; 2]) -> [f64; 2] {
         let [a, b] = values.map(|value| self.raw(value));
         [a.min(b), a.max(b)]
     }
 
-    /// The raw values of all texels that have one.
+    /// Iterates over the raw values of all texels that have one.
     pub(crate) fn raw_values(&self) -> impl Iterator<Item = f64> {
         self.values.iter().filter(|value| !value.is_nan()).map(|value| f64::from(*value) + self.offset)
     }
 
-    /// Makes texels of some raw values ones that hold a nodata value. The others have these extremes.
+    /// Turns texels with certain raw values into nodata. `extremes` are the extremes of the others.
     pub(crate) fn forget(&mut self, is_nodata: impl Fn(f64) -> bool, extremes: [f64; 2]) {
         for (at, value) in self.values.iter_mut().enumerate() {
             if !value.is_nan() && is_nodata(f64::from(*value) + self.offset) {
@@ -141,7 +143,7 @@ impl Samples {
         self.extremes = extremes;
     }
 
-    /// How many texels have no value.
+    /// Number of texels without a value.
     pub(crate) fn holes(&self) -> u64 {
         self.not_finite + self.nodata + self.masked
     }
@@ -153,7 +155,7 @@ fn differ(a: f64, b: f64) -> bool {
 
 struct Collector {
     samples: Samples,
-    /// The file's nodata value, and the one that was given.
+    /// Markers of the file's nodata value and of the given one.
     nodata: [Option<Marker>; 2],
     exact: bool,
 }
@@ -187,18 +189,18 @@ impl Collector {
         Ok(Self { samples, nodata, exact: sample.fits_f32() })
     }
 
-    /// Makes room for all of a line. Memory is touched only as far as the decoder has come: a cut-off file
-    /// costs what it holds.
-    fn make_room(&mut self, line: &Line<'_>, count: usize) {
+    /// Extends the values to the end of a line. Memory is touched only as far as the decoder has
+    /// come: a cut-off file costs only its own size.
+    fn extend_to(&mut self, line: &Line<'_>, count: usize) {
         let (values, end) = (&mut self.samples.values, line.end(count));
         if values.len() < end {
             values.resize(end, 0.0);
         }
     }
 
-    /// Marks the texels that a mask leaves out, before their values come.
+    /// Marks the texels that a mask excludes, before their values come.
     fn mask(&mut self, line: &Line<'_>) {
-        self.make_room(line, line.samples.len());
+        self.extend_to(line, line.samples.len());
         let values = &mut self.samples.values;
         for (at, _) in line.places(line.samples.len()).zip(line.samples).filter(|(_, mask)| **mask == 0.0) {
             values[at] = f32::NAN;
@@ -207,7 +209,7 @@ impl Collector {
 
     fn take(&mut self, line: &Line<'_>, channels: usize) {
         let count = line.samples.len() / channels;
-        self.make_room(line, count);
+        self.extend_to(line, count);
         let samples = &mut self.samples;
         for (at, texel) in line.places(count).zip(line.samples.chunks_exact(channels)) {
             let (stored, slot) = (texel[0], &mut samples.values[at]);

@@ -1,4 +1,4 @@
-//! Where a file's bytes come from, and how they are read.
+//! Sources of a file's bytes, and their readers.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 
 use crate::{ReadError, ReadProblem};
 
-/// What a reader reads: a file by its path, or the bytes of one that are in memory.
+/// Input of a reader: a file by its path, or the bytes of a file in memory.
 ///
-/// Every reader takes either. A reference to anything that is a path becomes a source by itself:
+/// Every reader takes either. A reference to any path converts to a source:
 ///
 /// ```no_run
 /// # fn main() -> Result<(), relief_io::ReadError> {
@@ -23,30 +23,30 @@ use crate::{ReadError, ReadProblem};
 /// # }
 /// ```
 ///
-/// Bytes stay where they are: they are decoded row by row or block by block, as files are.
+/// Bytes are not copied: they are decoded row by row or block by block, as files are.
 #[derive(Clone, Copy)]
 pub struct Source<'a> {
-    /// A file's path, or the name given with bytes.
+    /// Path of the file, or the name given with bytes.
     name: &'a Path,
     bytes: Option<&'a [u8]>,
 }
 
 impl<'a> Source<'a> {
-    /// The bytes of a whole file, under a name that errors show.
+    /// Creates a source from the bytes of a whole file, with a name for errors.
     ///
-    /// Formats are recognised by content. The name serves where there is none to recognise: bytes that a name
-    /// as `terrain.r16` says to be headerless need their layout.
+    /// Formats are recognised by content. The name is used if the content shows no format: bytes
+    /// with a name such as `terrain.r16` are headerless and need their layout.
     pub fn bytes(name: &'a (impl AsRef<Path> + ?Sized), bytes: &'a [u8]) -> Self {
         Self { name: name.as_ref(), bytes: Some(bytes) }
     }
 
-    /// The file's path, or the name given with its bytes.
+    /// Returns the file's path, or the name given with its bytes.
     pub fn name(&self) -> &'a Path {
         self.name
     }
 
-    /// The path of the file that lies beside this one under its name and one more extension, if there is
-    /// one. Bytes in memory have no neighbours.
+    /// Returns the path of a sidecar file with the name of this file and one more extension, if it
+    /// exists. Bytes in memory have no sidecars.
     pub(crate) fn beside(&self, extension: &str) -> Option<PathBuf> {
         if self.bytes.is_some() {
             return None;
@@ -57,7 +57,8 @@ impl<'a> Source<'a> {
         Some(self.name.with_file_name(name)).filter(|path| path.is_file())
     }
 
-    /// The path of the file that lies beside this one under its name with another extension, if there is one.
+    /// Returns the path of a sidecar file with this file's name and another extension, if it
+    /// exists.
     pub(crate) fn in_place(&self, extension: &str) -> Option<PathBuf> {
         if self.bytes.is_some() {
             return None;
@@ -65,13 +66,13 @@ impl<'a> Source<'a> {
         Some(self.name.with_extension(extension)).filter(|path| path != self.name && path.is_file())
     }
 
-    /// The folder that it lies in, empty for the current one. Bytes in memory have none.
+    /// Returns the file's folder, empty for the current one. Bytes in memory have none.
     pub(crate) fn folder(&self) -> Option<&'a Path> {
         if self.bytes.is_some() { None } else { Some(self.name.parent().unwrap_or(Path::new(""))) }
     }
 
-    /// All of its bytes, which are not none. `take` is told the length before memory is taken; bytes that are
-    /// in memory already take none.
+    /// Returns all bytes, at least one. `take` gets the length before memory is allocated; bytes in
+    /// memory need no allocation.
     pub(crate) fn whole(
         self,
         take: impl FnOnce(u64) -> Result<(), ReadProblem>,
@@ -88,12 +89,12 @@ impl<'a> Source<'a> {
         Ok(Cow::Owned(bytes))
     }
 
-    /// The error of this problem with it.
+    /// Creates the error of a problem with this source.
     pub(crate) fn error(self, problem: ReadProblem) -> ReadError {
         ReadError { path: self.name.to_owned(), problem }
     }
 
-    /// Opens it, and gives its length in bytes, which is not 0.
+    /// Opens the source, and returns its length in bytes, which is not 0.
     pub(crate) fn open(self) -> Result<(SourceReader<'a>, u64), ReadProblem> {
         let (reader, len) = match self.bytes {
             Some(bytes) => (SourceReader::Memory(Cursor::new(bytes)), bytes.len() as u64),
@@ -102,8 +103,8 @@ impl<'a> Source<'a> {
                 if kind.is_dir() {
                     return Err(ReadProblem::Folder);
                 }
-                // A pipe would block, a device has no length: formats are told apart by what can be read
-                // twice.
+                // A pipe would block, and a device has no length. Recognising formats requires that
+                // a file can be read twice.
                 if !kind.is_file() {
                     return Err(ReadProblem::NoFile);
                 }
@@ -132,7 +133,7 @@ impl fmt::Debug for Source<'_> {
     }
 }
 
-/// An opened source. Bytes in memory need no buffer.
+/// Opened source. Bytes in memory need no buffer.
 pub(crate) enum SourceReader<'a> {
     File(BufReader<File>),
     Memory(Cursor<&'a [u8]>),
@@ -178,7 +179,7 @@ impl Seek for SourceReader<'_> {
         }
     }
 
-    /// Keeps what a file's buffer holds.
+    /// Seeks without discarding a file's buffer.
     fn seek_relative(&mut self, by: i64) -> io::Result<()> {
         match self {
             Self::File(file) => file.seek_relative(by),

@@ -1,14 +1,14 @@
-//! Files of text: byte order marks, encodings and line ends.
+//! Text files: byte order marks, encodings and line ends.
 
 use crate::ReadProblem;
 
-/// The byte order mark of UTF-8, which Windows editors write before a text.
+/// Byte order mark of UTF-8, which Windows editors write at the beginning of a text.
 pub(crate) const MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// What to do with a text in UTF-16 that is read by bytes.
+/// Advice for a text in UTF-16 that is read by bytes.
 const ADVICE: &str = "save it as UTF-8";
 
-/// Byte order of a text in UTF-16, which begins with a mark that says so.
+/// Byte order of a text in UTF-16, from the mark at its beginning.
 fn utf16_order(bytes: &[u8]) -> Option<fn([u8; 2]) -> u16> {
     match bytes {
         [0xff, 0xfe, ..] => Some(u16::from_le_bytes),
@@ -17,7 +17,7 @@ fn utf16_order(bytes: &[u8]) -> Option<fn([u8; 2]) -> u16> {
     }
 }
 
-/// The bytes of a text behind its byte order mark.
+/// Returns the bytes of a text after its byte order mark.
 ///
 /// # Errors
 ///
@@ -29,15 +29,15 @@ pub(crate) fn without_mark(bytes: &[u8]) -> Result<&[u8], ReadProblem> {
     Ok(bytes.strip_prefix(MARK).unwrap_or(bytes))
 }
 
-/// A short text from its bytes: UTF-8, with or without a byte order mark, or UTF-16 with one. A carriage
-/// return that stands alone, the line end of old systems, becomes a line feed.
+/// Decodes a short text: UTF-8, with or without a byte order mark, or UTF-16 with one. A single
+/// carriage return, the line end of old systems, becomes a line feed.
 ///
 /// ```
 /// let lines = relief_io::decode_text(b"\xef\xbb\xbfa = 1\rb = 2\r".to_vec());
 /// assert_eq!(lines.as_deref(), Some("a = 1\nb = 2\n"));
 /// ```
 ///
-/// None where the bytes are no such text.
+/// None if the bytes are not such a text.
 pub fn decode_text(bytes: Vec<u8>) -> Option<String> {
     let text = match utf16_order(&bytes) {
         Some(order) => {
@@ -56,8 +56,8 @@ pub fn decode_text(bytes: Vec<u8>) -> Option<String> {
     Some(ended)
 }
 
-/// The length of the first line with its end: a line feed, a carriage return, or both. All that is left where
-/// there is none.
+/// Returns the length of the first line with its end: a line feed, a carriage return, or both. The
+/// whole length if there is no line end.
 pub(crate) fn line_len(bytes: &[u8]) -> usize {
     match bytes.iter().position(|byte| matches!(byte, b'\n' | b'\r')) {
         Some(at) if bytes[at..].starts_with(b"\r\n") => at + 2,

@@ -1,10 +1,10 @@
-//! TIFF, BigTIFF and GeoTIFF, block by block, through `tiff-reader`: strips and tiles, both planar
-//! configurations, integers of 1 to 64 bit, floats of 16 to 64, palettes, uncompressed, LZW, Deflate,
-//! PackBits, ZSTD and LERC.
+//! Reader of TIFF, BigTIFF and GeoTIFF, block by block, through `tiff-reader`: strips and tiles,
+//! both planar configurations, integers of 1 to 64 bit, floats of 16 to 64, palettes, uncompressed,
+//! LZW, Deflate, PackBits, ZSTD and LERC.
 //!
-//! The first full-resolution picture of the file is read. Blocks that a sparse file leaves out hold its
-//! nodata value, or zeros where it has none. A mask says which texels have a value: a picture of its own in
-//! the file, or in a file beside it.
+//! The first full-resolution picture of the file is read. Blocks that a sparse file omits hold its
+//! nodata value, or zeros if it has none. A mask marks the texels that have a value: a picture of
+//! its own in the file, or a sidecar file.
 
 mod gdal;
 mod geo;
@@ -25,7 +25,7 @@ use crate::{ReadProblem, Source};
 
 const TAG_NEW_SUBFILE_TYPE: u16 = 254;
 const TAG_ORIENTATION: u16 = 274;
-/// Bits of that tag.
+/// Bits of NewSubfileType.
 const REDUCED_COPY: u32 = 1;
 const MASK: u32 = 4;
 
@@ -33,16 +33,16 @@ const WHITE_IS_ZERO: u16 = 0;
 const BLACK_IS_ZERO: u16 = 1;
 const RGB: u16 = 2;
 
-/// The only channel that is stored with 0 as white where a picture says so. The others are opacity or more.
+/// The only channel in which white may be stored as 0. The others are opacity or extra channels.
 const GREY: usize = 0;
 
-/// The extension of a file's name under which GDAL puts its mask beside it.
+/// Extension of GDAL's mask files, after the map's name.
 const MASK_EXTENSION: &str = "msk";
 
 pub(crate) struct TiffFile<'a> {
     raster: Raster<'a>,
     layout: Layout,
-    /// The number of the picture that is the mask.
+    /// Index of the picture that is the mask.
     mask: Option<usize>,
     source: Source<'a>,
     bytes_per_texel: u64,
@@ -51,8 +51,7 @@ pub(crate) struct TiffFile<'a> {
 
 impl<'a> TiffFile<'a> {
     pub(crate) fn open(input: Input<'a>) -> Result<Self, ReadProblem> {
-        // The decoder's cache is sized by the blocks, so that the headers are needed before there is a
-        // decoder.
+        // The decoder's cache is sized by the blocks, so the headers are needed before the decoder.
         let stored = Stored::of(&input)?;
         let pictures = stored.pictures(PARSE_BUDGETS).map_err(problem)?;
         let ifd = full_resolution(&pictures)?;
@@ -62,7 +61,8 @@ impl<'a> TiffFile<'a> {
         let photometric = stated_photometric.unwrap_or(BLACK_IS_ZERO);
         let mut layout = match &mut raster.palette {
             Some(palette) => {
-                // Of an elevation model the samples are the heights, and their colours are for show.
+                // In an elevation model the samples are the heights, and their colours are for
+                // display.
                 let terrain =
                     geo::facts(header, raster.bands).and_then(|facts| facts.terrain(raster.bands, None));
                 palette.has_index = !matches!(terrain, Ok(None));
@@ -105,8 +105,8 @@ impl<'a> TiffFile<'a> {
         &self.layout
     }
 
-    /// Takes from the layout what files beside the picture have changed: what a sparse file leaves out, and
-    /// whether the samples of a palette are heights.
+    /// Applies changes of the layout by sidecars: the value of omitted blocks, and whether the
+    /// samples of a palette are heights.
     pub(crate) fn follow_layout(&mut self) {
         self.raster.nodata = self.layout.nodata;
         let is_elevation = !matches!(self.layout.terrain, Ok(None));
@@ -124,14 +124,14 @@ impl<'a> TiffFile<'a> {
         &mut self.layout
     }
 
-    /// The sample that is white, for a channel of shades that are stored with 0 as white. Samples of an
-    /// elevation model are numbers and no shades, and so are channels beside the grey.
+    /// Returns the sample of white of a channel of shades that stores white as 0. None for samples
+    /// of an elevation model, which are numbers and not shades, and for channels other than grey.
     pub(crate) fn white_of_heights(&self, channel: usize) -> Option<f64> {
         let is_elevation = matches!(self.layout.terrain, Ok(Some(_)));
         self.raster.inverted_white.filter(|_| channel == GREY && !is_elevation)
     }
 
-    /// Leaves the samples as they are stored, with 0 as white, too.
+    /// Leaves the samples as they are stored, even if they store white as 0.
     pub(crate) fn keep_stored(&mut self) {
         self.raster.inverted_white = None;
     }
@@ -140,8 +140,8 @@ impl<'a> TiffFile<'a> {
         self.raster.decode(channels, sink)
     }
 
-    /// Gives what the mask says of each texel, if there is a mask: 0 where the texel has no value. That in the
-    /// file comes before that beside it.
+    /// Decodes the mask, if there is one: 0 for texels without a value. A mask in the file takes
+    /// precedence over a sidecar.
     pub(crate) fn decode_mask(&self, channel: usize, sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let beside = if self.mask.is_none() { self.source.beside(MASK_EXTENSION) } else { None };
         let (source, name) = match (&beside, self.mask) {
@@ -168,7 +168,7 @@ impl<'a> TiffFile<'a> {
         let each_its_own = mask.bands == self.raster.bands;
         if mask.size != self.raster.size || !(mask.bands == 1 || each_its_own) {
             let text = |raster: &Raster<'_>| {
-                format!("{}x{} texels of {} channels", raster.size[0], raster.size[1], raster.bands)
+                format!("{}x{} texels of {} channel(s)", raster.size[0], raster.size[1], raster.bands)
             };
             return Err(ReadProblem::MaskSize { mask: text(&mask), map: text(&self.raster) });
         }
@@ -176,12 +176,12 @@ impl<'a> TiffFile<'a> {
     }
 }
 
-/// What the picture is for (TIFF 6.0, NewSubfileType).
+/// Kind of the picture (TIFF 6.0, NewSubfileType).
 fn kind(ifd: &Ifd) -> u32 {
     ifd.tag(TAG_NEW_SUBFILE_TYPE).and_then(|tag| tag.value.as_u32()).unwrap_or(0)
 }
 
-/// The first picture that is neither a reduced copy nor a mask.
+/// Finds the first picture that is neither a reduced copy nor a mask.
 fn full_resolution(pictures: &[Ifd]) -> Result<usize, ReadProblem> {
     pictures
         .iter()
@@ -189,7 +189,7 @@ fn full_resolution(pictures: &[Ifd]) -> Result<usize, ReadProblem> {
         .ok_or_else(|| ReadProblem::damaged("TIFF", "it holds no picture at full resolution"))
 }
 
-/// The mask of a picture: the first at full resolution that comes before the next picture.
+/// Finds the mask of a picture: the first at full resolution before the next picture.
 fn mask_of(pictures: &[Ifd], ifd: usize) -> Option<usize> {
     let full = |number: &usize| kind(&pictures[*number]) & REDUCED_COPY == 0;
     (ifd + 1..pictures.len()).find(full).filter(|&number| kind(&pictures[number]) & MASK != 0)
@@ -217,7 +217,7 @@ fn channel_names(header: &Ifd, photometric: u16, count: usize) -> Result<Vec<Str
     Ok(names.iter().map(ToString::to_string).collect())
 }
 
-/// Colour spaces that are not read, by their numbers.
+/// Unsupported colour spaces, by their codes.
 const COLOUR_SPACES: [(u16, &str); 6] = [
     (3, "a palette with opacity"),
     (5, "inks (CMYK)"),
@@ -227,7 +227,7 @@ const COLOUR_SPACES: [(u16, &str); 6] = [
     (34892, "the raw samples of a camera"),
 ];
 
-/// What mends types of samples, and compressions.
+/// Advice for unsupported types of samples, and for unsupported compressions.
 const TO_FLOATS: &str = "convert it to 32-bit floats, for instance with gdal_translate -ot Float32";
 const TO_DEFLATE: &str = "convert it, for instance with gdal_translate -co COMPRESS=DEFLATE";
 
@@ -235,7 +235,7 @@ fn unsupported(what: String, advice: &'static str) -> ReadProblem {
     ReadProblem::Unsupported { what, advice }
 }
 
-/// The number of a compression that the reader does not know, by its name where users meet it.
+/// Returns the name of an unsupported compression if users know it, otherwise its code.
 fn compression_name(code: u16) -> String {
     match code {
         34925 => "LZMA compression".into(),

@@ -1,7 +1,8 @@
-//! WebP, 8 bit, lossy and lossless. Colour profiles are not applied. Of an animation the first picture is
-//! read.
+//! Reader of WebP, 8 bit, lossy and lossless. Colour profiles are not applied. The first picture of
+//! an animation is read.
 //!
-//! The decoder gives the whole picture at once: 3 or 4 bytes a texel, and as much again while it decodes.
+//! The decoder returns the whole picture at once: 3 or 4 bytes a texel, and as much again while it
+//! decodes.
 
 use image_webp::{DecodingError, WebPDecoder};
 
@@ -11,10 +12,10 @@ use crate::omissions::{ANIMATION, Remark};
 use crate::source::SourceReader;
 use crate::{ReadProblem, exif};
 
-/// Bytes that the decoder holds for a texel at its peak: the picture, and its planes or its codes.
+/// Peak memory of the decoder per texel: the picture, and its planes or its codes.
 const DECODER_BYTES: u64 = 12;
 
-/// What the decoder may take for chunks other than picture data.
+/// Memory limit of the decoder for chunks other than picture data.
 const CHUNK_BYTES: usize = 16 << 20;
 
 pub(crate) struct WebpFile<'a> {
@@ -27,7 +28,7 @@ impl<'a> WebpFile<'a> {
         let Input { source, file, file_len, bytes_per_texel, max_bytes } = input;
         let mut decoder = WebPDecoder::new(file).map_err(problem)?;
         let size = decoder.dimensions().into();
-        // The decoder has the file: what is left to check needs a reader of its own.
+        // The decoder owns the file; the remaining checks need a reader of their own.
         let input = Input { file: source.open()?.0, source, file_len, bytes_per_texel, max_bytes };
         let [width, height] = size;
         let texels = u64::from(width) * u64::from(height);
@@ -35,7 +36,7 @@ impl<'a> WebpFile<'a> {
         decoder.set_memory_limit(CHUNK_BYTES);
         let channels: &[&str] = if decoder.has_alpha() { &["r", "g", "b", "a"] } else { &["r", "g", "b"] };
         let mut layout = Layout::new(Format::Webp, size, channels, SampleType::unsigned(8));
-        // Of damaged metadata nothing is said: the picture may be whole.
+        // Damaged metadata are ignored: the picture may be intact.
         let metadata = decoder.exif_metadata().ok().flatten();
         layout.stated_orientation = metadata.and_then(|metadata| exif::orientation(&metadata));
         if decoder.is_animated() {

@@ -1,4 +1,4 @@
-//! Pictures and float channels in one call, from samples in memory.
+//! Writers of pictures and float channels in one call, from samples in memory.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -10,7 +10,7 @@ use relief_core::HeightMap;
 use crate::write_whole::write_file;
 use crate::{Metadata, WriteError, WriteProblem, write_exr_rows};
 
-/// The channels of an 8-bit PNG.
+/// Channels of an 8-bit PNG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PngColour {
     /// One sample a texel.
@@ -22,7 +22,7 @@ pub enum PngColour {
 }
 
 impl PngColour {
-    /// Samples a texel.
+    /// Returns the number of samples per texel.
     pub const fn channels(self) -> usize {
         match self {
             PngColour::Grey => 1,
@@ -32,13 +32,13 @@ impl PngColour {
     }
 }
 
-/// Writes an 8-bit PNG. `samples` are as stored, row by row from the top, the channels of a texel side by
-/// side: what is to be seen on a screen has to be in sRGB already.
+/// Writes an 8-bit PNG. `samples` are stored unchanged, row by row from the top, the channels of a
+/// texel interleaved. For display they must be in sRGB.
 ///
 /// # Errors
 ///
-/// When `samples.len()` is not width times height times channels, when the size is 0 or above what a height
-/// map may have, or when the file cannot be written.
+/// When `samples.len()` is not width times height times channels, when the size is 0 or above the
+/// limit of a height map, or when the file cannot be written.
 pub fn write_png8(
     path: &Path,
     width: u32,
@@ -63,8 +63,8 @@ pub fn write_png8(
 ///
 /// # Errors
 ///
-/// When `samples.len()` is not width times height, when the size is 0 or above what a height map may have, or
-/// when the file cannot be written.
+/// When `samples.len()` is not width times height, when the size is 0 or above the limit of a
+/// height map, or when the file cannot be written.
 pub fn write_png16(path: &Path, width: u32, height: u32, samples: &[u16]) -> Result<(), WriteError> {
     check_length(width, height, 1, samples.len()).map_err(|problem| problem.at(path))?;
     write_file(path, |out| {
@@ -88,8 +88,8 @@ pub fn write_png16(path: &Path, width: u32, height: u32, samples: &[u16]) -> Res
     })
 }
 
-/// Writes a PNG of bytes as the format has them, with metadata in `iTXt` chunks before them; it may say that
-/// they are in sRGB.
+/// Writes a PNG from encoded bytes, with metadata in `iTXt` chunks before them; `is_srgb` marks it
+/// as sRGB.
 pub(crate) fn write_png(
     out: &mut BufWriter<&File>,
     [width, height]: [u32; 2],
@@ -121,14 +121,14 @@ pub(crate) fn write_png(
 
 /// Writes 32-bit float channels into an EXR file, without loss (ZIP, 16 rows a block).
 ///
-/// Each channel has its name and `width * height` samples, row by row from the top. The same input gives the
-/// same bytes. Channels are stored in the order of their names, as the format wants it.
+/// Each channel has a name and `width * height` samples, row by row from the top. The same input
+/// gives the same bytes. Channels are stored in the order of their names, as the format requires.
 ///
 /// # Errors
 ///
-/// When there is no channel, when a name is empty, longer than 255 bytes, not printable ASCII or given twice,
-/// when a channel's length is not width times height, when the size is 0 or above what a height map may have,
-/// or when the file cannot be written.
+/// When there is no channel; when a name is empty, longer than 255 bytes, not printable ASCII or
+/// given twice; when a channel's length is not width times height; when the size is 0 or above the
+/// limit of a height map; or when the file cannot be written.
 pub fn write_exr(
     path: &Path,
     width: u32,

@@ -1,4 +1,4 @@
-//! Files are written whole or not at all: into a temporary file in the same folder, forced to the disk, then
+//! Atomic writing of files: into a temporary file in the same folder, synced to the disk, then
 //! renamed.
 
 use std::fs::File;
@@ -7,16 +7,17 @@ use std::path::Path;
 
 use crate::{WriteError, WriteProblem};
 
-/// Writes a file so that, at any moment, either its old content or all of its new content is there.
+/// Writes a file atomically: at any moment either its old content or all of its new content is
+/// present.
 ///
-/// `content` writes into a temporary file beside it; when it succeeds the bytes are forced to the disk and
-/// the file takes its name. When anything fails the temporary file is removed and an existing file of that
-/// name keeps its content.
+/// `content` writes into a temporary file beside it. If it succeeds, the bytes are synced to the
+/// disk and the file is renamed. If anything fails, the temporary file is removed and an existing
+/// file keeps its content.
 ///
 /// # Errors
 ///
-/// When the folder cannot be written to, when `content` fails (a full disk, say), or when the file cannot be
-/// renamed.
+/// When the folder cannot be written to, when `content` fails (on a full disk, for example), or
+/// when the file cannot be renamed.
 pub fn write_atomically(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -24,7 +25,7 @@ pub fn write_atomically(
     write_file(path, |out| content(out).map_err(WriteProblem::Io))
 }
 
-/// As [`write_atomically`], for encoders that seek and that fail in ways of their own.
+/// Writes a file like [`write_atomically`], for encoders that seek and have errors of their own.
 pub(crate) fn write_file(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<&File>) -> Result<(), WriteProblem>,
@@ -43,8 +44,8 @@ fn write_and_rename(
     };
     let mut builder = tempfile::Builder::new();
     builder.prefix(".relief-").suffix(".tmp");
-    // Temporary files are private by default; the finished file is not: it gets what the process' mask
-    // allows.
+    // Temporary files are private by default. The finished file gets the permissions that the
+    // process' mask allows.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let temporary = builder.tempfile_in(folder).map_err(WriteProblem::Folder)?;

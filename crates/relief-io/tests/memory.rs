@@ -60,7 +60,7 @@ fn measure(path: &Path, channel: &str) -> (u64, bool) {
     measure_in(|program| program.env(FILE, path).env(CHANNEL, channel))
 }
 
-/// The same of a process that is told what to read.
+/// Measures a process whose environment `tell` sets.
 fn measure_in(tell: impl Fn(&mut Command) -> &mut Command) -> (u64, bool) {
     let mut program = Command::new(std::env::current_exe().expect("the test knows its program"));
     program.args(["--exact", "child", "--nocapture", "--test-threads=1"]);
@@ -210,7 +210,7 @@ fn a_mesh_takes_no_more_than_is_counted() {
 }
 
 #[test]
-fn refused_headers_take_next_to_nothing() {
+fn refused_headers_take_little_memory() {
     let folder = Folder::new();
     let files = common::broken::broken_files();
     let huge = files

@@ -6,7 +6,7 @@ mod report;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use relief_compare::{Compared, Comparison, Goal, Timing, Tried, choose, csv, page, with_other_steps};
+use relief_compare::{Compared, Comparison, Goal, Ranking, Timing, choose, csv, page, with_other_steps};
 use relief_core::MapFormat;
 use relief_scene::Look;
 
@@ -251,8 +251,8 @@ impl Arguments {
     }
 
     /// Returns an error if no method keeps the goal.
-    fn check_kept(&self, tried: &Tried) -> Result<(), Failure> {
-        if tried.keep > 0 {
+    fn check_kept(&self, tried: &Ranking) -> Result<(), Failure> {
+        if tried.meeting > 0 {
             return Ok(());
         }
         let Some(nearest) = tried.candidates.first() else {

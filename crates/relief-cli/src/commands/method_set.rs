@@ -307,7 +307,7 @@ pub fn look_again(
 ) -> Result<(), Failure> {
     let progress = Progress::bar(what, quiet);
     let tell = |_: &str, part: f32| progress.show(part);
-    let looked = comparison.look_again(records, goal, &Watch::new(&tell, cancel));
+    let looked = comparison.time_again(records, goal, &Watch::new(&tell, cancel));
     looked.map(|_| ()).map_err(of_comparison)
 }
 

@@ -1,6 +1,7 @@
-//! Differences as colours.
+//! Colours of differences.
 
-/// From no difference to the greatest, evenly: ever lighter, so that it is read without colours, too.
+/// Colours from no difference to the greatest, at equal distances. They get lighter throughout, so
+/// that they can be read without colour vision.
 const RAMP: [[u8; 3]; 9] = [
     [0, 0, 4],
     [28, 16, 68],
@@ -13,7 +14,8 @@ const RAMP: [[u8; 3]; 9] = [
     [252, 253, 191],
 ];
 
-/// The colour of a difference from 0 to 1, in steps of a 64th: few colours make small files.
+/// Returns the colour of a difference from 0 to 1, in steps of a 64th: few colours make small
+/// files.
 pub fn heat(difference: f32) -> [u8; 3] {
     // NaN is not above 0.
     let difference = if difference > 0.0 { difference.min(1.0) } else { 0.0 };

@@ -1,4 +1,4 @@
-//! A comparison as one page of HTML that needs nothing else: no network, no other file.
+//! Page of a comparison: one self-contained HTML file, which needs no network.
 
 mod heat;
 
@@ -14,15 +14,16 @@ use self::heat::heat;
 use crate::columns::{COLUMNS, Cell, Column, Row};
 use crate::picture::{Flip, Image};
 use crate::record::{About, LeftOut, PictureRecord, Records};
-use crate::run::{Compared, Shown};
+use crate::run::{Compared, MethodPicture};
 
-/// Quality of the pictures in the page: nothing of it is seen beside the differences that are shown.
+/// Quality of the pictures in the page. Its effect is invisible beside the differences that are
+/// shown.
 const JPEG_QUALITY: u8 = 90;
 
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
 
-/// The page.
+/// Returns the HTML of a comparison's page.
 ///
 /// # Errors
 ///
@@ -78,7 +79,7 @@ fn about(about: &About) -> Markup {
     }
 }
 
-/// A length as people write it.
+/// Formats a length in metres without trailing zeros.
 fn rounded(metres: f64) -> String {
     let text = format!("{metres:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -86,23 +87,23 @@ fn rounded(metres: f64) -> String {
 
 fn plot() -> Markup {
     html! {
-        h2 { "Error, cost and what is compared over" }
+        h2 { "Error against cost" }
         p.controls {
-            label { "rows " select #rows {} }
-            label { "across " select #across {} }
-            label { "up " select #up {} }
+            label { "conditions " select #rows {} }
+            label { "horizontal axis " select #across {} }
+            label { "vertical axis " select #up {} }
         }
         svg #plot viewBox="0 0 900 420" role="img" {}
         p #frontier {}
     }
 }
 
-/// All records; the script sorts and filters them.
+/// Table of all records; the script sorts and filters it.
 fn table(records: &Records) -> Markup {
     html! {
-        h2 { "All figures" }
+        h2 { "All results" }
         p.controls {
-            label { "with " input #filter placeholder="a method, an angle, a scale" size="30"; }
+            label { "show only rows with " input #filter placeholder="a method, an angle, a scale" size="30"; }
             span #count {}
         }
         div.wide {
@@ -128,7 +129,7 @@ fn cell(column: &Column, row: &Row) -> Markup {
     }
 }
 
-/// What the script knows of the columns, as JSON that no end of an element can hide in.
+/// Keys, titles and factors of columns for the script, as JSON that cannot close an HTML element.
 fn columns() -> String {
     let columns: Vec<_> = COLUMNS
         .iter()
@@ -140,13 +141,13 @@ fn columns() -> String {
 fn left_out(left_out: &[LeftOut]) -> Markup {
     html! {
         @if !left_out.is_empty() {
-            h2 { "Left out" }
+            h2 { "Not compared" }
             ul { @for LeftOut { what, reason } in left_out { li { (what) ": " (reason) } } }
         }
     }
 }
 
-/// The pictures, those of a reference together, each with what differs beside it.
+/// Pictures, grouped by reference, each with its difference image.
 fn pictures(compared: &Compared) -> Result<Markup, ImageError> {
     let Compared { records, shown, references, shown_look } = compared;
     let mut groups = Vec::new();
@@ -157,7 +158,7 @@ fn pictures(compared: &Compared) -> Result<Markup, ImageError> {
         let [columns, rows] = reference.map_size;
         groups.push(html! {
             h3 {
-                (rounded(reference.scale_m)) " m deep, map of " (columns) " x " (rows)
+                (rounded(reference.scale_m)) " m deep, height map of " (columns) " x " (rows) " texels"
                 ", shadow " (reference.shadow)
                 @if let Some(distance_m) = reference.distance_m { ", from " (rounded(distance_m)) " m" }
             }
@@ -172,12 +173,12 @@ fn pictures(compared: &Compared) -> Result<Markup, ImageError> {
     }
     Ok(html! {
         @if !groups.is_empty() {
-            h2 { "Pictures, with FLIP beside them" }
+            h2 { "Pictures, each with its FLIP difference from the reference" }
             p {
-                "Black is no difference, white the greatest that there is."
+                "In the difference images, black is no difference and white the greatest possible one."
                 @if let Some(look) = shown_look {
-                    " What is shown has the light and the background of the look " (look)
-                    "; pictures are compared in the scene's own light."
+                    " The pictures shown here have the light and the background of the look " (look)
+                    ". Differences are measured in the scene's own light."
                 }
             }
             @for group in groups { (group) }
@@ -185,7 +186,7 @@ fn pictures(compared: &Compared) -> Result<Markup, ImageError> {
     })
 }
 
-fn picture(record: &PictureRecord, shown: &Shown) -> Result<Markup, ImageError> {
+fn picture(record: &PictureRecord, shown: &MethodPicture) -> Result<Markup, ImageError> {
     let label = record.method.label();
     let size = shown.image.size();
     Ok(html! {

@@ -1,5 +1,5 @@
 'use strict';
-// Sorts and filters the table, and plots what is left of it. The table's cells are the only data.
+// Sorts and filters the table, and plots its rows. The table's cells are the only data.
 const columns = JSON.parse(document.getElementById('columns').textContent);
 const table = document.getElementById('records');
 const body = table.tBodies[0];
@@ -15,7 +15,7 @@ heads.forEach((head, place) => head.firstChild.addEventListener('click', () => {
   heads.forEach((other) => other.removeAttribute('aria-sort'));
   head.setAttribute('aria-sort', order);
   const sign = order === 'ascending' ? 1 : -1;
-  // Rows without the figure come last, whatever the order.
+  // Rows without the figure come last in either order.
   body.append(...[...body.rows].sort((first, second) => {
     const [a, b] = [value(first, place), value(second, place)];
     if (a === '' || b === '') return (a === '') - (b === '');
@@ -43,7 +43,7 @@ const offer = (select, names, chosen) => names.forEach(([key, title]) => {
   select.add(new Option(title, key, key === chosen, key === chosen));
 });
 const named = (keys) => keys.map((key) => [key, columns[at(key)].title]);
-// Figures over which methods are compared, each with the column by which rows are told apart elsewhere.
+// Settings by which methods are compared, each with the column that separates groups on other axes.
 const AXES = {
   map_texels: 'map_size',
   steps: 'steps',
@@ -51,19 +51,19 @@ const AXES = {
   angle_deg: 'angle_deg',
   distance_m: 'distance_m',
 };
-// NaN where a row has no such figure.
+// Returns NaN if a row has no such figure.
 const figure = (row, key) => {
   const place = at(key);
   return row.cells[place].textContent === '' ? NaN : value(row, place) * columns[place].factor;
 };
-// A group of rows is what can be compared: the same rays, or pictures of the same scene, but for what differs
-// along the plot.
+// A group holds rows that can be compared: the same rays, or pictures of the same scene, except for the
+// setting on the horizontal axis.
 const groupOf = (row) => ['kind', 'map_size', 'scale_m', 'angle_deg', 'distance_m', 'backend', 'sampling']
   .filter((key) => key !== AXES[across.value])
   .map((key) => [columns[at(key)].title, row.cells[at(key)].textContent])
   .filter(([, text]) => text !== '')
   .map(([title, text]) => (/^[a-z]+$/.test(text) ? text : `${title} ${text}`)).join(', ');
-// The groups that have such figures, and of these the same as before where it is there still.
+// Offers the groups with both figures, and keeps the selected one if it is still there.
 const grouped = () => {
   const before = rows.value;
   const has = (row) => [across, up].every((select) => Number.isFinite(figure(row, select.value)));
@@ -90,7 +90,7 @@ const draw = (name, attributes, text) => {
   if (text !== undefined) element.textContent = text;
   svg.append(element);
 };
-// A scale of logarithms; where numbers are not all above 0 these stand a step before the least that is.
+// Returns a logarithmic scale. Numbers that are not above 0 are drawn one step before the least other one.
 const scale = (numbers, from, to) => {
   const positive = numbers.filter((number) => number > 0);
   const hasZero = positive.length < numbers.length;
@@ -122,7 +122,7 @@ const plotted = () => {
       name: row.cells[at('method')].textContent + (said ? ` (${said})` : ''),
       x: figure(row, across.value),
       y: figure(row, up.value),
-      // Of medians that have them, what the true ones lie between.
+      // Ends of the interval of a median, if it has one.
       sure: ['low', 'high'].map((end) => at(across.value.replace('_ms', `_${end}_ms`)))
         .filter((place) => place >= 0 && place !== at(across.value))
         .map((place) => value(row, place) * columns[place].factor),
@@ -130,7 +130,7 @@ const plotted = () => {
   }).filter((point) => Number.isFinite(point.x) && Number.isFinite(point.y));
   svg.replaceChildren();
   const frontier = document.getElementById('frontier');
-  frontier.textContent = points.length ? '' : 'No rows have both figures.';
+  frontier.textContent = points.length ? '' : 'No rows have both figures: choose other axes.';
   if (!points.length) return;
   const x = scale(points.map((point) => point.x), MARGIN, WIDTH - MARGIN);
   const y = scale(points.map((point) => point.y), HEIGHT - MARGIN, MARGIN / 2);
@@ -153,12 +153,12 @@ const plotted = () => {
     fill: 'none', stroke: colour, 'stroke-width': 1.5,
   });
   line(best, '#c2410c');
-  // Along what is compared over, a line a method, which has its name at the end.
+  // With a setting on the horizontal axis, each method is a line with its name at the end.
   const series = isAxis ? [...new Set(points.map((point) => point.name))].map((name) => (
     points.filter((point) => point.name === name).sort((a, b) => a.x - b.x))) : [];
   series.forEach((of) => line(of, '#94a3b8'));
   const ends = series.map((of) => of[of.length - 1]);
-  // Names make way for each other, those on the frontier first.
+  // Names avoid each other; names on the frontier are placed first.
   const named = [];
   for (const point of [...best, ...points.filter((other) => !best.includes(other))]) {
     const isBest = best.includes(point);
@@ -180,12 +180,12 @@ const plotted = () => {
     draw('text', { x: left + 8, y: place, 'font-weight': isBest ? 600 : 400 }, point.name);
   }
   const names = best.map((point) => point.name).join(', ');
-  frontier.textContent = isAxis ? 'A line for each method.'
-    : `On the frontier, where no other method is better in both: ${names}.`;
+  frontier.textContent = isAxis ? 'Each line is a method.'
+    : `Best trade-offs, for which no other method is better in both figures: ${names}.`;
 };
 [across, up].forEach((select) => select.addEventListener('change', () => { grouped(); plotted(); }));
 rows.addEventListener('change', plotted);
-// What a page is to show at first may stand in its address, as #across=map_texels&up=frame_ms.
+// The page's address can select the first plot, as in #across=map_texels&up=frame_ms.
 const asked = new URLSearchParams(location.hash.slice(1));
 [across, up].forEach((select) => {
   const key = asked.get(select.id);

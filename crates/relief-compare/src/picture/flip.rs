@@ -1,10 +1,10 @@
-//! FLIP: how different two pictures look when one flips from one to the other (Andersson, Nilsson,
-//! Akenine-Möller, Oskarsson, Åström and Fairchild 2020, *FLIP: A Difference Evaluator for Alternating
-//! Images*).
+//! FLIP: the perceived difference of two pictures when one alternates with the other (Andersson,
+//! Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild 2020, *FLIP: A Difference Evaluator for
+//! Alternating Images*).
 //!
-//! Colours are blurred as far as an eye at that distance blurs them, channel by channel of an opponent space,
-//! and compared in L\*a\*b\*, less where they are dark. Where edges and points of one picture are not in the
-//! other, the difference counts more.
+//! Each channel of an opponent colour space is blurred as an eye at that distance would blur it.
+//! Colours are then compared in L\*a\*b\*, with less weight on dark ones. Where edges and points of
+//! one picture are missing in the other, the difference counts more.
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
@@ -13,21 +13,21 @@ use rayon::prelude::*;
 use super::kernel::{Kernel, filtered};
 use super::{Image, ImageError};
 
-/// Pixels of a degree for an eye 0.7 m before a display that is 0.7 m wide and has 3840 columns: what FLIP
-/// takes when nothing else is said.
+/// Pixels per degree for an eye 0.7 m from a display that is 0.7 m wide and has 3840 columns:
+/// FLIP's default.
 pub const PIXELS_PER_DEGREE: f64 = 3840.0 * PI / 180.0;
 
-/// The differences of two pictures.
+/// Differences of two pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flip {
-    /// Columns and rows.
+    /// Numbers of columns and rows.
     pub size: [u32; 2],
-    /// The difference of each pixel, from 0 to 1, row by row from the top.
+    /// Difference of each pixel, from 0 to 1, row by row from the top.
     pub differences: Vec<f32>,
 }
 
 impl Flip {
-    /// The mean difference.
+    /// Returns the mean difference.
     pub fn mean(&self) -> f64 {
         let sum: f64 = self.differences.iter().copied().map(f64::from).sum();
         sum / self.differences.len() as f64
@@ -38,27 +38,28 @@ impl Flip {
 const COLOR_EXPONENT: f64 = 0.7;
 const FEATURE_EXPONENT: f64 = 0.5;
 
-/// Differences up to that part of the greatest one take up most of the range: from 0 to `MOST`.
+/// Differences up to `SMALL` times the greatest one are mapped to 0 to `MOST`, most of the range.
 const SMALL: f64 = 0.4;
 const MOST: f64 = 0.95;
 
-/// Width of the detectors of features, in degrees.
+/// Width of the feature detectors in degrees.
 const FEATURE_DEGREES: f64 = 0.082;
 
-/// A Gaussian of a contrast sensitivity: weight and width.
+/// Gaussian of a contrast sensitivity: weight and width.
 type Gaussian = [f64; 2];
 
-/// The contrast sensitivities of luminance, red against green, and blue against yellow: table 1.
+/// Contrast sensitivities of luminance, red against green, and blue against yellow: table 1.
 const SENSITIVITIES: [&[Gaussian]; 3] = [&[[1.0, 0.0047]], &[[1.0, 0.0053]], &[[34.1, 0.04], [13.5, 0.025]]];
 
-/// The widest of these.
+/// Greatest width among them.
 const WIDEST: f64 = 0.04;
 
-/// The differences between a reference and a test picture, seen at so many pixels a degree.
+/// Computes the differences between a reference and a test picture, seen at `pixels_per_degree`
+/// pixels per degree.
 ///
 /// # Errors
 ///
-/// When the pictures are not as large as each other.
+/// When the pictures differ in size.
 pub fn flip(reference: &Image, test: &Image, pixels_per_degree: f64) -> Result<Flip, ImageError> {
     reference.check_size(test)?;
     let colors = color_differences(reference, test, pixels_per_degree);
@@ -68,7 +69,7 @@ pub fn flip(reference: &Image, test: &Image, pixels_per_degree: f64) -> Result<F
     Ok(Flip { size: reference.size, differences })
 }
 
-/// Section 4.1: how far the colours are apart, from 0 to 1.
+/// Colour differences from 0 to 1 (section 4.1).
 fn color_differences(reference: &Image, test: &Image, pixels_per_degree: f64) -> Vec<f64> {
     let [reference, test] = [reference, test].map(|image| seen_colors(image, pixels_per_degree));
     let [green, blue] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|color| hunt(lab(color)));
@@ -85,7 +86,8 @@ fn color_differences(reference: &Image, test: &Image, pixels_per_degree: f64) ->
     both.map(|(a, b)| remapped(hyab(a, b).powf(COLOR_EXPONENT))).collect()
 }
 
-/// The colours of a picture as an eye blurs them, in L\*a\*b\* with the effect that dark colours look paler.
+/// Colours of a picture after an eye's blur, in L\*a\*b\* with the Hunt effect: dark colours look
+/// paler.
 fn seen_colors(image: &Image, pixels_per_degree: f64) -> Vec<[f64; 3]> {
     let radius = (3.0 * (WIDEST / (2.0 * PI * PI)).sqrt() * pixels_per_degree).ceil() as i32;
     let opponents: Vec<[f64; 3]> = image.pixels.par_iter().map(|&rgb| opponent(rgb.map(f64::from))).collect();
@@ -102,7 +104,7 @@ fn seen_colors(image: &Image, pixels_per_degree: f64) -> Vec<[f64; 3]> {
     shown.collect()
 }
 
-/// A channel under its contrast sensitivity, a sum of Gaussians whose weights add up to 1.
+/// Filters a channel with its contrast sensitivity, a sum of Gaussians whose weights add up to 1.
 fn blurred(
     plane: &[f64],
     size: [usize; 2],
@@ -129,7 +131,7 @@ fn blurred(
     sum
 }
 
-/// Section 4.2: how far edges and points of the pictures are apart, from 0 to 1.
+/// Differences of edges and points from 0 to 1 (section 4.2).
 fn feature_differences(reference: &Image, test: &Image, pixels_per_degree: f64) -> Vec<f64> {
     let deviation = 0.5 * FEATURE_DEGREES * pixels_per_degree;
     let radius = (3.0 * deviation).ceil() as i32;
@@ -161,7 +163,7 @@ impl Image {
     }
 }
 
-/// Linear sRGB to XYZ under D65, in exact fractions.
+/// Matrix from linear sRGB to XYZ under D65, in exact fractions.
 const TO_XYZ: [[f64; 3]; 3] = [
     [10_135_552.0 / 24_577_794.0, 8_788_810.0 / 24_577_794.0, 4_435_075.0 / 24_577_794.0],
     [2_613_072.0 / 12_288_897.0, 8_788_810.0 / 12_288_897.0, 887_015.0 / 12_288_897.0],
@@ -173,32 +175,32 @@ fn white() -> [f64; 3] {
     TO_XYZ.map(|row| row.iter().sum())
 }
 
-/// X, Y and Z of a linear colour over those of white.
+/// X, Y and Z of a linear colour, divided by white's.
 fn relative_xyz(rgb: [f64; 3]) -> [f64; 3] {
     let (xyz, white) =
         (TO_XYZ.map(|row| row.iter().zip(rgb).map(|(weight, part)| weight * part).sum::<f64>()), white());
     [0, 1, 2].map(|part| xyz[part] / white[part])
 }
 
-/// The opponent space YCxCz, which is L\*a\*b\* made linear.
+/// Converts a linear colour to the opponent space YCxCz, a linear version of L\*a\*b\*.
 fn opponent(rgb: [f64; 3]) -> [f64; 3] {
     let [x, y, z] = relative_xyz(rgb);
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// From X, Y and Z over those of white to a linear colour.
+/// Matrix from X, Y and Z divided by white's to a linear colour.
 fn from_opponent_matrix() -> glam::DMat3 {
     let to_xyz = glam::DMat3::from_cols_array_2d(&TO_XYZ).transpose();
     to_xyz.inverse() * glam::DMat3::from_diagonal(white().into())
 }
 
-/// The linear colour of a place in the opponent space.
+/// Converts a colour of the opponent space to a linear colour.
 fn from_opponent(to_rgb: &glam::DMat3, [luminance, red_green, blue_yellow]: [f64; 3]) -> [f64; 3] {
     let y = (luminance + 16.0) / 116.0;
     (*to_rgb * glam::DVec3::new(y + red_green / 500.0, y, y - blue_yellow / 200.0)).to_array()
 }
 
-/// L\*a\*b\* of a linear colour (CIE 1976).
+/// Converts a linear colour to L\*a\*b\* (CIE 1976).
 fn lab(rgb: [f64; 3]) -> [f64; 3] {
     const DELTA: f64 = 6.0 / 29.0;
     let [x, y, z] = relative_xyz(rgb).map(|part| {
@@ -207,12 +209,13 @@ fn lab(rgb: [f64; 3]) -> [f64; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// Chroma that grows with lightness, as it looks (Hunt 1952).
+/// Scales chroma by lightness, as it is perceived (Hunt 1952).
 fn hunt([lightness, a, b]: [f64; 3]) -> [f64; 3] {
     [lightness, 0.01 * lightness * a, 0.01 * lightness * b]
 }
 
-/// The distance for large differences (Abasi, Tehran and Fairchild 2020): lightness apart from chroma.
+/// Distance for large differences (Abasi, Tehran and Fairchild 2020): lightness and chroma are
+/// separate.
 fn hyab(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).hypot(a[2] - b[2])
 }
@@ -226,8 +229,8 @@ mod tests {
 
     const SIZE: [u32; 2] = [61, 47];
 
-    /// A picture of 8-bit sRGB colours that any program can make again: noise of SplitMix64, ramps, stripes,
-    /// and all of them together.
+    /// Picture of 8-bit sRGB colours that any program can reproduce: noise of SplitMix64, ramps,
+    /// stripes, or a mixture.
     fn picture(seed: u64, kind: u32) -> Image {
         let mut rng = Rng::new(seed);
         let pixels = (0..SIZE[0] * SIZE[1]).map(|at| {
@@ -242,7 +245,7 @@ mod tests {
         Image::new(SIZE, pixels.collect()).expect("a picture")
     }
 
-    /// Seeds and kinds of pairs, pixels a degree, and the mean that the authors' own program gives for them
+    /// Seeds and kinds of pairs, pixels per degree, and the mean by the authors' own program
     /// (`flip-evaluator` 1.7 of PyPI).
     const PAIRS: [([u64; 2], [u32; 2], f64, f64); 10] = [
         ([1, 2], [0, 0], PIXELS_PER_DEGREE, 0.460_129),

@@ -1,28 +1,28 @@
-//! Separable filters over planes of numbers, whose border pixels go on for ever.
+//! Separable filters of planes of numbers. Pixels beyond the border repeat the border's.
 
 use rayon::prelude::*;
 
-/// A row of weights, the middle one at the pixel itself: `2 radius + 1` of them.
+/// Row of `2 radius + 1` weights; the middle one belongs to the pixel itself.
 #[derive(Clone, Debug)]
 pub struct Kernel(Vec<f64>);
 
 impl Kernel {
-    /// The weights at the places from `-radius` to `radius`.
+    /// Creates weights for the offsets from `-radius` to `radius`.
     pub fn new(radius: i32, weight: impl Fn(f64) -> f64) -> Self {
         Self((-radius..=radius).map(|place| weight(place.into())).collect())
     }
 
-    /// The sum of the weights.
+    /// Returns the sum of the weights.
     pub fn sum(&self) -> f64 {
         self.0.iter().sum()
     }
 
-    /// The same, each weight times that.
+    /// Multiplies each weight by a factor.
     pub fn scaled(self, factor: f64) -> Self {
         Self(self.0.into_iter().map(|weight| weight * factor).collect())
     }
 
-    /// The same with positive weights that add up to 1, and negative ones that add up to -1.
+    /// Scales the weights so that positive ones add up to 1 and negative ones to -1.
     pub fn balanced(self) -> Self {
         let part = |is_of: fn(&f64) -> bool| self.0.iter().copied().filter(is_of).sum::<f64>().abs();
         let (positive, negative) = (part(|weight| *weight > 0.0), part(|weight| *weight < 0.0));
@@ -31,7 +31,7 @@ impl Kernel {
     }
 }
 
-/// A plane of numbers, filtered along rows by one kernel and along columns by another.
+/// Filters a plane of numbers along rows by one kernel and along columns by another.
 pub fn filtered(plane: &[f64], [columns, rows]: [usize; 2], along_rows: &Kernel, down: &Kernel) -> Vec<f64> {
     let tap = |place: usize, offset: usize, radius: usize, count: usize| {
         (place + offset).saturating_sub(radius).min(count - 1)

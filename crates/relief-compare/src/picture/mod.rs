@@ -1,5 +1,5 @@
-//! How pictures differ, as numbers: FLIP, structural similarity, peak signal to noise, and the root of the
-//! mean squared error.
+//! Measures of the difference of pictures: FLIP, structural similarity, peak signal-to-noise ratio,
+//! and root mean square error.
 
 mod flip;
 mod kernel;
@@ -11,19 +11,19 @@ use relief_scene::Scene;
 
 pub use flip::{Flip, PIXELS_PER_DEGREE, flip};
 
-/// A picture to compare: linear colours.
+/// Picture to compare, in linear colours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
-    /// Columns and rows.
+    /// Numbers of columns and rows.
     size: [u32; 2],
     /// Linear red, green and blue from 0 to 1, row by row from the top.
     pixels: Vec<[f32; 3]>,
 }
 
-/// Pictures that cannot be compared.
+/// Error of pictures that cannot be compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ImageError {
-    /// They are not as large as each other.
+    /// The pictures differ in size.
     #[error("a picture of {}x{} pixels cannot be compared with one of {}x{}", a[0], a[1], b[0], b[1])]
     Sizes {
         /// Columns and rows of the first.
@@ -31,22 +31,23 @@ pub enum ImageError {
         /// Columns and rows of the second.
         b: [u32; 2],
     },
-    /// The pixels are not as many as the size says, or there are none.
-    #[error("{pixels} pixels are no picture of {}x{}", size[0], size[1])]
+    /// The number of pixels does not match the size, or is 0.
+    #[error("{pixels} pixels do not form a picture of {}x{}", size[0], size[1])]
     Pixels {
         /// Columns and rows.
         size: [u32; 2],
-        /// How many pixels there are.
+        /// Number of pixels.
         pixels: usize,
     },
 }
 
 impl Image {
-    /// Linear colours, row by row from the top. What a display cannot show is cut off: below 0, above 1, NaN.
+    /// Creates a picture from linear colours, row by row from the top. Values that a display cannot
+    /// show (below 0, above 1, NaN) are clamped to 0 or 1.
     ///
     /// # Errors
     ///
-    /// When the pixels are not as many as the size says, or there are none.
+    /// When the number of pixels does not match the size, or is 0.
     pub fn new(size: [u32; 2], linear: Vec<[f32; 3]>) -> Result<Self, ImageError> {
         let count = size.map(u64::from).iter().product::<u64>();
         if count == 0 || linear.len() as u64 != count {
@@ -58,32 +59,32 @@ impl Image {
         Ok(Self { size, pixels })
     }
 
-    /// What a rendering of a scene looks like.
+    /// Creates the picture of a scene's rendering.
     ///
     /// # Errors
     ///
-    /// When it has no pixels.
+    /// When the rendering has no pixels.
     pub fn of(rendering: &Rendering, scene: &Scene) -> Result<Self, ImageError> {
         Self::new([rendering.width, rendering.height], linear(rendering, scene))
     }
 
-    /// Columns and rows.
+    /// Returns the numbers of columns and rows.
     pub fn size(&self) -> [u32; 2] {
         self.size
     }
 
-    /// The linear colours, row by row from the top.
+    /// Returns the linear colours, row by row from the top.
     pub fn pixels(&self) -> &[[f32; 3]] {
         &self.pixels
     }
 
-    /// The picture in 8 bits of sRGB.
+    /// Returns the picture in 8-bit sRGB.
     pub fn srgb8(&self) -> Vec<[u8; 3]> {
         let byte = |linear: f32| (linear_to_srgb(linear.into()) * 255.0 + 0.5) as u8;
         self.pixels.iter().map(|pixel| pixel.map(byte)).collect()
     }
 
-    /// Whether both are as large as each other.
+    /// Checks that both pictures have the same size.
     fn check_size(&self, other: &Image) -> Result<(), ImageError> {
         if self.size == other.size {
             return Ok(());
@@ -92,11 +93,11 @@ impl Image {
     }
 }
 
-/// Root of the mean squared difference of the linear colours.
+/// Returns the root mean square difference of the linear colours.
 ///
 /// # Errors
 ///
-/// When the pictures are not as large as each other.
+/// When the pictures differ in size.
 pub fn root_mean_square(a: &Image, b: &Image) -> Result<f64, ImageError> {
     a.check_size(b)?;
     let parts = a.pixels.as_flattened().iter().zip(b.pixels.as_flattened());
@@ -104,11 +105,12 @@ pub fn root_mean_square(a: &Image, b: &Image) -> Result<f64, ImageError> {
     Ok((sum / (3 * a.pixels.len()) as f64).sqrt())
 }
 
-/// Peak signal to noise ratio of the 8-bit sRGB pictures in decibels; `None` where these are the same.
+/// Returns the peak signal-to-noise ratio of the 8-bit sRGB pictures in decibels; `None` if they
+/// are equal.
 ///
 /// # Errors
 ///
-/// When the pictures are not as large as each other.
+/// When the pictures differ in size.
 pub fn peak_signal_to_noise(a: &Image, b: &Image) -> Result<Option<f64>, ImageError> {
     a.check_size(b)?;
     let (bytes_a, bytes_b) = (a.srgb8(), b.srgb8());
@@ -118,12 +120,12 @@ pub fn peak_signal_to_noise(a: &Image, b: &Image) -> Result<Option<f64>, ImageEr
     Ok((mean > 0.0).then(|| 10.0 * (255.0 * 255.0 / mean).log10()))
 }
 
-/// Structural similarity (Wang, Bovik, Sheikh and Simoncelli 2004) of the 8-bit luma of both pictures, the
-/// mean over windows of 8 x 8 pixels: 1 where they are the same.
+/// Returns the structural similarity of the 8-bit luma of both pictures (Wang, Bovik, Sheikh and
+/// Simoncelli 2004). It is the mean over windows of 8 x 8 pixels, 1 if they are equal.
 ///
 /// # Errors
 ///
-/// When the pictures are not as large as each other.
+/// When the pictures differ in size.
 pub fn structural_similarity(a: &Image, b: &Image) -> Result<f64, ImageError> {
     a.check_size(b)?;
     let gray = |image: &Image| {
@@ -173,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_picture_and_pictures_of_other_sizes_are_refused() {
+    fn unreadable_and_wrongly_sized_pictures_are_refused() {
         assert_eq!(Image::new([2, 2], vec![]), Err(ImageError::Pixels { size: [2, 2], pixels: 0 }));
         assert_eq!(Image::new([0, 2], vec![]), Err(ImageError::Pixels { size: [0, 2], pixels: 0 }));
         let [a, b] = [ramp(2, 0.0), ramp(3, 0.0)];

@@ -1,11 +1,11 @@
-//! The work of a comparison: rays first, then pictures, for each level of the map and each scale.
+//! Execution of a comparison: rays first, then pictures, for each level of the map and each scale.
 
-mod again;
 mod pictures;
 mod rays;
 mod reference;
 mod shadow;
 mod subject;
+mod time_again;
 mod times;
 
 use relief_core::registry::RayClass;
@@ -22,60 +22,61 @@ use crate::error::CompareError;
 use crate::picture::{Flip, Image};
 use crate::record::{About, LeftOut, MethodRecord, Records};
 
-/// What a comparison finds.
+/// Results of a comparison.
 #[derive(Clone, Debug, Default)]
 pub struct Compared {
-    /// The numbers.
+    /// Figures.
     pub records: Records,
-    /// The pictures, one for each of [`Records::pictures`] in their order.
-    pub shown: Vec<Shown>,
-    /// What these are compared with.
+    /// Pictures, one for each of [`Records::pictures`] in their order.
+    pub shown: Vec<MethodPicture>,
+    /// Reference pictures.
     pub references: Vec<Reference>,
-    /// The look whose light and background all of them are shown in, unless it is the scene's own.
+    /// Look whose light and background the displayed pictures have, unless they are the scene's
+    /// own.
     pub shown_look: Option<Look>,
 }
 
-/// A picture of a method.
+/// Picture of a method.
 #[derive(Clone, Debug)]
-pub struct Shown {
-    /// The picture.
+pub struct MethodPicture {
+    /// Picture.
     pub image: Image,
-    /// How it differs from its reference.
+    /// Difference from the reference.
     pub difference: Flip,
-    /// Its reference's place among [`Compared::references`].
+    /// Index of the reference in [`Compared::references`].
     pub reference: usize,
 }
 
-/// A picture that others are compared with.
+/// Reference picture, with which others are compared.
 #[derive(Clone, Debug)]
 pub struct Reference {
-    /// Columns and rows of the height map; of several surfaces the first one's.
+    /// Columns and rows of the height map; of the first one if there are several surfaces.
     pub map_size: [u32; 2],
-    /// Metres between heights 0 and 1; of several surfaces the first one's.
+    /// Metres between heights 0 and 1; of the first map if there are several surfaces.
     pub scale_m: f64,
-    /// The name of its shadow; of several surfaces the first one's.
+    /// Name of the shadow; of the first surface if there are several.
     pub shadow: String,
-    /// Metres between the eye and the point that it looks at, where these are compared.
+    /// Metres between the camera and its target, if distances are compared.
     pub distance_m: Option<f64>,
-    /// The picture.
+    /// Picture.
     pub image: Image,
 }
 
-/// The maps that methods read, and how long each took to bake.
+/// Baked maps of methods, and their baking times.
 struct Baked {
-    /// Of each format.
+    /// Providers of maps, by format.
     maps: Vec<(MapFormat, Maps)>,
     seconds: Vec<(MapFormat, MapIdentity, f64)>,
 }
 
-/// The maps of a method.
+/// Maps of a method.
 #[derive(Default)]
 struct MapsOf {
-    /// What they were made from.
+    /// Identities of the maps.
     identities: Vec<MapIdentity>,
-    /// What they take together.
+    /// Total size in bytes.
     bytes: u64,
-    /// How long they took when they were baked.
+    /// Total baking time in seconds.
     seconds: f64,
 }
 
@@ -84,7 +85,7 @@ impl Baked {
         Self { maps: Vec::new(), seconds: Vec::new() }
     }
 
-    /// What provides maps of that format.
+    /// Returns the provider of maps of a format.
     fn maps(&mut self, format: MapFormat) -> &mut Maps {
         let known = self.maps.iter().position(|(known, _)| *known == format);
         let place = known.unwrap_or(self.maps.len());
@@ -94,7 +95,7 @@ impl Baked {
         &mut self.maps[place].1
     }
 
-    /// The maps of a method on a surface, which are counted among those that it reads.
+    /// Provides the maps of a method on a surface, and adds them to those that it reads.
     fn provide(
         &mut self,
         selection: &Selection,
@@ -116,7 +117,7 @@ impl Baked {
             if account.origin == Origin::Bake {
                 self.seconds.push((format, identity.clone(), account.elapsed.as_secs_f64()));
             }
-            // What several surfaces read is there once.
+            // A map that several surfaces share is counted once.
             if read.identities.contains(identity) {
                 continue;
             }
@@ -130,22 +131,24 @@ impl Baked {
 }
 
 impl Comparison {
-    /// Compares. The watch's tasks are the methods that are compared; parts are parts of the whole.
+    /// Runs the comparison. The watch's tasks are the methods; its progress covers the whole
+    /// comparison.
     ///
     /// # Errors
     ///
-    /// When a number is not possible, there is nothing to compare, a map cannot be baked, a picture cannot be
-    /// made, or the work was cancelled. Methods that cannot be used on the surfaces are
-    /// [left out](Records::left_out), with the reason.
+    /// When a number is not possible, there is nothing to compare, a map cannot be baked, a picture
+    /// cannot be rendered, or the work was cancelled. Methods that cannot be used on the surfaces
+    /// are [left out](Records::left_out), with the reason.
     pub fn run(&self, watch: &Watch) -> Result<Compared, CompareError> {
         self.run_on(&|machine| Renderer::new(machine.backend_choice(), machine.sampling), watch)
     }
 
-    /// The same with renderers that the caller makes, as on a device that he has opened.
+    /// Runs the comparison with renderers from the caller, for example on a device that is already
+    /// open.
     ///
     /// # Errors
     ///
-    /// As [`Self::run`].
+    /// See [`Self::run`].
     pub fn run_on(&self, renderers: &Renderers, watch: &Watch) -> Result<Compared, CompareError> {
         self.check()?;
         let surfaces = self.scene.surfaces();
@@ -167,7 +170,7 @@ impl Comparison {
         }
         if surfaces.len() > 1 && self.rays > 0 {
             left_out.push(LeftOut {
-                what: "the error of hits, along rays and in pictures,".to_owned(),
+                what: "errors of hits, along rays and in pictures".to_owned(),
                 reason: format!(
                     "the scene has {} surfaces that hide each other, and a true hit belongs to one map",
                     surfaces.len()
@@ -206,10 +209,10 @@ impl Comparison {
     }
 }
 
-/// Makes the renderer of a machine.
+/// Creates the renderer of a machine.
 pub type Renderers<'a> = dyn Fn(Machine) -> Result<Renderer, RenderError> + 'a;
 
-/// The methods, each once whatever its shadow: rays of the view know nothing of it.
+/// Returns the methods without shadows, each once: shadows do not affect view rays.
 fn without_shadows(contenders: &[Contender]) -> Vec<Contender> {
     let mut seen: Vec<Contender> = Vec::new();
     for contender in contenders {
@@ -221,20 +224,20 @@ fn without_shadows(contenders: &[Contender]) -> Vec<Contender> {
     seen
 }
 
-/// A comparison at work.
+/// State of a running comparison.
 struct Work<'a> {
-    /// The maps that methods read.
+    /// Maps that methods read.
     baked: Baked,
-    /// What was found so far.
+    /// Results so far.
     compared: Compared,
     watch: Watch<'a>,
-    /// Of how many parts so many are done.
+    /// Total number of parts, and the number done.
     parts: usize,
     done: usize,
 }
 
 impl Work<'_> {
-    /// Says what comes next.
+    /// Reports the next task.
     fn next(&mut self, what: &str) -> Result<(), Cancelled> {
         self.watch.task(what).at(self.done as f32 / self.parts.max(1) as f32)?;
         self.done += 1;
@@ -242,8 +245,8 @@ impl Work<'_> {
     }
 }
 
-/// A machine, and what makes its pictures.
-struct Station {
+/// Machine with its renderer.
+struct MachineRenderer {
     machine: Machine,
     renderer: Renderer,
 }

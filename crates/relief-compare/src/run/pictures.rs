@@ -1,4 +1,4 @@
-//! Methods in pictures.
+//! Comparison of methods in pictures.
 
 use relief_core::camera::Camera;
 use relief_core::exact::ExactHit;
@@ -9,10 +9,10 @@ use relief_render::{RenderError, Rendered, Renderer};
 use relief_scene::{Scene, Surface};
 use relief_shaders::{Choice, SHADOW, SHADOW_SEARCH, Selection};
 
-use super::reference::{hit_of, in_tile_of, is_flat, seen_by_judge, selection, truth};
+use super::reference::{hit_of, in_tile_of, is_flat, selection, traced_exactly, truth};
 use super::shadow::{has_disc, true_shadow, with_samples};
 use super::subject::{Subject, with_selections};
-use super::{Compared, MapsOf, Reference, Renderers, Shown, Station, Work};
+use super::{Compared, MachineRenderer, MapsOf, MethodPicture, Reference, Renderers, Work};
 use crate::case::judged;
 use crate::comparison::{Comparison, Machine, MachineBackend};
 use crate::contender::Contender;
@@ -22,13 +22,13 @@ use crate::picture::{
 };
 use crate::record::{ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord};
 
-/// How far the second frame is moved to the right, in pixels of the point looked at.
+/// Distance by which the camera moves to the right for the second frame, in pixels at its target.
 const STEP_PIXELS: f64 = 0.1;
 
-/// What makes reference pictures.
+/// Name of the method of reference pictures.
 const EXACT: &str = "exact";
 
-/// What is shown: surfaces from a camera, and what their pictures are compared with.
+/// Surfaces seen from a camera, and the references for their pictures.
 pub struct Shot<'a> {
     pub subject: &'a Subject,
     pub scene: Scene,
@@ -36,20 +36,20 @@ pub struct Shot<'a> {
     truths: Vec<Truth>,
 }
 
-/// What pictures with some shadows are compared with.
+/// Reference for pictures with certain shadows.
 struct Truth {
-    /// Of each surface the exact shadow.
+    /// Exact shadow for each surface.
     shadows: Vec<Choice>,
-    /// Its place among all references.
+    /// Index among all references.
     reference: usize,
     image: Image,
-    /// The hits of the pixels' centres; none of several surfaces.
+    /// Hits of the pixels' centres; none with several surfaces.
     hits: Option<Vec<ExactHit>>,
-    /// How much frames change that many samples are taken of.
+    /// Difference between two frames with many samples.
     still: Option<Change>,
 }
 
-/// How much two frames differ.
+/// Difference between two frames.
 #[derive(Clone, Copy)]
 struct Change {
     rms: f64,
@@ -85,7 +85,7 @@ impl Comparison {
         if stations.is_empty() {
             return Ok(());
         }
-        // The truth is the CPU's.
+        // References are rendered on the CPU.
         let mut own = self.station(make, Machine::CPU)?.0;
         let views = self.views()?;
         for (subject, (distance_m, scene)) in
@@ -108,12 +108,12 @@ impl Comparison {
         Ok(())
     }
 
-    /// Adds every method's picture of what is shown, and its times.
+    /// Adds every method's picture of a shot, and its times.
     fn on_machine(
         &self,
         shot: &Shot,
         contenders: &[Contender],
-        station: &mut Station,
+        station: &mut MachineRenderer,
         work: &mut Work,
     ) -> Result<(), CompareError> {
         let first = work.compared.records.pictures.len();
@@ -127,7 +127,7 @@ impl Comparison {
         work.next("times")?;
         let times = self.times(shot, &shown, &mut station.renderer, work)?;
         if self.timing.is_some() && !times.is_empty() && times.iter().all(Option::is_none) {
-            let reason = "frames are timed beside bump mapping, of which this surface has none";
+            let reason = "frames are timed relative to bump mapping, which this surface does not support";
             work.compared.leave_out("times", reason);
         }
         for (record, times) in work.compared.records.pictures[first..].iter_mut().zip(times) {
@@ -136,15 +136,15 @@ impl Comparison {
         Ok(())
     }
 
-    /// A machine, and what its device is called.
-    fn station(&self, make: &Renderers, machine: Machine) -> Result<(Station, String), CompareError> {
+    /// Creates a machine's renderer, and returns its device's name.
+    fn station(&self, make: &Renderers, machine: Machine) -> Result<(MachineRenderer, String), CompareError> {
         let mut renderer = make(machine).map_err(|error| CompareError::of_picture(machine.name(), error))?;
         renderer.set_lanes(self.lanes);
         let device = renderer.device();
-        Ok((Station { machine, renderer }, device))
+        Ok((MachineRenderer { machine, renderer }, device))
     }
 
-    /// What pictures with such shadows are compared with, on the CPU.
+    /// Renders the reference for pictures with the given shadows, on the CPU.
     fn truth(
         &self,
         shot: &Shot,
@@ -166,7 +166,7 @@ impl Comparison {
             Some(surface) if is_flat(surface.mesh()) => {
                 Some(rendered.rendering.pixels.iter().map(|pixel| truth(hit_of(pixel))).collect())
             }
-            Some(surface) => Some(seen_by_judge(surface, scene.camera(), scene.size())?),
+            Some(surface) => Some(traced_exactly(surface, scene.camera(), scene.size())?),
             None => None,
         };
         let image = Image::of(&rendered.rendering, scene)?;
@@ -197,12 +197,13 @@ impl Comparison {
         Ok(Truth { shadows, reference, image, hits, still })
     }
 
-    /// Adds a method's picture, unless it cannot be made of such surfaces on such a machine.
+    /// Adds a method's picture. Returns false if the method cannot render such surfaces on this
+    /// machine.
     fn picture(
         &self,
         shot: &Shot,
         contender: &Contender,
-        Station { machine, renderer }: &mut Station,
+        MachineRenderer { machine, renderer }: &mut MachineRenderer,
         work: &mut Work,
     ) -> Result<bool, CompareError> {
         let Work { baked, compared, watch, .. } = work;
@@ -210,8 +211,10 @@ impl Comparison {
         let selections = contender.on_all(surfaces)?.selections;
         let is_of_gpu = machine.backend == MachineBackend::Gpu;
         if is_of_gpu && selections.iter().any(|selection| selection.rays_through_scene().is_some()) {
-            compared
-                .leave_out(&format!("{label} on a GPU"), "rays go through a whole scene on the CPU alone");
+            compared.leave_out(
+                &format!("{label} on a GPU"),
+                "rays through a whole scene are only traced on the CPU",
+            );
             return Ok(false);
         }
         let Some(truth) = shot.truth(&true_shadows(shot, contender)?) else { return Ok(false) };
@@ -224,7 +227,8 @@ impl Comparison {
         let maps = baked.maps(contender.format());
         let rendered = match rendered(&scene, renderer, maps, &label, watch) {
             Ok(rendered) => rendered,
-            // Too many triangles, say: the others can be compared all the same.
+            // Geometry may fail, for example by too many triangles; the other methods are still
+            // compared.
             Err(CompareError::Render { source, .. }) if matches!(*source, RenderError::Geometry { .. }) => {
                 compared.leave_out(&label, &source.to_string());
                 return Ok(false);
@@ -277,11 +281,11 @@ impl Comparison {
             times: None,
         });
         let image = self.shown(&scene, &image, renderer, (baked.maps(contender.format()), &label), watch)?;
-        compared.shown.push(Shown { image, difference, reference: truth.reference });
+        compared.shown.push(MethodPicture { image, difference, reference: truth.reference });
         Ok(true)
     }
 
-    /// What is shown of a scene that looks like that where it is compared.
+    /// Returns the picture to display for a scene whose compared picture is `compared`.
     fn shown(
         &self,
         scene: &Scene,
@@ -295,7 +299,7 @@ impl Comparison {
         self.image(&lit.build()?, renderer, maps, method, watch)
     }
 
-    /// What a scene looks like.
+    /// Renders the picture of a scene.
     fn image(
         &self,
         scene: &Scene,
@@ -310,7 +314,7 @@ impl Comparison {
 }
 
 impl Shot<'_> {
-    /// What pictures with such true shadows are compared with.
+    /// Returns the reference for pictures with the given exact shadows.
     fn truth(&self, shadows: &[Choice]) -> Option<&Truth> {
         let is_same = |(a, b): (&Choice, &Choice)| (a.number, a.params) == (b.number, b.params);
         self.truths.iter().find(|truth| truth.shadows.iter().zip(shadows).all(is_same))
@@ -318,7 +322,7 @@ impl Shot<'_> {
 }
 
 impl Compared {
-    /// Notes once what could not be compared.
+    /// Notes once that something could not be compared.
     fn leave_out(&mut self, what: &str, reason: &str) {
         let left_out = LeftOut { what: what.to_owned(), reason: reason.to_owned() };
         if !self.records.left_out.contains(&left_out) {
@@ -327,8 +331,7 @@ impl Compared {
     }
 }
 
-/// Of each surface the exact shadow of what a method has there, or where none is asked for of what the
-/// surface has.
+/// Exact shadow for each surface: of the contender's shadow or, without one, of the surface's.
 fn true_shadows(shot: &Shot, contender: &Contender) -> Result<Vec<Choice>, CompareError> {
     let has_disc = has_disc(&shot.scene);
     let of = |surface: &Surface| {
@@ -338,7 +341,7 @@ fn true_shadows(shot: &Shot, contender: &Contender) -> Result<Vec<Choice>, Compa
     shot.subject.surfaces.iter().map(of).collect()
 }
 
-/// What a method selects, with the shadow that it has on a surface: what it reads maps for.
+/// Combines a method's selection with its shadow on a surface: the stages for which it reads maps.
 fn with_shadow_of(method: &Selection, on_surface: &Selection) -> Selection {
     let mut selection = *method;
     for place in [SHADOW, SHADOW_SEARCH] {
@@ -347,7 +350,7 @@ fn with_shadow_of(method: &Selection, on_surface: &Selection) -> Selection {
     selection
 }
 
-/// A picture, unless the work is ended.
+/// Renders a picture, unless the work is cancelled.
 fn rendered(
     scene: &Scene,
     renderer: &mut Renderer,
@@ -359,7 +362,7 @@ fn rendered(
     renderer.render(scene, maps, &watch.quiet()).map_err(|error| CompareError::of_picture(method, error))
 }
 
-/// The scene as it is seen a little more from the right.
+/// Moves the scene's camera slightly to the right.
 fn moved(scene: &Scene) -> Result<Scene, CompareError> {
     let camera = scene.camera();
     let [_, rows] = scene.size();

@@ -1,4 +1,4 @@
-//! Methods along rays at given angles.
+//! Comparison of methods along rays at given angles.
 
 use relief_core::metrics::CostReport;
 use relief_shaders::cpu::MethodTracer;
@@ -12,8 +12,8 @@ use crate::error::CompareError;
 use crate::record::{MethodRecord, RayRecord};
 
 impl Comparison {
-    /// Adds every method that searches, at every angle, where there is one surface. All of them have the same
-    /// rays.
+    /// Adds every method that searches, at every angle, if there is only one surface. All methods
+    /// get the same rays.
     pub(super) fn rays(
         &self,
         subject: &Subject,

@@ -1,4 +1,4 @@
-//! What pictures are compared with.
+//! References with which pictures are compared.
 
 use rayon::prelude::*;
 use relief_core::camera::Camera;
@@ -12,11 +12,11 @@ use relief_shaders::{Choice, STAGES, SURFACE, Selection, SelectionError};
 use crate::contender::Contender;
 use crate::error::CompareError;
 
-/// How far vertices of a flat mesh are beside its plane at most, in parts of its size, and the least cosine
-/// between its normals.
+/// Greatest distance of a flat mesh's vertices from its plane, relative to its size; and greatest
+/// difference of the cosine between its normals from 1.
 const FLAT: f64 = 1e-6;
 
-/// Whether a mesh lies in a plane, with normals across it.
+/// Whether a mesh lies in a plane, with perpendicular normals.
 pub fn is_flat(mesh: &Mesh) -> bool {
     let vertices = mesh.vertices();
     let Some(first) = vertices.first() else { return false };
@@ -28,20 +28,20 @@ pub fn is_flat(mesh: &Mesh) -> bool {
     })
 }
 
-/// What pictures are compared with, in words.
+/// Describes the reference pictures in words.
 pub fn words(surfaces: &[Surface]) -> &'static str {
     match surfaces {
-        [surface] if is_flat(surface.mesh()) => "the picture of the method exact, on the CPU, and its hits",
+        [surface] if is_flat(surface.mesh()) => "the picture of the method exact on the CPU, and its hits",
         [_] => {
-            "the picture of the method exact on the surface prism, on the CPU, and the hits of the exact \
-             judge of displaced meshes"
+            "the picture of the method exact with the surface prism on the CPU, and the hits of the exact \
+             tracer of displaced meshes"
         }
-        _ => "the picture of the method exact, of curved meshes on the surface prism, on the CPU",
+        _ => "the picture of the method exact on the CPU, with the surface prism for curved meshes",
     }
 }
 
-/// What the reference of a surface runs: the exact method with that shadow, on curved meshes in shells of the
-/// triangles.
+/// Returns the selection for a surface's reference: the exact method with the given shadow, and
+/// shells on curved meshes.
 pub fn selection(surface: &Surface, shadow: Choice) -> Result<Selection, SelectionError> {
     let mut selection = *surface.selection();
     if !is_flat(surface.mesh()) {
@@ -51,7 +51,7 @@ pub fn selection(surface: &Surface, shadow: Choice) -> Result<Selection, Selecti
     Contender::named("exact")?.with_shadow(shadow).on(&prepared)
 }
 
-/// The hit of a pixel's centre, with its depth for `t`.
+/// Returns the hit of a pixel's centre; its depth becomes `t`.
 pub fn hit_of(pixel: &PixelOut) -> Hit {
     let cost = Cost { reads: pixel.reads, steps: pixel.steps, bytes: pixel.bytes };
     if pixel.hit == 0 {
@@ -67,13 +67,13 @@ pub fn hit_of(pixel: &PixelOut) -> Hit {
     }
 }
 
-/// A hit that is the truth.
+/// Turns a hit into a true one.
 pub fn truth(hit: Hit) -> ExactHit {
     ExactHit { hit, ..ExactHit::miss(Cost::default(), 0.0) }
 }
 
-/// What the judge of displaced meshes sees at the centre of every pixel.
-pub fn seen_by_judge(
+/// Traces the centre of every pixel with the exact tracer of displaced meshes.
+pub fn traced_exactly(
     surface: &Surface,
     camera: &Camera,
     [columns, rows]: [u32; 2],
@@ -96,8 +96,8 @@ pub fn seen_by_judge(
     Ok(seen.collect())
 }
 
-/// The same hit in the tile that is nearest to the true one: where the map goes on as it began, charts may
-/// meet whole tiles apart.
+/// Moves a hit to the tile nearest to the true one: on a repeated map, charts may meet whole tiles
+/// apart.
 pub fn in_tile_of(hit: Hit, truth: &Hit, wrap: Wrap) -> Hit {
     if wrap != Wrap::Repeat || !(hit.found && truth.found) {
         return hit;

@@ -1,4 +1,4 @@
-//! Which shadow the reference picture of a shadow has.
+//! Choice of the shadow of reference pictures.
 
 use relief_core::registry::Param;
 use relief_scene::Scene;
@@ -8,13 +8,13 @@ use relief_shaders::{Choice, Entry, SHADOW, STAGES, SelectionError};
 
 use crate::contender::shadow;
 
-/// Rays to a light's disc that a pixel of a reference picture sends, of all its samples.
+/// Number of rays to a light's disc per pixel of a reference picture, over all samples.
 const DISC_RAYS: u32 = 1024;
 
-/// The fewest of a sample.
+/// Least number of these rays per sample.
 const LEAST_RAYS: u32 = 4;
 
-/// Whether a light has a disc.
+/// Whether any light has a disc.
 pub fn has_disc(scene: &Scene) -> bool {
     scene.lights().iter().any(|light| match light {
         Light::Directional { diameter_deg, .. } => *diameter_deg > 0.0,
@@ -22,13 +22,13 @@ pub fn has_disc(scene: &Scene) -> bool {
     })
 }
 
-/// The exact shadow of the kind of light that a shadow stands for: none for none; of shadows that surfaces
-/// throw on each other rays through the whole scene; of shadows of discs, where there are discs, the mean of
-/// many rays to these; of all others a ray to the light's centre.
+/// Returns the exact shadow for a given shadow. Without shadow it is none. For shadows between
+/// surfaces it traces rays through the whole scene. For shadows of discs, if there are discs, it is
+/// the mean of many rays to them. For all others it is a ray to the light's centre.
 pub fn true_shadow(of: &Choice, has_disc: bool) -> Result<Choice, SelectionError> {
     let is_truth: fn(&Entry) -> bool = match of.entry.shadow() {
         _ if of.entry.is_idle() => Entry::is_idle,
-        // Its rays go to as many points of a light as it says.
+        // This shadow itself traces to as many points of a light as its setting says.
         Some(ShadowRole::ThroughScene { .. }) => return Ok(*of),
         Some(ShadowRole::LightViews { .. }) => {
             |entry| matches!(entry.shadow(), Some(ShadowRole::ThroughScene { .. }))
@@ -41,7 +41,7 @@ pub fn true_shadow(of: &Choice, has_disc: bool) -> Result<Choice, SelectionError
     shadow(STAGES[SHADOW].first(is_truth).map_or(of.entry.name, |(_, entry)| entry.name))
 }
 
-/// The same where so many samples of a pixel are taken.
+/// Adapts the number of rays to the number of samples per pixel.
 pub fn with_samples(mut shadow: Choice, samples: u32) -> Choice {
     if let Some(ShadowRole::ToLights { rays: Some(rays) }) = shadow.entry.shadow()
         && let Some((place, Param { max, .. })) = shadow.entry.param(rays)
@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_shadow_has_a_truth_that_is_its_own() {
+    fn a_reference_shadow_is_its_own_reference() {
         for entry in STAGES[SHADOW].entries {
             for has_disc in [false, true] {
                 let truth = true_shadow(&shadow(entry.name).expect("a shadow"), has_disc).expect("a truth");

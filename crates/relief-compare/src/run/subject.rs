@@ -1,5 +1,5 @@
-//! What is compared at once: the surfaces of a scene, at a scale and a level of their maps, and how they are
-//! seen.
+//! Subjects of a comparison: the surfaces of a scene at a scale and a level of their maps, and the
+//! views of them.
 
 use std::sync::Arc;
 
@@ -11,10 +11,10 @@ use relief_shaders::Selection;
 use crate::comparison::Comparison;
 use crate::error::CompareError;
 
-/// The surfaces, at a scale and a level of their maps.
+/// Surfaces at a scale and a level of their maps.
 pub struct Subject {
     pub surfaces: Vec<Surface>,
-    /// Columns and rows of the map, and its scale; of several the first one's.
+    /// Columns and rows of the map, and its scale; of the first one if there are several.
     pub map_size: [u32; 2],
     pub scale_m: f64,
 }
@@ -26,12 +26,13 @@ impl Subject {
         Self { map_size, scale_m: first.map_or(0.0, |map| map.scale_m()), surfaces }
     }
 
-    /// The surface, where it is the only one: of several nobody can say to which a ray or a hit belongs.
+    /// Returns the surface if it is the only one. With several, rays and hits cannot be assigned to
+    /// a map.
     pub fn only(&self) -> Option<&Surface> {
         if let [surface] = &self.surfaces[..] { Some(surface) } else { None }
     }
 
-    /// Texels of its height maps; of one that several surfaces have once.
+    /// Number of texels of all height maps; a shared one counts once.
     pub fn map_texels(&self) -> u64 {
         let mut maps: Vec<&Arc<HeightMap>> = Vec::new();
         for map in self.surfaces.iter().map(Surface::height_map) {
@@ -43,7 +44,7 @@ impl Subject {
     }
 }
 
-/// A scene with what is run on each of its surfaces.
+/// Returns the scene with the given selections on its surfaces.
 pub fn with_selections(
     scene: &Scene,
     surfaces: &[Surface],
@@ -56,8 +57,8 @@ pub fn with_selections(
 }
 
 impl Comparison {
-    /// The surfaces at each scale of each level of their maps. Surfaces that have the same map have the same
-    /// level of it.
+    /// Returns the surfaces at each scale and each level of their maps. Surfaces that share a map
+    /// share its levels.
     pub(super) fn subjects(&self) -> Result<Vec<Subject>, CompareError> {
         let scales: Vec<Option<f64>> = if self.scales_m.is_empty() {
             vec![None]
@@ -74,7 +75,7 @@ impl Comparison {
         Ok(subjects)
     }
 
-    /// The surfaces with maps of one of the asked levels, displaced so.
+    /// Returns the surfaces with maps of one of the requested levels, displaced by the scale.
     fn displaced(&self, place: usize, scale_m: Option<f64>) -> Result<Vec<Surface>, CompareError> {
         type Known<'a> = (&'a Arc<HeightMap>, Arc<HeightMap>);
         let mut known: Vec<Known> = Vec::new();
@@ -87,7 +88,7 @@ impl Comparison {
                 None => {
                     let (own_scale, own_bias) = (heights.scale_m(), heights.bias_m());
                     let scale_m = scale_m.unwrap_or(own_scale);
-                    // The relief lies as high above the mesh as it did, in scales.
+                    // The ratio of bias and scale stays the same.
                     let lift = if own_scale == 0.0 { -1.0 } else { own_bias / own_scale };
                     let level = self.levels(heights)?.get(place).copied().unwrap_or(0);
                     let made = heights.level(level).with_displacement(scale_m, lift * scale_m)?;
@@ -101,7 +102,7 @@ impl Comparison {
         Ok(surfaces)
     }
 
-    /// The scene as it is seen from each distance that is asked for; else as it is.
+    /// Returns the scene from each requested distance, or unchanged.
     pub(super) fn views(&self) -> Result<Vec<(Option<f64>, Scene)>, CompareError> {
         if self.distances_m.is_empty() {
             return Ok(vec![(None, self.scene.clone())]);

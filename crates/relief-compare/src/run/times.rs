@@ -1,5 +1,5 @@
-//! How long frames take. Parts of a frame are told from each other by frames without them: bump mapping
-//! without light, then with it, then the method, then its shadows.
+//! Timing of frames. The parts of a frame are separated by timing frames without them: bump mapping
+//! without light, then with light, then the method, then its shadows.
 
 use std::time::Duration;
 
@@ -17,14 +17,14 @@ use crate::error::CompareError;
 use crate::record::TimeRecord;
 use crate::spread::Median;
 
-/// The method that finds no surface.
+/// Name of the method that traces nothing.
 const BUMP: &str = "bump";
 
-/// What tells times: the clock of the machine around whole frames, and of passes that of the GPU.
+/// Clocks: the machine's around whole frames, and the GPU's for passes.
 const WALL: &str = "wall";
 const PASSES: &str = "wall, timestamps of passes";
 
-/// A scene that is timed again and again.
+/// Scene that is timed repeatedly.
 struct Timed {
     name: String,
     scene: Scene,
@@ -33,7 +33,7 @@ struct Timed {
 }
 
 impl Timed {
-    /// Milliseconds of the frame of a turn.
+    /// Milliseconds of the frame in a turn.
     fn ms(&self, turn: usize) -> f64 {
         self.times.get(turn).map_or(0.0, |time| milliseconds(time.elapsed))
     }
@@ -42,8 +42,8 @@ impl Timed {
         Median::of((0..self.times.len()).map(|turn| self.ms(turn)).collect())
     }
 
-    /// By how much its frames take longer than those of another in the same turns: the pass in which they
-    /// differ, where a GPU's clock times it, else the whole frame.
+    /// Extra time of the frames over another scene's in the same turns. It is the time of the pass
+    /// in which they differ if a GPU's clock times it, otherwise of the whole frame.
     fn beyond(&self, other: &Timed, pass: fn(&PassTimes) -> Duration) -> Median {
         let of_pass = |of: &FrameTime| of.passes.as_ref().map(|passes| milliseconds(pass(passes)));
         let turns = self.times.iter().zip(&other.times);
@@ -53,7 +53,7 @@ impl Timed {
         Median::of(each.unwrap_or_else(whole))
     }
 
-    /// Milliseconds of passes, where all were timed.
+    /// Median milliseconds of a pass, if all were timed.
     fn passes(&self, of: fn(&PassTimes) -> Duration) -> Option<f64> {
         let each: Option<Vec<f64>> = self
             .times
@@ -64,12 +64,12 @@ impl Timed {
     }
 }
 
-/// What the pass took that traces.
+/// Time of the tracing pass.
 fn trace(passes: &PassTimes) -> Duration {
     passes.trace
 }
 
-/// What the pass took that shades.
+/// Time of the shading pass.
 fn shade(passes: &PassTimes) -> Duration {
     passes.shade
 }
@@ -79,7 +79,8 @@ fn milliseconds(duration: Duration) -> f64 {
 }
 
 impl Comparison {
-    /// The times of the methods on a machine, one for each in their order; none where frames are not timed.
+    /// Times the methods on a machine, and returns one record for each in their order; none if
+    /// frames are not timed.
     pub(super) fn times(
         &self,
         shot: &Shot,
@@ -90,7 +91,7 @@ impl Comparison {
         let none = vec![None; contenders.len()];
         let Some(timing) = self.timing else { return Ok(none) };
         let bump = Contender::named(BUMP)?;
-        // On some surfaces there is no bump mapping: shells are searched or not there.
+        // Some surfaces do not support bump mapping: shells are either searched or absent.
         let Ok(plain) = bump.on_all(&shot.subject.surfaces) else { return Ok(none) };
         let plain = without_shadows(&plain.selections);
         let timed = |of: &Contender, selections: &[Selection], is_lit: bool| -> Result<Timed, CompareError> {
@@ -110,7 +111,7 @@ impl Comparison {
                     let time = renderer.time(&timed.scene, baked.maps(timed.format), &watch.quiet());
                     time.map_err(|error| CompareError::of_picture(&timed.name, error))
                 };
-                // The first frame of another scene makes it ready; a GPU has been idle meanwhile.
+                // The first frame of a scene prepares it, and wakes up an idle GPU.
                 frame()?;
                 let time = frame()?;
                 if turn >= timing.warm {
@@ -151,7 +152,7 @@ impl Comparison {
     }
 }
 
-/// The scene that is timed: larger, and of one sample a pixel.
+/// Returns the scene to time: larger, and with one sample per pixel.
 fn timed_scene(
     shot: &Shot,
     selections: &[Selection],
@@ -168,7 +169,7 @@ fn timed_scene(
     Ok(scene.build()?)
 }
 
-/// The same without shadows.
+/// Removes shadows from selections.
 fn without_shadows(selections: &[Selection]) -> Vec<Selection> {
     selections.iter().map(Selection::without_shadows).collect()
 }

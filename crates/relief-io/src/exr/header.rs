@@ -1,8 +1,8 @@
-//! The header of an EXR file, read attribute by attribute without trusting any length in it.
+//! Parser of an EXR header, which trusts no length in it.
 //!
-//! Layout after "OpenEXR File Layout" (openexr.com): magic number, version and flags, attributes as name,
-//! type, length and value, an empty name at the end; multi-part files have several headers and an empty one
-//! at the end. Then one table of chunk offsets a part.
+//! Layout after "OpenEXR File Layout" (openexr.com): magic number; version and flags; attributes as
+//! name, type, length and value; an empty name at the end. Multi-part files have several headers
+//! and an empty one at the end. One table of chunk offsets for each part follows.
 
 use std::io::{Read, Seek, SeekFrom};
 
@@ -15,14 +15,14 @@ use crate::input::{io_problem, zeros};
 use crate::layout::Format;
 use crate::source::SourceReader;
 
-/// Names are at most that long in files with the flag for long names.
+/// Greatest length of a name in files with the flag for long names.
 const MAX_NAME: usize = 255;
 
-/// The longest channel list that is read: some 2000 channels with short names. With [`MAX_PARTS`] it bounds
-/// the memory that a hostile header can take.
+/// Greatest length of a channel list in bytes: some 2000 channels with short names. With
+/// [`MAX_PARTS`] it bounds the memory that a hostile header can take.
 const MAX_CHANNEL_BYTES: u64 = 1 << 16;
 
-/// More parts than any picture has.
+/// Greatest number of parts, more than any picture has.
 const MAX_PARTS: usize = 256;
 
 /// Coordinates beyond this overflow in the format's own arithmetic.
@@ -36,9 +36,9 @@ const FLAG_MULTIPART: u32 = 1 << 12;
 pub(super) struct FileHeader {
     pub multipart: bool,
     pub parts: Vec<Part>,
-    /// Where the first offset table begins.
+    /// Offset of the first offset table in the file.
     tables_start: u64,
-    /// Where the first chunk can begin.
+    /// Least possible offset of the first chunk.
     pub chunks_start: u64,
     pub file_len: u64,
 }
@@ -80,7 +80,8 @@ impl FileHeader {
         }
     }
 
-    /// The offsets of a part's blocks of the first resolution level, from top left to bottom right.
+    /// Reads the offsets of a part's blocks of the first resolution level, from top left to bottom
+    /// right.
     pub(super) fn offset_table(
         &self,
         index: usize,
@@ -99,7 +100,7 @@ impl FileHeader {
     }
 }
 
-/// What is collected from one part's attributes.
+/// Attributes of one part, collected while its header is read.
 #[derive(Default)]
 struct PartAttributes {
     name: Option<String>,
@@ -126,7 +127,7 @@ impl AttributeReader<'_, '_> {
         Ok(bytes)
     }
 
-    /// A name that ends with a zero byte.
+    /// Reads a name that ends with a zero byte.
     fn name(&mut self) -> Result<String, ReadProblem> {
         let mut name = String::new();
         loop {
@@ -138,7 +139,7 @@ impl AttributeReader<'_, '_> {
         }
     }
 
-    /// The value of an attribute, whole.
+    /// Reads the whole value of an attribute.
     fn value(&mut self, length: u64, most: u64) -> Result<Vec<u8>, ReadProblem> {
         if length > most {
             return Err(damaged("an attribute is too long"));
@@ -156,7 +157,7 @@ impl AttributeReader<'_, '_> {
         self.bytes()
     }
 
-    /// One header; none where a multi-part file's list of headers ends.
+    /// Reads one header; none at the end of a multi-part file's list.
     fn part(&mut self, multipart: bool, tiled: bool) -> Result<Option<Part>, ReadProblem> {
         let mut attributes = PartAttributes::default();
         let mut first = true;
@@ -257,8 +258,7 @@ impl PartAttributes {
             table_len: 0,
         };
         let first_level = part.chunks();
-        // Only the place of the following parts' tables, and of the chunks, hangs on the number of all
-        // entries.
+        // Only the offsets of later tables and of the chunks depend on the number of all entries.
         part.table_len = match self.chunk_count {
             Some(count) if count >= first_level && (levels != 0 || count == first_level) => count,
             Some(_) => return Err(damaged("its number of blocks contradicts its size")),
@@ -325,7 +325,7 @@ fn damaged(what: &str) -> ReadProblem {
     ReadProblem::damaged("EXR", what)
 }
 
-/// A compression of OpenEXR 3.5, which is newer than this reader.
+/// Problem for a compression of OpenEXR 3.5, which is newer than this reader.
 fn newer(name: &str) -> ReadProblem {
     unsupported(format!("{name} compression, which is newer than this program"))
 }

@@ -1,4 +1,4 @@
-//! One part of an EXR file, as its header describes it: where its blocks lie and how large they are.
+//! Part of an EXR file, as its header describes it: the layout and sizes of its blocks.
 
 use exr::meta::BlockDescription;
 use exr::meta::attribute::{LevelMode, TileDescription};
@@ -6,23 +6,23 @@ use exr::prelude::{ChannelDescription, Compression, SampleType as ExrSample, Tex
 
 use crate::omissions::{DISPLAY_WINDOW, Remark};
 
-/// One flat part of a file.
+/// Flat part of a file.
 pub(super) struct Part {
     pub name: Option<String>,
     pub channels: Vec<ExrChannel>,
     pub compression: Compression,
     pub size: [u32; 2],
-    /// The data window, left, top, right and bottom, the last ones among it.
+    /// Data window: left, top, right and bottom, inclusive.
     pub data_window: [i64; 4],
-    /// The window that viewers show, in the same way.
+    /// Display window, which viewers show, in the same form.
     pub display_window: Option<[i64; 4]>,
-    /// Width and height of a tile, cut to the size of the picture.
+    /// Width and height of a tile, clipped to the size of the picture.
     pub tiles: Option<[u32; 2]>,
-    /// Entries of the offset table, resolution levels included.
+    /// Number of entries in the offset table, resolution levels included.
     pub table_len: u64,
 }
 
-/// One channel of a part.
+/// Channel of a part.
 pub(super) struct ExrChannel {
     pub name: String,
     pub sample: ExrSample,
@@ -31,28 +31,29 @@ pub(super) struct ExrChannel {
 
 impl ExrChannel {
     pub(super) fn description(&self) -> ChannelDescription {
-        // A name read byte by byte always has a text; only DWA looks at it, to tell colours from the rest.
+        // A name read byte by byte always converts. Only DWA looks at it, to tell colours from
+        // other channels.
         let name = Text::new_or_none(&self.name).unwrap_or_else(|| Text::from("?"));
         ChannelDescription::new(name, self.sample, self.quantize_linearly)
     }
 }
 
 impl Part {
-    /// What is to be said of its windows.
+    /// Note for the user, if the display window differs from the data window.
     pub(super) fn remark(&self) -> Option<Remark> {
         let text = |[left, top, right, bottom]: [i64; 4]| {
             format!("{}x{} from {left}, {top}", right - left + 1, bottom - top + 1)
         };
         let display = self.display_window.filter(|window| *window != self.data_window)?;
         let text = format!(
-            "its display window ({}) is another than its data window ({}): the data window is read",
+            "its display window ({}) differs from its data window ({}): the data window is read",
             text(display),
             text(self.data_window)
         );
         Some(Remark::new(&DISPLAY_WINDOW, text))
     }
 
-    /// The channel's name in the whole file: with the part's name before it where there is one.
+    /// Name of a channel in the whole file: prefixed with the part's name if it has one.
     pub(super) fn full_name(&self, channel: &str) -> String {
         match &self.name {
             Some(part) => format!("{part}.{channel}"),
@@ -83,12 +84,12 @@ impl Part {
         (u64::from(self.size[0]).div_ceil(columns), u64::from(self.size[1]).div_ceil(self.rows_per_block()))
     }
 
-    /// Number of blocks of the first resolution level.
+    /// Number of blocks in the first resolution level.
     pub(super) fn chunks(&self) -> u64 {
         self.blocks().0 * self.blocks().1
     }
 
-    /// The fewest bytes that this many bytes of texels can be stored in.
+    /// Least number of bytes to which `bytes` bytes of texels can be compressed.
     pub(super) fn least_bytes(&self, bytes: u64) -> u64 {
         match self.compression {
             Compression::Uncompressed => bytes,
@@ -96,11 +97,11 @@ impl Part {
             Compression::RLE => bytes / 64,
             // Deflate turns one byte into at most 1032.
             Compression::ZIP1 | Compression::ZIP16 => bytes / 1032,
-            // Deflate, after a quarter of each float was dropped.
+            // Deflate, after one of four bytes of each float was dropped.
             Compression::PXR24 => bytes / 1376,
             // Three bytes stand for 32.
             Compression::B44 | Compression::B44A => bytes / 11,
-            // Constant blocks of the others come down to next to nothing.
+            // The others compress constant blocks to almost nothing.
             _ => 0,
         }
     }
@@ -110,7 +111,7 @@ impl Part {
         u64::from(self.size[0]) * u64::from(self.size[1]) * self.bytes_per_texel()
     }
 
-    /// Left and top, width and height of a block.
+    /// Rectangle of a block: left and top, width and height.
     pub(super) fn block_rectangle(&self, [x, y]: [u64; 2]) -> [[u32; 2]; 2] {
         let columns = u64::from(self.tiles.map_or(self.size[0], |[columns, _]| columns));
         let (left, top) = (x * columns, y * self.rows_per_block());

@@ -1,10 +1,11 @@
-//! What a set changes on the disk, one operation at a time: tests stop it before any of them.
+//! Disk operations of a file set, one at a time: tests can stop before any of them.
 
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// The operations. In a test they may stop for good, as those of a killed process do, or one may fail.
+/// Disk operations. In a test they may stop for good, as when a process is killed, or a single one
+/// may fail.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Disk {
     #[cfg(test)]
@@ -12,7 +13,7 @@ pub(super) struct Disk {
 }
 
 impl Disk {
-    /// Asked before each operation.
+    /// Called before each operation.
     #[cfg(test)]
     fn allow(&self) -> io::Result<()> {
         self.hook.allow()
@@ -29,13 +30,14 @@ impl Disk {
         fs::create_dir(path)
     }
 
-    /// Opens a file to lock it; it is made if it is missing.
+    /// Opens a file to lock it, and creates it if it is missing.
     pub(super) fn open_lock(&self, path: &Path) -> io::Result<File> {
         self.allow()?;
         File::options().create(true).truncate(false).write(true).open(path)
     }
 
-    /// Writes a small file and forces it to the disk. A process that is killed may leave a part of it.
+    /// Writes a small file and syncs it to the disk. A process that is killed may leave a part of
+    /// it.
     pub(super) fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         self.allow()?;
         let mut file = File::create(path)?;
@@ -51,7 +53,7 @@ impl Disk {
         fs::rename(from, to)
     }
 
-    /// Gives a file a second name.
+    /// Creates a hard link.
     pub(super) fn link(&self, from: &Path, to: &Path) -> io::Result<()> {
         self.allow()?;
         #[cfg(test)]
@@ -66,14 +68,14 @@ impl Disk {
         fs::remove_file(path)
     }
 
-    /// Removes a folder that is empty.
+    /// Removes an empty folder.
     pub(super) fn remove_folder(&self, path: &Path) -> io::Result<()> {
         self.allow()?;
         fs::remove_dir(path)
     }
 }
 
-/// Whether there is anything of that name; links are not followed.
+/// Whether anything exists at the path; links are not followed.
 pub(super) fn is_there(path: &Path) -> io::Result<bool> {
     match fs::symlink_metadata(path) {
         Ok(_) => Ok(true),

@@ -1,20 +1,21 @@
-//! Why a set of files is not written.
+//! Errors of writing a set of files.
 
 use std::io;
 use std::path::PathBuf;
 
-/// Why a set of files is not written. The files are as they were before, unless the text says otherwise.
+/// Reason why a set of files was not written. The files are unchanged, unless the text says
+/// otherwise.
 #[derive(Debug, thiserror::Error)]
 pub enum FileSetError {
-    /// The folder cannot be made or written into.
+    /// The folder cannot be created or written into.
     #[error("{}: cannot write into this folder ({source}): check its permissions, or give another one", folder.display())]
     Folder {
         /// The folder.
         folder: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         source: io::Error,
     },
-    /// Another process works on the same files, and the caller does not wait any longer.
+    /// Another process works on the same files, and the caller stopped waiting.
     #[error(
         "{}: another process is writing the files of '{name}' into this folder: wait until it has ended, or end it",
         folder.display()
@@ -25,42 +26,42 @@ pub enum FileSetError {
         /// The set's name.
         name: String,
     },
-    /// The path ends in no file name.
-    #[error("{}: is no file name", .0.display())]
+    /// The path has no file name.
+    #[error("{}: has no file name: end the path with one", .0.display())]
     NoName(PathBuf),
     /// A folder has the name of an output.
-    #[error("{}: cannot be written: it is a folder", .0.display())]
+    #[error("{}: cannot be written: it is a folder: give another name", .0.display())]
     IsFolder(PathBuf),
-    /// Something has the name of an output that is neither file nor folder.
-    #[error("{}: cannot be written: it is no regular file", .0.display())]
+    /// Something that is neither file nor folder has the name of an output.
+    #[error("{}: cannot be written: it is not a regular file: give another name", .0.display())]
     NoFile(PathBuf),
-    /// Links that lead to each other.
-    #[error("{}: cannot be written: it is a link that leads nowhere", .0.display())]
+    /// Links lead to each other in a circle.
+    #[error("{}: cannot be written: it is a link that leads nowhere: remove the link or give another name", .0.display())]
     EndlessLink(PathBuf),
     /// Two outputs are the same file.
-    #[error("{}: is named for two outputs, or links lead two of them to it", .0.display())]
+    #[error("{}: two outputs would be written to this file: give them different names", .0.display())]
     Twice(PathBuf),
-    /// A file that is to be put in its place was not written.
+    /// A planned file was not written.
     #[error("{}: has no new content", .0.display())]
     NotWritten(PathBuf),
-    /// A file cannot be put in its place, or not be looked at.
+    /// A file cannot be replaced or examined.
     #[error("{}: cannot be replaced: {source}", path.display())]
     Replace {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         source: io::Error,
     },
-    /// Neither the old state nor the new one could be reached.
+    /// Neither the old nor the new state could be reached.
     #[error(
-        "{}: the files beside this folder are neither all new nor all old, since {source}: mend that and run again, which \
+        "{}: some files beside this folder are new and some are old, because of an error ({source}): fix it and run again, which \
          finishes the work, or remove this folder to leave the files as they are",
-        room.display()
+        staging.display()
     )]
     Stuck {
-        /// The hidden folder with the journal.
-        room: PathBuf,
-        /// What went wrong.
+        /// The hidden staging folder with the journal.
+        staging: PathBuf,
+        /// Error that occurred.
         source: io::Error,
     },
 }

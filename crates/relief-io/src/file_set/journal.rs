@@ -1,73 +1,75 @@
-//! What is about to change, written down before the first change: who finds a journal can finish the work of
-//! a killed process, or undo it.
+//! Journal of a set's changes, written before the first change. A process that finds a journal can
+//! finish the work of a killed process, or undo it.
 //!
-//! The new content of step `i` lies in its room as `new.i`. What it replaces or removes is kept there as
-//! `old.i` until all is done.
+//! The new content of step `i` lies in its staging folder as `new.i`. The file that it replaces or
+//! removes stays there as `old.i` until all steps are done.
 
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use super::disk::{Disk, is_there};
-use super::place::{Place, from_bytes, to_bytes};
-use super::room::{Room, is_folder};
+use super::staging::{StagingFolder, is_folder};
+use super::target::{Target, from_bytes, to_bytes};
 
-/// The journal of work to be finished.
+/// Journal of work to be finished.
 const JOURNAL: &str = "journal";
 
-/// The journal of work to be undone.
+/// Journal of work to be undone.
 const UNDO: &str = "undo";
 
-/// What a journal begins and ends with.
+/// First and last field of a journal.
 const BEGIN: &[u8] = b"relief journal 1";
 const END: &[u8] = b"end";
 
-/// A change of one file.
+/// Change of one file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Step {
     pub(super) action: Action,
-    /// The folder, where it is not the one beside the room.
-    pub(super) away: Option<PathBuf>,
+    /// Folder of the file, if it is not the one that holds the staging folder.
+    pub(super) other_folder: Option<PathBuf>,
     pub(super) name: std::ffi::OsString,
 }
 
-/// What is done to a file.
+/// Kind of change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Action {
-    /// It gets new content; `replaces` when it had one before.
+    /// The file gets new content; `replaces` if it exists already.
     Put { replaces: bool },
-    /// It goes.
+    /// The file is removed.
     Remove,
 }
 
 impl Step {
-    /// The folder with the step's content, old and new.
-    pub(super) fn room(&self, room: &Room) -> io::Result<PathBuf> {
-        self.away.as_ref().map_or_else(|| Ok(room.path.clone()), |folder| room.away(folder))
+    /// Staging folder with the step's content, old and new.
+    pub(super) fn staging_path(&self, staging: &StagingFolder) -> io::Result<PathBuf> {
+        self.other_folder
+            .as_ref()
+            .map_or_else(|| Ok(staging.path.clone()), |folder| staging.remote_path(folder))
     }
 
-    /// The file that changes.
-    pub(super) fn target(&self, room: &Room) -> PathBuf {
-        let beside = room.path.parent().unwrap_or(Path::new("."));
-        self.away.as_deref().unwrap_or(beside).join(&self.name)
+    /// Path of the file that changes.
+    pub(super) fn target(&self, staging: &StagingFolder) -> PathBuf {
+        let beside = staging.path.parent().unwrap_or(Path::new("."));
+        self.other_folder.as_deref().unwrap_or(beside).join(&self.name)
     }
 
-    /// Does it, or what is left of it to do.
-    fn redo(&self, disk: &Disk, room: &Room, number: usize) -> io::Result<()> {
-        let (aside, target) = (self.room(room)?, self.target(room));
+    /// Does the step, or the part of it that is not yet done.
+    fn redo(&self, disk: &Disk, staging: &StagingFolder, number: usize) -> io::Result<()> {
+        let (aside, target) = (self.staging_path(staging)?, self.target(staging));
         let (new, old) = (aside.join(format!("new.{number}")), aside.join(format!("old.{number}")));
         let keeps = match self.action {
-            // Without new content there is nothing left to do.
+            // Without new content nothing remains to be done.
             Action::Put { .. } if !is_there(&new)? => return Ok(()),
             Action::Put { replaces } => replaces,
             Action::Remove => true,
         };
         if keeps && !is_there(&old)? && is_there(&target)? {
             if !fs::symlink_metadata(&target)?.is_file() {
-                return Err(io::Error::other("it is no regular file any more"));
+                return Err(io::Error::other("it is not a regular file any more"));
             }
-            // A second name keeps the file in its place until the new one takes it. Some file systems have
-            // none.
+            // A hard link keeps the file in its place until the new one replaces it. Some file
+            // systems have no hard links.
             if self.action == Action::Remove || disk.link(&target, &old).is_err() {
                 disk.rename(&target, &old)?;
             }
@@ -75,9 +77,9 @@ impl Step {
         if self.action == Action::Remove { Ok(()) } else { disk.rename(&new, &target) }
     }
 
-    /// Undoes it, or what is left of it to undo.
-    fn undo(&self, disk: &Disk, room: &Room, number: usize) -> io::Result<()> {
-        let (aside, target) = (self.room(room)?, self.target(room));
+    /// Undoes the step, or the part of it that is not yet undone.
+    fn undo(&self, disk: &Disk, staging: &StagingFolder, number: usize) -> io::Result<()> {
+        let (aside, target) = (self.staging_path(staging)?, self.target(staging));
         let (new, old) = (aside.join(format!("new.{number}")), aside.join(format!("old.{number}")));
         if is_there(&old)? {
             return disk.rename(&old, &target);
@@ -90,35 +92,40 @@ impl Step {
     }
 }
 
-/// A change that failed: the file, and why.
+/// Failed change: the file, and the error.
 pub(super) type Failed = (PathBuf, io::Error);
 
-/// Changes all files as the steps say. When that fails, undoes what was done; the second value is why that
-/// failed, too.
-pub(super) fn change(disk: &Disk, room: &Room, steps: &[Step]) -> Result<(), (Failed, Option<io::Error>)> {
-    let journal = room.path.join(JOURNAL);
-    let new = room.path.join("journal.new");
+/// Carries out all steps. If one fails, the done ones are undone; the second value is the error of
+/// undoing.
+pub(super) fn change(
+    disk: &Disk,
+    staging: &StagingFolder,
+    steps: &[Step],
+) -> Result<(), (Failed, Option<io::Error>)> {
+    let journal = staging.path.join(JOURNAL);
+    let new = staging.path.join("journal.new");
     let noted =
         to_text(steps).and_then(|text| disk.write(&new, &text)).and_then(|()| disk.rename(&new, &journal));
     // Nothing has changed so far.
-    noted.map_err(|error| ((room.path.clone(), error), None))?;
-    let Err(failed) = redo(disk, room, steps) else {
-        // Without the journal it is done. When it cannot be removed, the next run finds nothing left to do.
+    noted.map_err(|error| ((staging.path.clone(), error), None))?;
+    let Err(failed) = redo(disk, staging, steps) else {
+        // Removing the journal ends the change. If it cannot be removed, the next run finds nothing
+        // left to do.
         let _ = disk.remove_file(&journal);
         return Ok(());
     };
-    let undone = disk.rename(&journal, &room.path.join(UNDO)).and_then(|()| undo(disk, room, steps));
+    let undone = disk.rename(&journal, &staging.path.join(UNDO)).and_then(|()| undo(disk, staging, steps));
     Err((failed, undone.err()))
 }
 
-/// Finishes or undoes what a killed process had begun.
-pub(super) fn recover(disk: &Disk, room: &Room) -> io::Result<()> {
-    let [journal, undo_journal] = [JOURNAL, UNDO].map(|name| room.path.join(name));
+/// Finishes or undoes the changes of a killed process.
+pub(super) fn recover(disk: &Disk, staging: &StagingFolder) -> io::Result<()> {
+    let [journal, undo_journal] = [JOURNAL, UNDO].map(|name| staging.path.join(name));
     if is_there(&undo_journal)? {
-        undo(disk, room, &from_text(&fs::read(&undo_journal)?)?)?;
+        undo(disk, staging, &from_text(&fs::read(&undo_journal)?)?)?;
     } else if is_there(&journal)? {
         let steps = from_text(&fs::read(&journal)?)?;
-        redo(disk, room, &steps).map_err(|(path, error)| {
+        redo(disk, staging, &steps).map_err(|(path, error)| {
             io::Error::new(error.kind(), format!("{} cannot be replaced ({error})", path.display()))
         })?;
         disk.remove_file(&journal)?;
@@ -126,33 +133,34 @@ pub(super) fn recover(disk: &Disk, room: &Room) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether there is work that must be finished or undone.
-pub(super) fn is_pending(room: &Room) -> bool {
-    [JOURNAL, UNDO].iter().any(|name| is_there(&room.path.join(name)).unwrap_or(true))
+/// Whether changes must still be finished or undone.
+pub(super) fn is_pending(staging: &StagingFolder) -> bool {
+    [JOURNAL, UNDO].iter().any(|name| is_there(&staging.path.join(name)).unwrap_or(true))
 }
 
-/// Goes through the steps. A folder without our room is not one that the journal was written for.
-fn redo(disk: &Disk, room: &Room, steps: &[Step]) -> Result<(), Failed> {
+/// Carries out the steps. A folder without this set's staging folder is skipped: the journal was
+/// not written for it.
+fn redo(disk: &Disk, staging: &StagingFolder, steps: &[Step]) -> Result<(), Failed> {
     for (number, step) in steps.iter().enumerate() {
         let done = step
-            .room(room)
-            .and_then(|aside| if is_folder(&aside) { step.redo(disk, room, number) } else { Ok(()) });
-        done.map_err(|error| (step.target(room), error))?;
+            .staging_path(staging)
+            .and_then(|aside| if is_folder(&aside) { step.redo(disk, staging, number) } else { Ok(()) });
+        done.map_err(|error| (step.target(staging), error))?;
     }
     Ok(())
 }
 
-/// Goes back through the steps, then drops the journal.
-fn undo(disk: &Disk, room: &Room, steps: &[Step]) -> io::Result<()> {
+/// Undoes the steps in reverse order, then removes the journal.
+fn undo(disk: &Disk, staging: &StagingFolder, steps: &[Step]) -> io::Result<()> {
     for (number, step) in steps.iter().enumerate().rev() {
-        if is_folder(&step.room(room)?) {
-            step.undo(disk, room, number)?;
+        if is_folder(&step.staging_path(staging)?) {
+            step.undo(disk, staging, number)?;
         }
     }
-    disk.remove_file(&room.path.join(UNDO))
+    disk.remove_file(&staging.path.join(UNDO))
 }
 
-/// A journal's bytes: fields that end with a zero byte, which no name has.
+/// Encodes a journal: fields that end with a zero byte, which no name contains.
 fn to_text(steps: &[Step]) -> io::Result<Vec<u8>> {
     let mut text = Vec::new();
     let mut field = |bytes: &[u8]| {
@@ -160,13 +168,13 @@ fn to_text(steps: &[Step]) -> io::Result<Vec<u8>> {
         text.push(0);
     };
     field(BEGIN);
-    for Step { action, away, name } in steps {
+    for Step { action, other_folder, name } in steps {
         field(match action {
             Action::Put { replaces: true } => b"replace",
             Action::Put { replaces: false } => b"add",
             Action::Remove => b"remove",
         });
-        field(away.as_ref().map_or(Ok(&[][..]), |folder| to_bytes(folder.as_os_str()))?);
+        field(other_folder.as_ref().map_or(Ok(&[][..]), |folder| to_bytes(folder.as_os_str()))?);
         field(to_bytes(name)?);
     }
     field(END);
@@ -188,21 +196,21 @@ fn from_text(text: &[u8]) -> io::Result<Vec<Step>> {
             Some(END) => return Ok(steps),
             _ => return Err(damaged()),
         };
-        let (Some(away), Some(name)) = (fields.next(), fields.next()) else { return Err(damaged()) };
-        let (away, name) = (Path::new(from_bytes(away)?), from_bytes(name)?);
+        let (Some(other_folder), Some(name)) = (fields.next(), fields.next()) else { return Err(damaged()) };
+        let (other_folder, name) = (Path::new(from_bytes(other_folder)?), from_bytes(name)?);
         let is_name = Path::new(name).file_name() == Some(name);
-        if !is_name || !(away.as_os_str().is_empty() || away.is_absolute()) {
+        if !is_name || !(other_folder.as_os_str().is_empty() || other_folder.is_absolute()) {
             return Err(damaged());
         }
-        let away = (!away.as_os_str().is_empty()).then(|| away.to_owned());
-        steps.push(Step { action, away, name: name.to_owned() });
+        let other_folder = (!other_folder.as_os_str().is_empty()).then(|| other_folder.to_owned());
+        steps.push(Step { action, other_folder, name: name.to_owned() });
     }
 }
 
 impl Step {
-    /// Of a file in that place, for a set whose room lies in `beside`.
-    pub(super) fn new(action: Action, place: Place, beside: &Path) -> Self {
-        let Place { folder, name } = place;
-        Self { action, away: (folder != beside).then_some(folder), name }
+    /// Creates a step for a target, for a set whose staging folder lies in `beside`.
+    pub(super) fn new(action: Action, target: Target, beside: &Path) -> Self {
+        let Target { folder, name } = target;
+        Self { action, other_folder: (folder != beside).then_some(folder), name }
     }
 }

@@ -1,84 +1,85 @@
-//! What is whole: names, lengths and hashes of files, and what they were made from.
+//! Manifest of complete files: their names, lengths and hashes, and the identity of their inputs.
 
 use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
-/// What a manifest begins with.
+/// First line of a manifest.
 const BEGIN: &str = "relief manifest 1";
 
-/// The most bytes of a manifest that are read.
+/// Greatest number of bytes of a manifest that are read.
 const MOST_BYTES: u64 = 16 << 20;
 
-/// A list of files in parts, each made from one thing. Put in its place as the last file of a set, it says
-/// what is whole.
+/// List of files in parts, each made from one input. It is written as the last file of a set, and
+/// records which files are complete.
 ///
-/// It is lines of text: a first line with the version; for each part `part NAME` and `made-from IDENTITY`,
-/// then for each of its files `file BYTES BLAKE3 NAME`; at the end `end BLAKE3` of all lines before. In names
-/// a control character or `%` is `%` with the two hexadecimal digits of each of its bytes.
+/// The text consists of lines: first the version; for each part `part NAME` and `made-from
+/// IDENTITY`, then for each of its files `file BYTES BLAKE3 NAME`; at the end `end BLAKE3` of all
+/// lines before. In names, a control character or `%` is written as `%` with the two hexadecimal
+/// digits of each of its bytes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Manifest {
     parts: Vec<Part>,
 }
 
-/// Files that were made together.
+/// Files that were written together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// What tells it from other parts.
+    /// Name of the part, unique in the manifest.
     pub name: String,
-    /// What decides its content, such as a hash of all inputs.
+    /// Identity of the inputs, such as a hash.
     pub made_from: String,
-    /// Its files.
+    /// Files of the part.
     pub files: Vec<ListedFile>,
 }
 
-/// A file of a part.
+/// File of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ListedFile {
-    /// Its name in the folder of the manifest.
+    /// Name in the manifest's folder.
     pub name: String,
-    /// Its length.
+    /// Length in bytes.
     pub bytes: u64,
-    /// BLAKE3 of its content, in hexadecimal digits.
+    /// BLAKE3 hash of the content, in hexadecimal digits.
     pub hash: String,
 }
 
-/// What lies where a manifest may be.
+/// State of the file at a manifest's path.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum FoundManifest {
-    /// Nothing.
-    Nothing,
-    /// A manifest.
-    Whole(Manifest),
-    /// The beginning of a manifest, which does not go on as one.
+pub enum ManifestState {
+    /// There is no file.
+    Missing,
+    /// The file is a valid manifest.
+    Valid(Manifest),
+    /// The file begins as a manifest, but is damaged.
     Damaged,
-    /// Something else.
-    Stranger,
+    /// The file is something else.
+    OtherFile,
 }
 
 impl Manifest {
-    /// The manifest in that place.
+    /// Reads the manifest at a path.
     ///
     /// # Errors
     ///
-    /// When there is a file that cannot be read.
-    pub fn find(path: &Path) -> io::Result<FoundManifest> {
+    /// When a file exists and cannot be read.
+    pub fn find(path: &Path) -> io::Result<ManifestState> {
         match fs::metadata(path) {
-            Ok(about) if !about.is_file() => return Ok(FoundManifest::Stranger),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(FoundManifest::Nothing),
+            Ok(about) if !about.is_file() => return Ok(ManifestState::OtherFile),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(ManifestState::Missing),
             found => found?,
         };
         let mut bytes = Vec::new();
         File::open(path)?.take(MOST_BYTES).read_to_end(&mut bytes)?;
         if !bytes.starts_with(BEGIN.as_bytes()) {
-            return Ok(FoundManifest::Stranger);
+            return Ok(ManifestState::OtherFile);
         }
         let text = std::str::from_utf8(&bytes).ok();
-        Ok(text.and_then(Self::parse).map_or(FoundManifest::Damaged, FoundManifest::Whole))
+        Ok(text.and_then(Self::parse).map_or(ManifestState::Damaged, ManifestState::Valid))
     }
 
-    /// Its text; the same manifest has the same.
+    /// Returns the manifest's text. Equal manifests have the same text.
     pub fn to_text(&self) -> String {
         let mut text = format!("{BEGIN}\n");
         let mut line = |key: &str, value: &str| {
@@ -126,29 +127,30 @@ impl Manifest {
         Some(manifest)
     }
 
-    /// The parts, in the order of their names.
+    /// Parts in the order of their names.
     pub fn parts(&self) -> &[Part] {
         &self.parts
     }
 
-    /// The part of that name.
+    /// Returns the part `name`.
     pub fn part(&self, name: &str) -> Option<&Part> {
         self.parts.iter().find(|part| part.name == name)
     }
 
-    /// Takes a part in place of the one of its name.
+    /// Inserts a part, replacing the one of the same name.
     pub fn set(&mut self, part: Part) {
         self.parts.retain(|other| other.name != part.name);
         let place = self.parts.partition_point(|other| other.name < part.name);
         self.parts.insert(place, part);
     }
 
-    /// Whether a file of that name is in any part.
+    /// Whether any part lists a file of that name.
     pub fn lists(&self, file: &str) -> bool {
         self.parts.iter().any(|part| part.files.iter().any(|listed| listed.name == file))
     }
 
-    /// The part of that name if it was made from that and all of its files in the folder are as listed.
+    /// Returns the part `name` if it was made from `made_from` and all of its files in the folder
+    /// are as listed.
     pub fn whole(&self, folder: &Path, name: &str, made_from: &str) -> Option<&Part> {
         let part = self.part(name).filter(|part| part.made_from == made_from && !part.files.is_empty())?;
         part.files.iter().all(|file| file.is_in(folder)).then_some(part)
@@ -156,14 +158,14 @@ impl Manifest {
 }
 
 impl ListedFile {
-    /// Of the content of a file that is to have that name.
+    /// Hashes the file at `path`, to be listed as `name`.
     ///
     /// # Errors
     ///
-    /// When it cannot be read, or is no regular file.
+    /// When the file cannot be read, or is not a regular file.
     pub fn of(path: &Path, name: &str) -> io::Result<Self> {
         if !fs::metadata(path)?.is_file() {
-            return Err(io::Error::other("it is no regular file"));
+            return Err(io::Error::other("it is not a regular file"));
         }
         let mut hasher = blake3::Hasher::new();
         hasher.update_reader(File::open(path)?)?;
@@ -171,7 +173,7 @@ impl ListedFile {
         Ok(Self { name: name.to_owned(), bytes, hash })
     }
 
-    /// Whether a file of that name, length and content is in the folder.
+    /// Whether the folder contains a file of that name, length and content.
     pub fn is_in(&self, folder: &Path) -> bool {
         let path = folder.join(&self.name);
         fs::metadata(&path).is_ok_and(|about| about.len() == self.bytes)
@@ -179,12 +181,12 @@ impl ListedFile {
     }
 }
 
-/// Whether it is the name of a file in the manifest's folder, and no path to another one.
+/// Whether a text is a plain file name and not a path to another folder.
 fn is_file_name(name: &str) -> bool {
     Path::new(name).file_name().is_some_and(|found| found == name)
 }
 
-/// A text without line breaks.
+/// Escapes `%` and control characters, so that the text fits on a line.
 fn escaped(text: &str) -> String {
     let mut line = String::with_capacity(text.len());
     for char in text.chars() {
@@ -200,7 +202,7 @@ fn escaped(text: &str) -> String {
     line
 }
 
-/// The text that was escaped.
+/// Reverses [`escaped`].
 fn plain(line: &str) -> Option<String> {
     let mut parts = line.split('%');
     let mut bytes = parts.next()?.as_bytes().to_vec();

@@ -1,23 +1,24 @@
 //! A set of files that is written whole or not at all.
 //!
-//! Files are prepared in a hidden folder beside their places. [`FileSet::commit`] then writes down what is
-//! going to change, gives all files their names, and removes the hidden folder. Whenever a process is killed,
-//! the next one that opens a set in that folder finishes what was written down, and drops what was not. A
-//! change that fails on the way is undone.
+//! Files are prepared in a hidden staging folder beside their final paths. [`FileSet::commit`] then
+//! writes a journal of the changes, renames all files to their final names, and removes the staging
+//! folder. If a process is killed, the next one that opens a set in that folder finishes the
+//! changes in the journal, and discards the rest. A change that fails is undone.
 //!
-//! One process at a time works on the set of a name in a folder. The system takes the lock back from a
-//! process that dies.
+//! Only one process at a time can hold the set of a given name in a folder. The system releases the
+//! lock of a process that dies.
 //!
-//! An output that is a link stays one: the file that it leads to gets the content. It need not be in the
-//! folder of the set, and nor need any other output.
+//! If an output is a link, the link stays and the file that it leads to gets the content. An output
+//! need not be in the folder of the set.
 //!
-//! While files get their names, a reader may find old ones beside new ones. A [`Manifest`], written as the
-//! last file of the set, tells: it lists what belongs together, with lengths and hashes.
+//! While files are renamed, a reader may find old ones beside new ones. A [`Manifest`], written as
+//! the last file of the set, settles this: it lists the files that belong together, with lengths
+//! and hashes.
 //!
 //! # Examples
 //!
 //! ```
-//! use relief_io::file_set::{FileSet, FoundManifest, ListedFile, Manifest, Part};
+//! use relief_io::file_set::{FileSet, ManifestState, ListedFile, Manifest, Part};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! # let folder = tempfile::tempdir()?;
@@ -35,7 +36,7 @@
 //! std::fs::write(set.put(&place)?, manifest.to_text())?;
 //! set.commit()?;
 //!
-//! let FoundManifest::Whole(found) = Manifest::find(&place)? else { panic!("it was written") };
+//! let ManifestState::Valid(found) = Manifest::find(&place)? else { panic!("it was written") };
 //! assert!(found.whole(folder, "cone", "wall.png").is_some());
 //! std::fs::write(folder.join("wall.cone.1"), "cut")?;
 //! assert!(found.whole(folder, "cone", "wall.png").is_none());
@@ -47,8 +48,8 @@ mod disk;
 mod error;
 mod journal;
 mod manifest;
-mod place;
-mod room;
+mod staging;
+mod target;
 #[cfg(test)]
 mod tests;
 
@@ -59,43 +60,44 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 pub use self::error::FileSetError;
-pub use self::manifest::{FoundManifest, ListedFile, Manifest, Part};
-pub use self::place::is_same_file;
+pub use self::manifest::{ListedFile, Manifest, ManifestState, Part};
+pub use self::target::is_same_file;
 
 use self::disk::{Disk, is_there};
 use self::journal::{Action, Step};
-use self::place::Place;
-use self::room::Room;
+use self::staging::StagingFolder;
+use self::target::Target;
 
-/// How often a folder is made that others remove.
+/// Greatest number of attempts to create a folder that other processes remove.
 const MOST_TRIES: usize = 100;
 
-/// Files that are about to be written, all of them or none. Dropped without [`commit`](FileSet::commit),
-/// everything is as it was before.
+/// Files that are about to be written, all or none. If it is dropped without
+/// [`commit`](FileSet::commit), nothing changes.
 #[derive(Debug)]
 pub struct FileSet {
     disk: Disk,
-    room: Room,
-    /// The folder beside the room, without links.
+    staging: StagingFolder,
+    /// Folder of the set, which holds the staging folder, without links.
     folder: PathBuf,
-    /// Folders that were missing, from the outermost.
-    made: Vec<PathBuf>,
-    /// Folders with a room away.
-    away: Vec<PathBuf>,
+    /// Folders that were created, outermost first.
+    created: Vec<PathBuf>,
+    /// Folders with a remote staging folder.
+    remote_folders: Vec<PathBuf>,
     steps: Vec<Step>,
 }
 
 impl FileSet {
-    /// Begins a set of that name in a folder, which is made if it is missing. Sets of one name in one folder
-    /// keep each other out. What a killed process has left in the folder is finished or removed.
+    /// Opens the set `name` in a folder, which is created if it is missing. Sets of the same name
+    /// in one folder exclude each other. Changes that a killed process has left in the folder are
+    /// finished or discarded.
     ///
-    /// While another process holds the set, `wait` is asked every few milliseconds whether to go on waiting,
-    /// with the time since the beginning.
+    /// While another process holds the set, `wait` is called every few milliseconds with the time
+    /// elapsed. It returns whether to go on waiting.
     ///
     /// # Errors
     ///
-    /// When the folder cannot be written into, when `wait` says no, or when what a killed process left cannot
-    /// be finished.
+    /// When the folder cannot be written into, when `wait` returns false, or when the changes of a
+    /// killed process cannot be finished.
     pub fn open(
         folder: &Path,
         name: impl AsRef<OsStr>,
@@ -112,100 +114,100 @@ impl FileSet {
     ) -> Result<Self, FileSetError> {
         let given = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
         let of_folder = |source| FileSetError::Folder { folder: given.to_owned(), source };
-        let mut made = Vec::new();
+        let mut created = Vec::new();
         let mut take = || -> io::Result<_> {
-            make_folders(&disk, given, &mut made)?;
+            make_folders(&disk, given, &mut created)?;
             let folder = given.canonicalize()?;
-            Ok(Room::take(&disk, &folder, name, wait)?.map(|room| (folder, room)))
+            Ok(StagingFolder::take(&disk, &folder, name, wait)?.map(|staging| (folder, staging)))
         };
         let mut taken = take();
-        // Who held the set may have made the folder, and removed it again.
+        // The process that held the set may have created the folder, and removed it again.
         for _ in 0..MOST_TRIES {
             match &taken {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => taken = take(),
                 _ => break,
             }
         }
-        let (folder, room) = match taken {
+        let (folder, staging) = match taken {
             Ok(Some(taken)) => taken,
             Ok(None) => {
                 let name = name.to_string_lossy().into_owned();
                 return Err(FileSetError::Busy { folder: given.to_owned(), name });
             }
             Err(error) => {
-                remove_folders(&disk, &made);
+                remove_folders(&disk, &created);
                 return Err(of_folder(error));
             }
         };
-        let recovered = journal::recover(&disk, &room).and_then(|()| room.clean(&disk));
+        let recovered = journal::recover(&disk, &staging).and_then(|()| staging.clean(&disk));
         if let Err(source) = recovered {
-            return Err(FileSetError::Stuck { room: room.path, source });
+            return Err(FileSetError::Stuck { staging: staging.path, source });
         }
-        for other in Room::abandoned(&disk, &folder) {
-            // What cannot be finished now is tried again by the next run, and said by one of that name.
+        for other in StagingFolder::abandoned(&disk, &folder) {
+            // A later run tries again if this fails now. A run of that name reports it.
             if journal::recover(&disk, &other).is_ok() {
                 other.leave(&disk);
             }
         }
-        Ok(Self { disk, room, folder, made, away: Vec::new(), steps: Vec::new() })
+        Ok(Self { disk, staging, folder, created, remote_folders: Vec::new(), steps: Vec::new() })
     }
 
-    /// The hidden folder beside the outputs, for files without a name that the work needs meanwhile. It is
-    /// removed at the end.
-    pub fn room(&self) -> &Path {
-        &self.room.path
+    /// Returns the hidden staging folder, for temporary files of the work. It is removed at the
+    /// end.
+    pub fn staging_folder(&self) -> &Path {
+        &self.staging.path
     }
 
-    /// Finds out whether a file can be put in that place, as far as that can be known before.
+    /// Checks in advance, as far as possible, whether a file can be put at a path.
     ///
     /// # Errors
     ///
-    /// When the path ends in no name, when there is a folder or anything else but a file, when links lead
-    /// nowhere, or when the file's folder cannot be written into.
+    /// When the path has no file name, when a folder or anything else but a file is there, when
+    /// links lead nowhere, or when the file's folder cannot be written into.
     pub fn check(&mut self, path: &Path) -> Result<(), FileSetError> {
-        self.place(path).map(|_| ())
+        self.target(path).map(|_| ())
     }
 
-    /// The place of a file, in whose folder there is a room.
-    fn place(&mut self, path: &Path) -> Result<Place, FileSetError> {
-        let place = Place::of(path)?;
-        if place.folder != self.folder && !self.away.contains(&place.folder) {
-            self.away.push(place.folder.clone());
-            let made = self.room.make_away(&self.disk, &self.away);
-            made.map_err(|source| FileSetError::Folder { folder: place.folder.clone(), source })?;
+    /// Resolves a path, and creates a staging folder in the target's folder.
+    fn target(&mut self, path: &Path) -> Result<Target, FileSetError> {
+        let target = Target::of(path)?;
+        if target.folder != self.folder && !self.remote_folders.contains(&target.folder) {
+            self.remote_folders.push(target.folder.clone());
+            let created = self.staging.make_remote(&self.disk, &self.remote_folders);
+            created.map_err(|source| FileSetError::Folder { folder: target.folder.clone(), source })?;
         }
-        Ok(place)
+        Ok(target)
     }
 
-    /// Plans new content for a file, and says where to write it. Files get their names in the order of these
-    /// calls.
+    /// Plans new content for a file, and returns the path to write it to. On commit, files are
+    /// renamed in the order of these calls.
     ///
     /// # Errors
     ///
-    /// As [`check`](Self::check), and when the same file has been planned before.
+    /// See [`check`](Self::check). Also when the same file was planned before.
     pub fn put(&mut self, path: &Path) -> Result<PathBuf, FileSetError> {
-        let place = self.place(path)?;
-        let step = Step::new(Action::Put { replaces: false }, place, &self.folder);
-        if self.steps.iter().any(|other| other.away == step.away && other.name == step.name) {
+        let target = self.target(path)?;
+        let step = Step::new(Action::Put { replaces: false }, target, &self.folder);
+        if self.steps.iter().any(|other| other.other_folder == step.other_folder && other.name == step.name) {
             return Err(FileSetError::Twice(path.to_owned()));
         }
-        let room = step.room(&self.room);
-        let room = room.map_err(|source| FileSetError::Replace { path: path.to_owned(), source })?;
-        let aside = room.join(format!("new.{}", self.steps.len()));
+        let staging = step.staging_path(&self.staging);
+        let staging = staging.map_err(|source| FileSetError::Replace { path: path.to_owned(), source })?;
+        let aside = staging.join(format!("new.{}", self.steps.len()));
         self.steps.push(step);
         Ok(aside)
     }
 
-    /// Plans that a file of the folder goes. One that has gone already is no error.
+    /// Plans the removal of a file of the folder. A file that is already gone is no error.
     ///
     /// # Errors
     ///
-    /// When the name is none of a file in the folder.
+    /// When the name is not a plain file name.
     pub fn remove(&mut self, name: &str) -> Result<(), FileSetError> {
         if Path::new(name).file_name() != Some(OsStr::new(name)) {
             return Err(FileSetError::NoName(name.into()));
         }
-        self.steps.push(Step { action: Action::Remove, away: None, name: name.into() });
+        self.steps.push(Step { action: Action::Remove, other_folder: None, name: name.into() });
         Ok(())
     }
 
@@ -213,50 +215,50 @@ impl FileSet {
     ///
     /// # Errors
     ///
-    /// When a file was planned and not written, or when one cannot be replaced. Then no file has changed;
-    /// where even that could not be reached the error is [`FileSetError::Stuck`].
+    /// When a planned file was not written, or when one cannot be replaced. Then no file has
+    /// changed; if even that could not be restored, the error is [`FileSetError::Stuck`].
     pub fn commit(mut self) -> Result<(), FileSetError> {
         for (number, step) in self.steps.iter_mut().enumerate() {
-            let target = step.target(&self.room);
+            let target = step.target(&self.staging);
             let replace = |source| FileSetError::Replace { path: target.clone(), source };
             if let Action::Put { replaces } = &mut step.action {
                 *replaces = is_there(&target).map_err(replace)?;
-                let aside = step.room(&self.room).map_err(replace)?;
+                let aside = step.staging_path(&self.staging).map_err(replace)?;
                 if !is_there(&aside.join(format!("new.{number}"))).map_err(replace)? {
                     return Err(FileSetError::NotWritten(target));
                 }
             }
         }
-        journal::change(&self.disk, &self.room, &self.steps).map_err(
+        journal::change(&self.disk, &self.staging, &self.steps).map_err(
             |((path, source), stuck)| match stuck {
                 None => FileSetError::Replace { path, source },
-                Some(_) => FileSetError::Stuck { room: self.room.path.clone(), source },
+                Some(_) => FileSetError::Stuck { staging: self.staging.path.clone(), source },
             },
         )?;
-        self.made.clear();
+        self.created.clear();
         Ok(())
     }
 }
 
 impl Drop for FileSet {
-    /// Removes the room, unless there is work in it for the next run.
+    /// Removes the staging folder, unless it holds changes for the next run to finish.
     fn drop(&mut self) {
-        if !journal::is_pending(&self.room) {
-            self.room.leave(&self.disk);
-            remove_folders(&self.disk, &self.made);
+        if !journal::is_pending(&self.staging) {
+            self.staging.leave(&self.disk);
+            remove_folders(&self.disk, &self.created);
         }
     }
 }
 
-/// Makes a folder and those that it is in, where they are missing.
-fn make_folders(disk: &Disk, folder: &Path, made: &mut Vec<PathBuf>) -> io::Result<()> {
+/// Creates a folder and its missing parents.
+fn make_folders(disk: &Disk, folder: &Path, created: &mut Vec<PathBuf>) -> io::Result<()> {
     let missing: Vec<&Path> = folder
         .ancestors()
         .take_while(|folder| !folder.as_os_str().is_empty() && fs::symlink_metadata(folder).is_err())
         .collect();
     for folder in missing.into_iter().rev() {
         match disk.make_folder(folder) {
-            Ok(()) => made.push(folder.to_owned()),
+            Ok(()) => created.push(folder.to_owned()),
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
             Err(error) => return Err(error),
         }
@@ -264,9 +266,9 @@ fn make_folders(disk: &Disk, folder: &Path, made: &mut Vec<PathBuf>) -> io::Resu
     Ok(())
 }
 
-/// Removes folders that were made, where they are empty.
-fn remove_folders(disk: &Disk, made: &[PathBuf]) {
-    for folder in made.iter().rev() {
+/// Removes created folders that are empty.
+fn remove_folders(disk: &Disk, created: &[PathBuf]) {
+    for folder in created.iter().rev() {
         let _ = disk.remove_folder(folder);
     }
 }

@@ -1,4 +1,5 @@
-//! Sets under processes that stop before any of their operations, and under operations that fail.
+//! File sets with processes that stop before any of their operations, and with operations that
+//! fail.
 
 mod manifests;
 mod refused;
@@ -12,16 +13,16 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use super::*;
 
-/// Stops the operations of a [`Disk`] where a test wants it.
+/// Stops the operations of a [`Disk`] at a chosen one.
 #[derive(Debug)]
 pub(super) struct Hook {
-    /// Operations so far.
+    /// Number of operations so far.
     done: AtomicUsize,
-    /// The number of the one that fails.
+    /// Number of the operation that fails.
     stop: AtomicUsize,
-    /// Whether those after it fail, too, as those of a process that is no more.
+    /// Whether all later operations fail, too, as when a process is killed.
     dies: AtomicBool,
-    /// Whether files may have a second name.
+    /// Whether hard links are supported.
     has_links: AtomicBool,
 }
 
@@ -47,7 +48,7 @@ impl Hook {
     }
 }
 
-/// A disk whose operation of that number fails, and the later ones where the process dies.
+/// Disk whose operation `stop` fails, and the later ones, too, if the process dies.
 fn disk(stop: usize, dies: bool, has_links: bool) -> Disk {
     let disk = Disk::default();
     disk.hook.stop.store(stop, Ordering::Relaxed);
@@ -56,7 +57,8 @@ fn disk(stop: usize, dies: bool, has_links: bool) -> Disk {
     disk
 }
 
-/// Everything that two folders hold, by name, with what is hidden; where a link leads counts, too.
+/// All files below a folder by name, hidden ones included, with their content and the targets of
+/// links.
 type State = BTreeMap<String, String>;
 
 fn state(root: &Path) -> State {

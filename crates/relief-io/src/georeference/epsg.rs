@@ -1,58 +1,59 @@
-//! Units of coordinate systems by their numbers in the EPSG's list, from a table of a few kilobytes.
+//! Units of coordinate systems by EPSG code, from a table of a few kilobytes.
 //!
-//! The table holds every projected, vertical and geographic system of the list. A number that is not in it is
-//! none of these systems, or one that is newer than the list.
+//! The table holds every projected, vertical and geographic system of the EPSG's list. A code that
+//! is missing belongs to another kind of system, or is newer than the list.
 
-/// The table, whose first lines say how it is written.
+/// Table of units and systems. Its first lines describe its format.
 const TABLE: &str = include_str!("epsg.txt");
 
-/// A unit of the EPSG's list.
+/// Unit of the EPSG's list.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EpsgUnit {
-    /// Its number.
+    /// EPSG code of the unit.
     pub code: u16,
-    /// Its size: metres in a unit of length, radians in a unit of angles.
+    /// Size of the unit: metres in a unit of length, radians in a unit of angle.
     pub size: f64,
-    /// Its name.
+    /// Name in the EPSG's list.
     pub name: &'static str,
 }
 
-/// The heights of a vertical system.
+/// Axis of a vertical system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct VerticalAxis {
-    /// The number of the unit.
+    /// EPSG code of the unit.
     pub unit: u16,
-    /// Whether they are depths: they grow downward.
+    /// Whether values are depths, which grow downward.
     pub downward: bool,
 }
 
-/// A unit of length by its number.
+/// Returns the unit of length with an EPSG code.
 pub fn length(code: u16) -> Option<EpsgUnit> {
     units("length").find(|unit| unit.code == code)
 }
 
-/// A unit of angles by its number.
+/// Returns the unit of angle with an EPSG code.
 pub fn angle(code: u16) -> Option<EpsgUnit> {
     units("angle").find(|unit| unit.code == code)
 }
 
-/// All units of length.
+/// Iterates over all units of length.
 pub(crate) fn lengths() -> impl Iterator<Item = EpsgUnit> {
     units("length")
 }
 
-/// The number of the unit of a projected system's coordinates.
+/// Returns the code of the unit of a projected system's coordinates.
 pub fn projected(code: u16) -> Option<u16> {
     unit_of("projected", code)
 }
 
-/// The number of the unit of a geographic system's latitudes and longitudes. Degrees are 9122 however they
-/// are written.
+/// Returns the code of the unit of a geographic system's latitudes and longitudes. Degrees are
+/// 9122, however they are written.
 pub fn geographic(code: u16) -> Option<u16> {
     unit_of("geographic", code).or_else(|| unit_of("geographic-3d", code))
 }
 
-/// The heights of a vertical system, or of a geographic one with heights above its ellipsoid.
+/// Returns the vertical axis of a vertical system, or of a geographic one with heights above its
+/// ellipsoid.
 pub fn vertical(code: u16) -> Option<VerticalAxis> {
     let up = |unit| VerticalAxis { unit, downward: false };
     let down = |unit| VerticalAxis { unit, downward: true };
@@ -60,7 +61,7 @@ pub fn vertical(code: u16) -> Option<VerticalAxis> {
     unit_of("vertical", code).map(up).or_else(|| unit_of("down", code).map(down)).or_else(ellipsoidal)
 }
 
-/// The number of the metre.
+/// EPSG code of the metre.
 const METRE: u16 = 9001;
 
 fn units(kind: &'static str) -> impl Iterator<Item = EpsgUnit> {
@@ -71,7 +72,7 @@ fn units(kind: &'static str) -> impl Iterator<Item = EpsgUnit> {
     })
 }
 
-/// The number of the unit under which a system is listed.
+/// Returns the code of the unit under which a system is listed.
 fn unit_of(kind: &str, code: u16) -> Option<u16> {
     let (hundred, place) = (code / 100, code % 100);
     let mut unit = None;

@@ -1,24 +1,24 @@
-//! How texels lie in a file's coordinate system.
+//! Grid of texels in a file's coordinate system.
 
 use crate::elevation::GridTransform;
 
-/// The cosine of the angle between a texel's sides up to which it is a rectangle.
+/// Greatest cosine of the angle between a texel's sides that counts as a rectangle.
 pub(super) const SQUARE: f64 = 1e-3;
 
-/// How texels lie in the file's coordinate system.
+/// Grid of texels in a file's coordinate system.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
-    /// The way from one column to the next, and from one row to the next, along x and y.
+    /// Steps from one column to the next, and from one row to the next, along x and y.
     pub(super) sides: [[f64; 2]; 2],
-    /// The outer corner of the file's first texel, where the file says it.
+    /// Outer corner of the file's first texel, if the file gives it.
     corner: Option<[f64; 2]>,
-    /// Columns and rows.
+    /// Numbers of columns and rows.
     size: [f64; 2],
 }
 
 impl Grid {
-    /// A grid of that many columns and rows by its texels' sides and where its first texel's outer corner
-    /// lies.
+    /// Creates a grid of `size` columns and rows from its texels' sides and its first texel's outer
+    /// corner. Returns an error if a texel has no area.
     pub(crate) fn new(
         sides: [[f64; 2]; 2],
         corner: Option<[f64; 2]>,
@@ -32,8 +32,7 @@ impl Grid {
         Ok(grid)
     }
 
-    /// Whether the coordinates may be degrees, where nothing says what they are: all of them are possible
-    /// ones.
+    /// Whether the coordinates may be degrees: all of them are possible angles.
     pub(super) fn may_be_degrees(&self) -> bool {
         let [columns, rows] = self.size;
         let [u, v] = self.sides;
@@ -44,7 +43,7 @@ impl Grid {
         })
     }
 
-    /// The `y` of the picture's middle, where the file says it.
+    /// Returns `y` at the picture's middle, if the grid's position is known.
     pub(super) fn middle_y(&self) -> Option<f64> {
         let [columns, rows] = self.size;
         self.y_at([columns / 2.0, rows / 2.0])
@@ -55,8 +54,8 @@ impl Grid {
         Some(self.corner?[1] + columns * u[1] + rows * v[1])
     }
 
-    /// The least and the greatest of a length that is the longer the nearer `y` is to 0, over the picture, as
-    /// parts of that in its middle.
+    /// Returns the least and the greatest value of a length over the picture, relative to its value
+    /// `middle` at the picture's middle. `at` gives the length at `y`; it grows toward `y = 0`.
     pub(super) fn spread_of(&self, at: impl Fn(f64) -> f64, middle: f64) -> Option<[f64; 2]> {
         let [columns, rows] = self.size;
         let corners = [[0.0, 0.0], [columns, 0.0], [0.0, rows], [columns, rows]];
@@ -69,7 +68,7 @@ impl Grid {
         Some([at(low.abs().max(high.abs())) / middle, at(nearest) / middle])
     }
 
-    /// Where the texels of the map lie, turned over as it is read.
+    /// Returns the transform of the map's texels, flipped as the map is read.
     pub(super) fn transform(&self) -> Option<GridTransform> {
         let ([mut column, mut row], mut origin) = (self.sides, self.corner?);
         let [columns, rows] = self.turned_over();
@@ -83,13 +82,13 @@ impl Grid {
         Some(GridTransform { origin, column, row })
     }
 
-    /// The area of a texel, negative where rows go south and columns east.
+    /// Signed area of a texel, negative if rows go south and columns east.
     fn area(&self) -> f64 {
         let [u, v] = self.sides;
         u[0] * v[1] - u[1] * v[0]
     }
 
-    /// Whether columns, and whether rows, lie in the other order than the map's.
+    /// Whether columns, and whether rows, run opposite to the map's.
     pub(crate) fn turned_over(&self) -> [bool; 2] {
         let [u, v] = self.sides;
         let upright = u[1].abs() <= SQUARE * u[0].abs() && v[0].abs() <= SQUARE * v[1].abs();

@@ -1,4 +1,4 @@
-//! Units of length, by the names that people and files give them.
+//! Units of length, by the names that people and files use.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,15 +7,15 @@ use relief_core::registry::UnknownName;
 
 use super::epsg;
 
-/// A unit of length, in which a file's heights or coordinates are.
+/// Unit of length of a file's heights or coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LengthUnit {
     name: &'static str,
     metres: f64,
 }
 
-/// Names of units in small letters, the one that is shown first, with their number in the EPSG's list or
-/// their metres.
+/// Names of units in lower case, the displayed one first, with their EPSG code or their size in
+/// metres.
 const NAMES: [(&[&str], Result<u16, f64>); 13] = [
     (&["m", "metre", "metres", "meter", "meters"], Ok(9001)),
     (&["dm", "decimetre", "decimetres", "decimeter", "decimeters"], Err(0.1)),
@@ -49,7 +49,7 @@ impl LengthUnit {
     /// The metre.
     pub const METRE: Self = Self { name: "m", metres: 1.0 };
 
-    /// The name that is shown: an abbreviation where there is one that everybody knows.
+    /// Name that is shown: a well-known abbreviation if there is one.
     pub const fn name(self) -> &'static str {
         self.name
     }
@@ -59,15 +59,15 @@ impl LengthUnit {
         self.metres
     }
 
-    /// A unit by its number in the EPSG's list.
+    /// Returns the unit with an EPSG code.
     pub fn by_code(code: u16) -> Option<Self> {
         let unit = epsg::length(code)?;
         let short = NAMES.iter().find(|(_, known)| *known == Ok(code)).map(|(names, _)| names[0]);
         Some(Self { name: short.unwrap_or(unit.name), metres: unit.size })
     }
 
-    /// A unit by one of its names, in any case: `m`, `metre`, `us-ft`, `US survey foot`, or as the EPSG's
-    /// list names it.
+    /// Returns the unit with a name, in any case: `m`, `metre`, `us-ft`, `US survey foot`, or a
+    /// name of the EPSG's list.
     pub fn by_name(name: &str) -> Option<Self> {
         let name = name.trim().to_lowercase();
         match NAMES.iter().find(|(names, _)| names.contains(&name.as_str())) {
@@ -95,13 +95,14 @@ impl FromStr for LengthUnit {
     }
 }
 
-/// The units that a user gives for a file: `cm`, or `cm,ft` for heights in centimetres on a ground in feet.
+/// Units that a user gives for a file: `cm`, or `cm,ft` for heights in centimetres on a ground in
+/// feet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GivenUnits {
-    /// The unit of the heights, whatever the file says.
+    /// Unit of the heights; overrides the file.
     pub heights: LengthUnit,
-    /// The unit of the ground's coordinates, whatever the file says. None: what the file says, and where it
-    /// says nothing that is known the unit of the heights.
+    /// Unit of the ground's coordinates; overrides the file. None: the file's unit or, if it names
+    /// none that is known, the unit of the heights.
     pub ground: Option<LengthUnit>,
 }
 

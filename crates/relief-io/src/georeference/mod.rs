@@ -1,4 +1,5 @@
-//! What a map's file, and the files beside it, say of the ground and of heights; and what follows in metres.
+//! Georeferences: facts that a map's file and its sidecars state about ground and heights, and the
+//! metres that follow from them.
 
 pub mod epsg;
 mod grid;
@@ -16,26 +17,26 @@ pub(crate) use self::sidecars::apply as apply_sidecars;
 use crate::elevation::{CoordinateSystem, Elevation, Georeference, UnitOrigin};
 use crate::layout::Terrain;
 
-/// The projection of web maps, and its number before it got that one.
+/// EPSG code of Web Mercator, and its former code.
 pub(crate) const WEB_MERCATOR: [u16; 2] = [3857, 3785];
 
-/// The number that stands for what a file's own keys define.
+/// Code for a system that is defined by the file's own keys.
 pub(crate) const USER_DEFINED: u16 = 32767;
 
-/// A unit as a file says it.
+/// Unit as a file states it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) enum Unit {
-    /// One that is known: its size in metres, of angles in radians.
+    /// Known unit. Its size is in metres, or in radians for an angle.
     Known { name: String, size: f64, origin: UnitOrigin },
-    /// One that is not.
+    /// Unknown unit.
     Unknown { name: String, origin: UnitOrigin },
-    /// None is named.
+    /// The file names no unit.
     #[default]
     Unnamed,
 }
 
 impl Unit {
-    /// A unit of length by its number in the EPSG's list.
+    /// Looks up a unit of length by its EPSG code.
     pub(crate) fn length(code: u16, origin: UnitOrigin) -> Self {
         match LengthUnit::by_code(code) {
             Some(unit) => Self::of(unit, origin),
@@ -43,7 +44,7 @@ impl Unit {
         }
     }
 
-    /// A unit of length by a name.
+    /// Looks up a unit of length by its name.
     pub(crate) fn named(name: String, origin: UnitOrigin) -> Self {
         match LengthUnit::by_name(&name) {
             Some(unit) => Self::Known { name, size: unit.metres(), origin },
@@ -51,10 +52,10 @@ impl Unit {
         }
     }
 
-    /// A unit of angles by its number in the EPSG's list.
+    /// Looks up a unit of angle by its EPSG code.
     pub(crate) fn angle(code: u16, origin: UnitOrigin) -> Self {
         match epsg::angle(code) {
-            // The list's name of the usual degree says how it may be written, too.
+            // The list's name of the usual degree has a note on notation, which is removed.
             Some(unit) => {
                 let name = unit.name.split(" (").next().unwrap_or(unit.name).to_owned();
                 // PROJ's degrees have an error in the last digit.
@@ -65,8 +66,8 @@ impl Unit {
         }
     }
 
-    /// The unit of a system's horizontal coordinates by its number. A number of no system of that kind has a
-    /// unit that is not known.
+    /// Looks up the unit of a system's horizontal coordinates by the system's EPSG code. The unit
+    /// is unknown if no system of that kind has the code.
     pub(crate) fn of_system(system: CoordinateSystem, code: u16) -> Self {
         let origin = UnitOrigin::Epsg(code);
         let found = match system {
@@ -75,7 +76,7 @@ impl Unit {
             }
             _ => epsg::projected(code).map(|unit| Self::length(unit, origin.clone())),
         };
-        found.unwrap_or_else(|| Self::Unknown { name: format!("that of EPSG:{code}"), origin })
+        found.unwrap_or_else(|| Self::Unknown { name: format!("unit of EPSG:{code}"), origin })
     }
 
     fn of(unit: LengthUnit, origin: UnitOrigin) -> Self {
@@ -103,7 +104,7 @@ impl Unit {
         }
     }
 
-    /// The same unit, taken over from what it is said of.
+    /// Returns the same unit as one that is shared by ground and heights; none if it is not known.
     fn shared(&self) -> Option<Self> {
         match self {
             Self::Known { name, size, .. } => {
@@ -114,40 +115,40 @@ impl Unit {
     }
 }
 
-/// A coordinate system as a file names it.
+/// Coordinate system as a file states it.
 #[derive(Clone, Debug)]
 pub(crate) struct Crs {
     pub system: CoordinateSystem,
     pub epsg: Option<u16>,
-    /// Of the horizontal coordinates.
+    /// Unit of the horizontal coordinates.
     pub unit: Unit,
-    /// Its heights; none where it has none.
+    /// Vertical axis; none if the system has no heights.
     pub vertical: Option<Vertical>,
 }
 
-/// The heights of a coordinate system.
+/// Vertical axis of a coordinate system.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Vertical {
     pub unit: Unit,
-    /// Whether they grow downward.
+    /// Whether values grow downward.
     pub downward: bool,
 }
 
 impl Vertical {
-    /// The heights of a vertical system by its number.
+    /// Looks up the axis of a vertical system by its EPSG code.
     pub(crate) fn of_system(code: u16) -> Self {
         let origin = UnitOrigin::Epsg(code);
         match epsg::vertical(code) {
             Some(axis) => Self { unit: Unit::length(axis.unit, origin), downward: axis.downward },
             None => {
-                let unit = Unit::Unknown { name: format!("that of EPSG:{code}"), origin };
+                let unit = Unit::Unknown { name: format!("unit of EPSG:{code}"), origin };
                 Self { unit, downward: false }
             }
         }
     }
 }
 
-/// What is said of the values of one channel.
+/// Scale, offset and unit of one channel.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Band {
     pub scale: Option<f64>,
@@ -155,20 +156,21 @@ pub(crate) struct Band {
     pub unit: Unit,
 }
 
-/// All that is said.
+/// All facts that a file and its sidecars state about ground and heights.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Facts {
     pub crs: Option<Crs>,
     pub grid: Option<Grid>,
-    /// The name of the file beside the map that says where the grid lies, if one does.
+    /// Name of the sidecar that gives the grid; none if the file itself gives it.
     pub grid_from: Option<String>,
-    /// Of each channel; empty where nothing is said of any.
+    /// One entry for each channel; empty if nothing is stated about any.
     pub bands: Vec<Band>,
 }
 
 impl Facts {
-    /// What they make of a map of that many channels, with the units that the user gives. None where they say
-    /// nothing of ground or heights. An error, with the reason, where what they say cannot be.
+    /// Derives the terrain of a map with `channels` channels, in the units that the user gives.
+    /// None if there are no facts about ground or heights. An error, with the reason, if a fact is
+    /// impossible.
     pub(crate) fn terrain(
         &self,
         channels: usize,
@@ -199,7 +201,8 @@ impl Facts {
             origin: unit.origin(),
         };
         let georeference = if has_ground { Some(self.georeference(&ground)?) } else { None };
-        // Ground and heights share a unit that nobody names: how long it is has no part in their proportions.
+        // If ground and heights share a unit that nobody names, its length does not change their
+        // proportions.
         let shares = |(_, unit): &(&Band, Unit)| *unit == Unit::Unnamed;
         let relative_texel_size = match (&self.grid, ground.size()) {
             (Some(grid), None) if self.is_linear() && heights.iter().any(shares) => {
@@ -226,7 +229,8 @@ impl Facts {
         }
     }
 
-    /// The unit of the ground's coordinates: what is given for it, what is said, or what is given for heights.
+    /// Unit of the ground's coordinates. The first one known counts: the unit given for the ground,
+    /// the file's, the unit given for heights.
     fn ground_unit(&self, given: Option<GivenUnits>) -> Unit {
         let said = self.crs.as_ref().map_or(Unit::Unnamed, |crs| crs.unit.clone());
         let Some(given) = given.filter(|_| self.is_linear()) else { return said };
@@ -237,8 +241,9 @@ impl Facts {
         }
     }
 
-    /// The unit of a channel's heights: what is given, what is said of the channel, of the vertical system,
-    /// or of the ground. On a ground in degrees, and where there is none, heights without a unit are metres.
+    /// Unit of a channel's heights. The first one known counts: the unit given, the channel's, the
+    /// vertical system's, the ground's. Heights without a unit are metres if the ground is in
+    /// degrees, or if there is none.
     fn height_unit(&self, band: &Band, ground: &Unit, given: Option<GivenUnits>) -> Unit {
         if let Some(given) = given {
             return Unit::of(given.heights, UnitOrigin::Given);
@@ -277,9 +282,9 @@ impl Facts {
 
     fn ground_metres(&self, system: CoordinateSystem, unit: &Unit) -> Result<GroundMetres, NoSize> {
         let unknown = |reason: &str| NoSize::Unknown(reason.to_owned());
-        let grid = self.grid.as_ref().ok_or_else(|| unknown("the file places no grid of texels"));
+        let grid = self.grid.as_ref().ok_or_else(|| unknown("the file gives no grid of texels"));
         let system = match &self.crs {
-            // Lengths in one unit or the other.
+            // The coordinates are lengths in some unit.
             None if self.is_linear() => CoordinateSystem::Projected,
             None => {
                 grid?;
@@ -303,7 +308,7 @@ impl Facts {
     }
 }
 
-/// A text of a file as messages show it: not too long, and without control characters.
+/// Shortens a text of a file for messages, and removes control characters.
 fn shown(text: &str) -> String {
     text.chars().filter(|character| !character.is_control()).take(40).collect()
 }

@@ -1,4 +1,4 @@
-//! What GDAL, QGIS and ArcGIS keep beside a raster in `.aux.xml`: coordinate system, grid, nodata, and scale,
+//! Sidecars `.aux.xml` of GDAL, QGIS and ArcGIS: coordinate system, grid, nodata value, and scale,
 //! offset and unit of each channel.
 
 use roxmltree::{Document, Node, ParsingOptions};
@@ -6,22 +6,22 @@ use roxmltree::{Document, Node, ParsingOptions};
 use super::{Band, Grid, Unit, shown};
 use crate::elevation::UnitOrigin;
 
-/// The most elements and texts that are read: bands have some ten each.
+/// Greatest number of XML nodes that are read: bands have some ten each.
 const MAX_NODES: u32 = 1 << 17;
 
-/// What such a file says.
+/// Content of an `.aux.xml` file.
 #[derive(Debug, Default)]
 pub(super) struct Pam {
-    /// The coordinate system, as text.
+    /// Coordinate system as text.
     pub system: Option<String>,
     pub grid: Option<Grid>,
-    /// Of each channel; empty where nothing is said of any.
+    /// One entry for each channel; empty if nothing is stated about any.
     pub bands: Vec<Band>,
-    /// The value of texels without one, of the first channel that has one.
+    /// Nodata value of the first channel that has one.
     pub nodata: Option<f64>,
 }
 
-/// Reads the text of such a file for a raster of that size and that many channels.
+/// Parses the text of an `.aux.xml` file for a raster of `size` texels and `channels` channels.
 pub(super) fn read(text: &str, file: &str, size: [u32; 2], channels: usize) -> Result<Pam, String> {
     let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
     let document =
@@ -32,7 +32,7 @@ pub(super) fn read(text: &str, file: &str, size: [u32; 2], channels: usize) -> R
         if let Some(stated) = root.attribute(attribute).filter(|stated| stated.trim().parse() != Ok(side)) {
             let [width, height] = size;
             return Err(format!(
-                "belongs to another raster: its {attribute} is {}, the map has {width}x{height} texels",
+                "belongs to another raster: its {attribute} is {}, but the map has {width}x{height} texels",
                 shown(stated)
             ));
         }
@@ -47,13 +47,13 @@ pub(super) fn read(text: &str, file: &str, size: [u32; 2], channels: usize) -> R
                     node.attribute("band").map_or(Some(1), |band| band.trim().parse().ok());
                 let Some(channel) = number.and_then(|number| number.checked_sub(1)) else {
                     return Err(format!(
-                        "names the band '{}'",
+                        "names the band '{}', which is not a number from 1",
                         shown(node.attribute("band").unwrap_or_default())
                     ));
                 };
                 if channel >= channels {
                     return Err(format!(
-                        "belongs to another raster: it names the band {}, the map has {channels}",
+                        "belongs to another raster: it names the band {}, but the map has {channels}",
                         channel + 1
                     ));
                 }
@@ -62,8 +62,9 @@ pub(super) fn read(text: &str, file: &str, size: [u32; 2], channels: usize) -> R
                     let text = text_of(said);
                     let number = |is_possible: fn(f64) -> bool| {
                         let number = text.parse().ok().filter(|number| is_possible(*number));
-                        number
-                            .ok_or_else(|| format!("gives the {} '{}'", said.tag_name().name(), shown(&text)))
+                        number.ok_or_else(|| {
+                            format!("has an impossible {}, '{}'", said.tag_name().name(), shown(&text))
+                        })
                     };
                     match said.tag_name().name() {
                         "NoDataValue" => {
@@ -89,7 +90,7 @@ pub(super) fn read(text: &str, file: &str, size: [u32; 2], channels: usize) -> R
     Ok(pam)
 }
 
-/// The grid of the six numbers of `x = a + b column + c row` and `y = d + e column + f row`.
+/// Parses the six numbers of a grid: `x = a + b column + c row` and `y = d + e column + f row`.
 fn grid(text: &str, size: [u32; 2]) -> Result<Grid, String> {
     let numbers: Vec<Option<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
     match numbers[..] {
@@ -97,7 +98,7 @@ fn grid(text: &str, size: [u32; 2]) -> Result<Grid, String> {
             if [x, a, b, y, d, e].iter().all(|number| number.is_finite()) =>
         {
             let grid = Grid::new([[a, d], [b, e]], Some([x, y]), size);
-            grid.map_err(|what| format!("has a GeoTransform that cannot be: {what}"))
+            grid.map_err(|what| format!("has an impossible GeoTransform: {what}"))
         }
         _ => Err(format!("has the GeoTransform '{}', which is not six numbers", shown(text))),
     }

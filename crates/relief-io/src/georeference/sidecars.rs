@@ -1,4 +1,4 @@
-//! What the files beside a map say of it, as GDAL finds them: `x.tif.aux.xml`, a world file as `x.tfw`, and
+//! Sidecar files of a map, named as GDAL does: `x.tif.aux.xml`, a world file such as `x.tfw`, and
 //! `x.prj`.
 
 use std::path::Path;
@@ -7,15 +7,16 @@ use super::{Band, Unit, pam, wkt, world_file};
 use crate::Source;
 use crate::layout::Layout;
 
-/// The longest world file, and the longest text of a coordinate system, in bytes.
+/// Greatest length in bytes of a world file or of a coordinate system's text.
 const MAX_TEXT_BYTES: u64 = 64 << 10;
 
-/// The longest `.aux.xml` in bytes: some hold histograms of every channel.
+/// Greatest length in bytes of an `.aux.xml`: some hold histograms of every channel.
 const MAX_XML_BYTES: u64 = 8 << 20;
 
-/// Takes what the files beside a map say, if there are any: `.aux.xml` before the file's own, then a world
-/// file where no grid is known, and `.prj` where a grid has no coordinate system. `max_bytes` is the most
-/// memory. What they say wrong stops those who read heights, as what the file itself says does.
+/// Applies the sidecars of a map, if there are any. `.aux.xml` overrides the file itself; a world
+/// file is read if no grid is known, and `.prj` if a grid has no coordinate system. At most
+/// `max_bytes` of memory are used. A fault in a sidecar stops readers of heights, as a fault in the
+/// file itself does.
 pub(crate) fn apply(source: Source<'_>, max_bytes: u64, layout: &mut Layout) {
     if layout.terrain.is_ok()
         && let Err(what) = read(source, max_bytes, layout)
@@ -37,8 +38,8 @@ fn read(source: Source<'_>, max_bytes: u64, layout: &mut Layout) -> Result<(), S
             (facts.grid, facts.grid_from, found) = (Some(grid), Some(name(&path)), true);
         }
         if let Some(text) = pam.system {
-            let system =
-                wkt::system(&text, &name(&path)).map_err(|what| of(format!("names a system that {what}")))?;
+            let system = wkt::system(&text, &name(&path))
+                .map_err(|what| of(format!("has a coordinate system that {what}")))?;
             (facts.crs, found) = (Some(system), true);
         }
         if !pam.bands.is_empty() {
@@ -70,7 +71,7 @@ fn read(source: Source<'_>, max_bytes: u64, layout: &mut Layout) -> Result<(), S
         (facts.crs, found) = (Some(wkt::system(&text, &name(&path)).map_err(of)?), true);
     }
     if facts.grid.is_none() && !own_system {
-        // A system without a place makes no ground of a picture.
+        // A system without a grid does not georeference a picture.
         facts.crs = None;
     }
     if found {
@@ -79,7 +80,8 @@ fn read(source: Source<'_>, max_bytes: u64, layout: &mut Layout) -> Result<(), S
     Ok(())
 }
 
-/// The extensions of a map's world file, the usual one first: of `tif` these are `tfw`, `tifw` and `wld`.
+/// Extensions of a map's world file, the usual one first: for `tif` they are `tfw`, `tifw` and
+/// `wld`.
 fn world_files(source: Source<'_>) -> Vec<String> {
     let Some(extension) = source.name().extension().and_then(|extension| extension.to_str()) else {
         return Vec::new();
@@ -94,17 +96,17 @@ fn name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-/// The text of a file of at most that many bytes.
+/// Reads the text of a file of at most `max_bytes` bytes.
 fn text(path: &Path, max_bytes: u64) -> Result<String, String> {
     let mut too_long = None;
     let bytes = Source::from(path).whole(|len| match len {
         len if len > max_bytes => {
-            too_long = Some(format!("holds {len} bytes, more than the {max_bytes} that are read"));
+            too_long = Some(format!("holds {len} bytes, but at most {max_bytes} are read"));
             Err(crate::ReadProblem::OutOfMemory { needed: len })
         }
         _ => Ok(()),
     });
     let bytes = bytes.map_err(|problem| too_long.unwrap_or_else(|| problem.to_string()))?;
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
-    String::from_utf8(bytes.to_vec()).map_err(|_| "is no text in UTF-8".to_owned())
+    String::from_utf8(bytes.to_vec()).map_err(|_| "is not text in UTF-8".to_owned())
 }

@@ -1,23 +1,23 @@
-//! Coordinate systems as text: well-known text of both versions and of ESRI, and numbers of the EPSG's list.
-//! Only units, heights and numbers are read of it.
+//! Coordinate systems as text: well-known text (WKT) of both versions and of ESRI, and EPSG codes.
+//! Only units, heights and codes are read from it.
 
 use super::{Crs, Unit, Vertical, WEB_MERCATOR, epsg, shown};
 use crate::LengthUnit;
 use crate::elevation::{CoordinateSystem, UnitOrigin};
 
-/// The deepest text that is read. Those of real systems have ten levels.
+/// Greatest depth of brackets. Real systems have ten levels.
 const MAX_DEPTH: usize = 32;
 
-/// What stands before the brackets, what stands in them as text or number, and what has brackets of its own.
+/// Node of the text: the keyword before the brackets, texts and numbers in them, and nested nodes.
 #[derive(Debug, Default)]
 struct Node {
-    /// In capital letters.
+    /// Keyword in capital letters.
     keyword: String,
     values: Vec<String>,
     children: Vec<Node>,
 }
 
-/// The system that the text of a file says. An error, with the reason, where it cannot be read.
+/// Parses the text of a coordinate system. An error, with the reason, if it cannot be read.
 pub(super) fn system(text: &str, file: &str) -> Result<Crs, String> {
     let text = text.trim();
     let origin = UnitOrigin::Beside(file.to_owned());
@@ -25,14 +25,14 @@ pub(super) fn system(text: &str, file: &str) -> Result<Crs, String> {
         return Ok(numbers);
     }
     if !text.contains(['[', '(']) {
-        // Other texts are no fault of the file, but say nothing that is known.
-        let unit = Unit::Unknown { name: format!("{file} is no well-known text"), origin };
+        // Another text is not an error, but its unit is unknown.
+        let unit = Unit::Unknown { name: format!("{file} is not well-known text"), origin };
         return Ok(Crs { system: CoordinateSystem::Projected, epsg: None, unit, vertical: None });
     }
     let mut rest = text;
     let root = node(&mut rest, 0)?;
     let system = crs(&root, &origin)?;
-    // ESRI writes the system of heights behind that of the ground.
+    // ESRI writes the vertical system behind the horizontal one.
     let more = rest.trim_start_matches(|c: char| c.is_whitespace() || c == ',');
     let heights = if more.contains('[') { Some(node(&mut &*more, 0)?) } else { None };
     let heights =
@@ -40,7 +40,8 @@ pub(super) fn system(text: &str, file: &str) -> Result<Crs, String> {
     Ok(Crs { vertical: heights.or(system.vertical), ..system })
 }
 
-/// A system that is named by its number, as in `EPSG:32633`, with one of heights, as in `EPSG:32633+5773`.
+/// Parses a system named by its code, such as `EPSG:32633`, or with a vertical one, such as
+/// `EPSG:32633+5773`.
 fn by_number(text: &str) -> Option<Crs> {
     let (authority, numbers) = text.rsplit_once(':')?;
     let is_epsg = authority.trim_end_matches(':').to_ascii_uppercase().ends_with("EPSG");
@@ -98,7 +99,7 @@ impl Node {
         self.children.iter().filter(|child| child.is(keywords))
     }
 
-    /// Its number in the EPSG's list.
+    /// EPSG code of the node.
     fn epsg(&self) -> Option<u16> {
         self.children(&["AUTHORITY", "ID"]).find_map(|id| {
             let [authority, number, ..] = id.values.as_slice() else { return None };
@@ -106,7 +107,7 @@ impl Node {
         })
     }
 
-    /// The unit of its coordinates: its own, or its first axis' unit.
+    /// Unit of the coordinates: the system's own, or its first axis' unit.
     fn unit(&self, origin: &UnitOrigin) -> Result<Option<Unit>, String> {
         const UNITS: [&str; 3] = ["UNIT", "LENGTHUNIT", "ANGLEUNIT"];
         let of_axis = || self.children(&["AXIS"]).next().and_then(|axis| axis.children(&UNITS).next());
@@ -116,17 +117,17 @@ impl Node {
         let Some(size) = found.values.get(1) else { return Ok(Some(Unit::named(name, origin.clone()))) };
         match size.parse::<f64>().ok().filter(|size| size.is_finite() && *size > 0.0) {
             Some(size) => Ok(Some(Unit::Known { name, size, origin: origin.clone() })),
-            None => Err(format!("names a unit of the size '{}'", shown(size))),
+            None => Err(format!("has a unit of the impossible size '{}'", shown(size))),
         }
     }
 
-    /// Whether its coordinates are straight lines from the middle of the Earth.
+    /// Whether the coordinates are Cartesian, from the middle of the Earth.
     fn is_cartesian(&self) -> bool {
         let mut kinds = self.children(&["CS"]).filter_map(|cs| cs.values.first());
         kinds.any(|kind| kind.eq_ignore_ascii_case("Cartesian"))
     }
 
-    /// Whether it is the projection of web maps.
+    /// Whether the system is Web Mercator.
     fn is_web_mercator(&self) -> bool {
         let is_number = self.epsg().is_some_and(|number| WEB_MERCATOR.contains(&number));
         let methods = self.children(&["CONVERSION"]).flat_map(|conversion| conversion.children(&["METHOD"]));
@@ -187,7 +188,7 @@ fn vertical(node: &Node, origin: &UnitOrigin) -> Result<Vertical, String> {
     let by_number = node.epsg().map(Vertical::of_system);
     let is_down = |value: &String| value.eq_ignore_ascii_case("down");
     let axis = node.children(&["AXIS"]).next();
-    // As ESRI writes it.
+    // ESRI writes the direction as a parameter.
     let direction = node.children(&["PARAMETER"]).find(|parameter| {
         parameter.values.first().is_some_and(|name| name.eq_ignore_ascii_case("Direction"))
     });

@@ -1,4 +1,5 @@
-//! Rows of 4x4 blocks: BC4, BC5 and BC7 ("Khronos Data Format Specification", chapters 20 and 21).
+//! Compression of rows of 4x4 blocks: BC4, BC5 and BC7 ("Khronos Data Format Specification",
+//! chapters 20 and 21).
 
 use block_compression::decode::decompress_blocks_as_rgba8;
 use block_compression::encode::compress_rgba8;
@@ -7,7 +8,7 @@ use block_compression::{BC7Settings, CompressionVariant};
 use super::TexelFormat;
 use super::format::Sample;
 
-/// The crate's name of a block-compressed format.
+/// Variant of the `block_compression` crate for a format.
 fn variant(format: TexelFormat) -> CompressionVariant {
     match format {
         TexelFormat::Bc4 => CompressionVariant::BC4,
@@ -16,8 +17,8 @@ fn variant(format: TexelFormat) -> CompressionVariant {
     }
 }
 
-/// Compresses a row of blocks. `texels` holds four rows of each channel, row after row, channel after
-/// channel; texels beyond the width repeat the last column.
+/// Compresses a row of blocks. `texels` holds four rows of each channel, row after row, channel
+/// after channel. Texels beyond the width repeat the last column.
 pub(super) fn compress_row(format: TexelFormat, width: usize, texels: &[f32], bytes: &mut [u8]) {
     let padded = width.div_ceil(4) * 4;
     let mut rgba = vec![255; padded * 4 * 4];
@@ -31,7 +32,7 @@ pub(super) fn compress_row(format: TexelFormat, width: usize, texels: &[f32], by
     compress_rgba8(variant(format), &rgba, bytes, padded as u32, 4, padded as u32 * 4);
 }
 
-/// Decompresses a row of blocks into rows as [`compress_row`] takes them.
+/// Decompresses a row of blocks into `texels`, laid out as for [`compress_row`].
 pub(super) fn decompress_row(format: TexelFormat, width: usize, bytes: &[u8], texels: &mut [f32]) {
     match format {
         TexelFormat::Bc4 | TexelFormat::Bc5 => {
@@ -65,11 +66,11 @@ pub(super) fn decompress_row(format: TexelFormat, width: usize, bytes: &[u8], te
     }
 }
 
-/// The 16 values of a BC4 block, row by row. Hardware interpolates between the two ends with more than 8
-/// bits, which decoders into bytes lose.
+/// Decodes the 16 values of a BC4 block, row by row. Hardware interpolates between the two ends
+/// with more than 8 bits; decoders to bytes lose them.
 fn decode_bc4(block: &[u8; 8]) -> [f32; 16] {
     let [low, high] = [block[0], block[1]].map(|end| f32::from(end) / 255.0);
-    // Where the first end is not the greater one, two of the steps are 0 and 1 themselves.
+    // If the first end is not the greater one, two of the steps are 0 and 1.
     let steps = if block[0] > block[1] { 7 } else { 5 };
     let value = |index: u64| match index {
         0 => low,

@@ -1,24 +1,24 @@
-//! The texel formats that are written and read.
+//! Texel formats that are written and read.
 
 use exr::prelude::f16;
 use ktx2::Format;
 
 use crate::texture::unorm_code;
 
-/// How a texel is stored.
+/// Storage format of a texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TexelFormat {
     /// One 8-bit unsigned normalised integer.
     R8,
-    /// Two of 8 bit.
+    /// Two 8-bit unsigned normalised integers.
     Rg8,
-    /// Four of 8 bit.
+    /// Four 8-bit unsigned normalised integers.
     Rgba8,
     /// One 16-bit unsigned normalised integer.
     R16,
-    /// Two of 16 bit.
+    /// Two 16-bit unsigned normalised integers.
     Rg16,
-    /// Four of 16 bit.
+    /// Four 16-bit unsigned normalised integers.
     Rgba16,
     /// One 16-bit float.
     R16F,
@@ -34,13 +34,13 @@ pub enum TexelFormat {
     Rgba32F,
     /// One channel in blocks of 4x4 texels and 8 bytes: between two 8-bit values, 8 steps a block.
     Bc4,
-    /// Two such channels, 16 bytes a block.
+    /// Two channels like BC4, in 16 bytes a block.
     Bc5,
     /// Four channels of about 7 bits in blocks of 4x4 texels and 16 bytes.
     Bc7,
 }
 
-/// How a sample is stored.
+/// Storage format of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sample {
     Unorm8,
@@ -52,7 +52,7 @@ pub(super) enum Sample {
 }
 
 impl TexelFormat {
-    /// All of them.
+    /// All formats.
     pub const ALL: [TexelFormat; 15] = [
         TexelFormat::R8,
         TexelFormat::Rg8,
@@ -71,7 +71,7 @@ impl TexelFormat {
         TexelFormat::Bc7,
     ];
 
-    /// Channels that it stores.
+    /// Number of channels.
     pub const fn channels(self) -> usize {
         match self {
             Self::R8 | Self::R16 | Self::R16F | Self::R32F | Self::Bc4 => 1,
@@ -95,7 +95,7 @@ impl TexelFormat {
         }
     }
 
-    /// Texels along the side of a block: 4, or 1 without blocks.
+    /// Side of a block in texels: 4, or 1 without blocks.
     pub(super) const fn block_side(self) -> u32 {
         if self.is_block_compressed() { 4 } else { 1 }
     }
@@ -114,7 +114,7 @@ impl TexelFormat {
         width.div_ceil(self.block_side()) as u64 * self.block_bytes() as u64
     }
 
-    /// Bytes of a level; none where 64 bits do not hold the number.
+    /// Bytes of a level; none if the number exceeds 64 bits.
     pub(super) fn level_bytes(self, [width, height, depth]: [u32; 3]) -> Option<u64> {
         let slice = self.row_bytes(width).checked_mul(u64::from(height.div_ceil(self.block_side())))?;
         slice.checked_mul(u64::from(depth))
@@ -154,7 +154,7 @@ impl Sample {
         }
     }
 
-    /// Writes a sample as it is stored, to the nearest.
+    /// Encodes a value, rounded to the nearest that can be stored.
     pub(super) fn encode(self, value: f32, place: &mut [u8]) {
         match self {
             Self::Unorm8 | Self::Block => place[0] = unorm_code(value, 255) as u8,
@@ -164,7 +164,7 @@ impl Sample {
         }
     }
 
-    /// The value that a GPU reads.
+    /// Decodes a value as a GPU reads it.
     pub(super) fn decode(self, place: &[u8]) -> f32 {
         match (self, place) {
             (Self::Unorm16, &[a, b]) => f32::from(u16::from_le_bytes([a, b])) / 65535.0,

@@ -1,4 +1,4 @@
-//! Reading, of files from anywhere.
+//! Reader of KTX2 files from untrusted sources.
 
 use std::io::{Read, Seek, SeekFrom};
 
@@ -12,50 +12,52 @@ use crate::source::SourceReader;
 use crate::texture::Metadata;
 use crate::{ReadError, ReadProblem, Source};
 
-/// The format's name in messages.
+/// Name of the format in messages.
 const NAME: &str = "KTX2";
 
-/// The most bytes of key/value data that are read.
+/// Greatest number of bytes of key/value data that are read.
 const MOST_METADATA: u64 = 1 << 20;
 
-/// The largest window of a Zstandard frame that is accepted: what RFC 8878, section 3.1.1.1.2, wants of every
-/// decoder.
+/// Greatest window of a Zstandard frame that is accepted: the one that RFC 8878, section 3.1.1.1.2,
+/// requires of every decoder.
 const MOST_WINDOW: u64 = 8 << 20;
 
-/// No Zstandard frame is so much shorter than its content: a block of 128 KiB takes at least 4 bytes.
+/// Greatest compression ratio of a Zstandard frame: a block of 128 KiB takes at least 4 bytes.
 const MOST_RATIO: u64 = (128 << 10) / 4;
 
-/// A texture from a KTX2 file, as a GPU would read it.
+/// Texture from a KTX2 file, with the values that a GPU would read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ktx2File {
-    /// How texels are stored.
+    /// Storage format of texels.
     pub format: TexelFormat,
     /// Whether levels are compressed with Zstandard.
     pub zstd: bool,
-    /// Levels, the finest first.
+    /// Mip levels, the finest first.
     pub levels: Vec<Ktx2Level>,
     /// Names and values of all key/value data that are text.
     pub metadata: Metadata,
 }
 
-/// A mip level.
+/// Mip level of a texture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ktx2Level {
-    /// Columns, rows and slices.
+    /// Numbers of columns, rows and slices.
     pub size: [u32; 3],
-    /// The texels of each channel of the format, slice after slice, row by row from the top.
+    /// Texels of each channel of the format, slice after slice, row by row from the top.
     pub planes: Vec<Vec<f32>>,
 }
 
-/// Reads a texture of one of the [`TexelFormat`]s from a KTX2 file or from the bytes of one: 2-D textures and
-/// volumes with their mip levels, uncompressed or with Zstandard; no arrays and no cube maps.
+/// Reads a texture in one of the [`TexelFormat`]s from a KTX2 file or from the bytes of one. It
+/// reads 2-D textures and volumes with their mip levels, uncompressed or with Zstandard, but no
+/// arrays and no cube maps.
 ///
 /// Peak memory is 4 bytes a value, a row, and with Zstandard up to 8 MiB.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is no KTX2 file, is damaged, holds something else than the above, or when
-/// its texels would take more than `max_bytes` of memory, which is found before any is taken.
+/// When the file cannot be read, is not a KTX2 file, is damaged, or holds an unsupported kind of
+/// texture; or when its texels would take more than `max_bytes` of memory, which is checked before
+/// any is allocated.
 pub fn read_ktx2<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<Ktx2File, ReadError> {
     let source = source.into();
     read(source, max_bytes).map_err(|problem| source.error(problem))
@@ -75,7 +77,7 @@ fn read(source: Source<'_>, max_bytes: u64) -> Result<Ktx2File, ReadProblem> {
     Ok(Ktx2File { format: layout.format, zstd: layout.zstd, levels, metadata })
 }
 
-/// The key/value data of a file and nothing else.
+/// Reads only the key/value data of a file.
 pub(crate) fn metadata(file: &mut SourceReader<'_>, file_len: u64) -> Result<Metadata, ReadProblem> {
     let header = header(file)?;
     metadata_of(&header, file, file_len)
@@ -91,7 +93,7 @@ fn header(file: &mut SourceReader<'_>) -> Result<Header, ReadProblem> {
         }
     }
     if !bytes.starts_with(&MAGIC) {
-        return Err(unsupported("another format than KTX2"));
+        return Err(unsupported("a format other than KTX2"));
     }
     if read < bytes.len() {
         return Err(damaged("it ends too early"));
@@ -102,7 +104,7 @@ fn header(file: &mut SourceReader<'_>) -> Result<Header, ReadProblem> {
 fn metadata_of(header: &Header, file: &mut SourceReader<'_>, file_len: u64) -> Result<Metadata, ReadProblem> {
     let (offset, length) = (u64::from(header.index.kvd_byte_offset), u64::from(header.index.kvd_byte_length));
     if offset + length > file_len {
-        return Err(damaged("its metadata lie beyond its end"));
+        return Err(damaged("its metadata reach beyond its end"));
     }
     if length > MOST_METADATA {
         return Err(damaged("its metadata are too long"));
@@ -117,7 +119,7 @@ fn metadata_of(header: &Header, file: &mut SourceReader<'_>, file_len: u64) -> R
     Ok(Metadata::found(text.collect()))
 }
 
-/// What a checked header says.
+/// Content of a checked header.
 struct Layout {
     format: TexelFormat,
     size: [u32; 3],
@@ -128,12 +130,11 @@ struct Layout {
 impl Layout {
     fn of(header: &Header) -> Result<Self, ReadProblem> {
         let format = header.format.and_then(TexelFormat::of_vulkan);
-        let format =
-            format.ok_or_else(|| unsupported("a texel format that is not among those written here"))?;
+        let format = format.ok_or_else(|| unsupported("a texel format that Relief does not write"))?;
         let zstd = match header.supercompression_scheme {
             None => false,
             Some(SupercompressionScheme::Zstandard) => true,
-            Some(_) => return Err(unsupported("another supercompression than Zstandard")),
+            Some(_) => return Err(unsupported("a supercompression other than Zstandard")),
         };
         if header.layer_count > 1 || header.face_count != 1 {
             return Err(unsupported("array layers or cube faces"));
@@ -143,7 +144,7 @@ impl Layout {
             return Err(damaged(format!("a side of {size:?} texels is too long")));
         }
         if format.is_block_compressed() && size[2] > 1 {
-            return Err(unsupported("a volume of blocks"));
+            return Err(unsupported("a volume of block-compressed texels"));
         }
         let levels = header.level_count.max(1);
         if levels > full_chain(size) {
@@ -152,7 +153,7 @@ impl Layout {
         Ok(Self { format, size, levels, zstd })
     }
 
-    /// Values of a level; a side is at most 2^20, so that 64 bits hold their number.
+    /// Number of values of a level. A side is at most 2^20, so that 64 bits hold it.
     fn values(&self, level: u32) -> u64 {
         let texels = level_size(self.size, level).map(u64::from).iter().product::<u64>();
         texels.saturating_mul(self.format.channels() as u64)
@@ -169,7 +170,7 @@ impl Layout {
         Ok(())
     }
 
-    /// The places of the levels, checked against the header and the file's length.
+    /// Reads the positions of the levels, checked against the header and the file's length.
     fn index(&self, file: &mut SourceReader<'_>, file_len: u64) -> Result<Vec<LevelIndex>, ReadProblem> {
         file.seek(SeekFrom::Start(Header::LENGTH as u64)).map_err(io_problem)?;
         let mut index = Vec::new();
@@ -178,7 +179,7 @@ impl Layout {
             file.read_exact(&mut bytes).map_err(io_problem)?;
             let place = LevelIndex::from_bytes(&bytes);
             if place.byte_offset.checked_add(place.byte_length).is_none_or(|end| end > file_len) {
-                return Err(damaged(format!("level {level} lies beyond its end")));
+                return Err(damaged(format!("level {level} reaches beyond its end")));
             }
             let expected = self.format.level_bytes(level_size(self.size, level));
             let stored_fits = if self.zstd {
@@ -187,7 +188,7 @@ impl Layout {
                 Some(place.byte_length) == expected
             };
             if Some(place.uncompressed_byte_length) != expected || !stored_fits {
-                return Err(damaged(format!("level {level} has another length than its size needs")));
+                return Err(damaged(format!("level {level} has a length that does not fit its size")));
             }
             index.push(place);
         }

@@ -1,4 +1,4 @@
-//! Writing.
+//! Writer of KTX2 files.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
@@ -14,37 +14,37 @@ use crate::texture::{Metadata, Row, RowSource};
 use crate::write_whole::write_file;
 use crate::{WriteError, WriteProblem};
 
-/// What a KTX2 texture holds.
+/// Description of a KTX2 texture to write.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ktx2Texture {
-    /// How texels are stored.
+    /// Storage format of texels.
     pub format: TexelFormat,
-    /// Columns, rows and slices; more than one slice make a 3-D texture.
+    /// Numbers of columns, rows and slices. A texture with more than one slice is 3-D.
     pub size: [u32; 3],
-    /// Mip levels, 1 for the finest alone. Each is half the one before it, rounded down, and at least 1 along
-    /// every axis.
+    /// Number of mip levels, 1 for the finest only. Each level has half the side of the one before
+    /// it, rounded down, and at least 1 along every axis.
     pub levels: u32,
-    /// Channels that the rows are asked for, at most those of the format; of the others colours are 0 and
-    /// opacity is 1.
+    /// Number of channels that are requested by rows, at most the format's. In the format's other
+    /// channels colours are 0 and opacity is 1.
     pub channels: usize,
-    /// Compress each level with Zstandard.
+    /// Whether to compress each level with Zstandard.
     pub zstd: bool,
-    /// Names and values.
+    /// Names and values to store as key/value data.
     pub metadata: Metadata,
 }
 
-/// Writes a KTX2 texture. Values go to the nearest that the format holds; in normalised formats what lies
-/// outside `[0, 1]` is cut off. The same input gives the same bytes.
+/// Writes a KTX2 texture. Values are rounded to the nearest that the format holds; in normalised
+/// formats they are clamped to `[0, 1]`. The same input gives the same bytes.
 ///
-/// Rows are asked for from the smallest level to the finest, slice by slice, from the top, channel by
-/// channel.
+/// Rows are requested from the smallest level to the finest, slice by slice, from the top, channel
+/// by channel.
 ///
 /// # Errors
 ///
-/// When the size is 0 or above 2^20 a side, when there are more levels than the size has or more channels
-/// than the format has, when a volume is to be stored in blocks (not every GPU reads that), when the metadata
-/// have a name that the specification keeps for itself, when a row cannot be had, or when the file cannot be
-/// written. Nothing is left behind then.
+/// When the size is 0 or above 2^20 a side; when there are more levels than the size allows, or
+/// more channels than the format has; when a volume is to be stored in blocks, which not every GPU
+/// reads; when the metadata have a name that the specification reserves; when `rows` fails; or when
+/// the file cannot be written. Nothing is left behind then.
 pub fn write_ktx2(path: &Path, texture: &Ktx2Texture, rows: &mut RowSource<'_>) -> Result<(), WriteError> {
     write_file(path, |out| {
         texture.check()?;
@@ -53,11 +53,11 @@ pub fn write_ktx2(path: &Path, texture: &Ktx2Texture, rows: &mut RowSource<'_>) 
 }
 
 impl Ktx2Texture {
-    /// Whether a file can hold it; to be asked before its texels are made.
+    /// Checks whether a file can hold the texture, before its texels are computed.
     ///
     /// # Errors
     ///
-    /// As [`write_ktx2`] has them for the description.
+    /// The errors of [`write_ktx2`] that concern the description.
     pub fn check(&self) -> Result<(), WriteProblem> {
         self.check_description().map_err(WriteProblem::NotStorable)
     }
@@ -85,7 +85,9 @@ impl Ktx2Texture {
             return Err("a volume cannot be stored in block-compressed texels".to_owned());
         }
         match self.metadata.iter().find(|(key, _)| key.to_ascii_lowercase().starts_with("ktx")) {
-            Some((key, _)) => Err(format!("the specification keeps names such as '{key}' for itself")),
+            Some((key, _)) => {
+                Err(format!("the specification reserves names such as '{key}': choose another"))
+            }
             None => Ok(()),
         }
     }
@@ -100,7 +102,8 @@ fn write(
     let pairs = key_value_data(texture);
     let start = Header::LENGTH + LevelIndex::LENGTH * texture.levels as usize;
     let fits = |bytes: usize| {
-        u32::try_from(bytes).map_err(|_| WriteProblem::NotStorable("metadata too long".into()))
+        u32::try_from(bytes)
+            .map_err(|_| WriteProblem::NotStorable("the metadata are too long: shorten them".into()))
     };
     let [width, height, depth] = texture.size;
     let header = Header {
@@ -123,7 +126,7 @@ fn write(
         },
     };
     out.write_all(&header.as_bytes())?;
-    // The places of the levels are known when they are written.
+    // The positions of the levels are filled in after they are written.
     out.write_all(&vec![0; LevelIndex::LENGTH * texture.levels as usize])?;
     out.write_all(&descriptor)?;
     out.write_all(&pairs)?;
@@ -150,7 +153,8 @@ fn write(
     Ok(())
 }
 
-/// A level begins at a multiple of 4 bytes and of its texel block, unless it is compressed as a whole.
+/// Alignment of a level: a multiple of 4 bytes and of its texel block, or 1 if it is compressed as
+/// a whole.
 fn alignment(texture: &Ktx2Texture) -> u64 {
     match (texture.zstd, texture.format.block_bytes() as u64) {
         (true, _) => 1,
@@ -158,7 +162,8 @@ fn alignment(texture: &Ktx2Texture) -> u64 {
     }
 }
 
-/// The data format descriptor with its total length, and the size of the type for byte swapping.
+/// Builds the data format descriptor with its total length, and the size of the type for byte
+/// swapping.
 fn descriptor(format: TexelFormat) -> Result<(Vec<u8>, u32), WriteProblem> {
     let (basic, type_size) = Basic::from_format(format.vulkan())
         .map_err(|error| WriteProblem::NotStorable(format!("{error:?}")))?;
@@ -167,8 +172,8 @@ fn descriptor(format: TexelFormat) -> Result<(Vec<u8>, u32), WriteProblem> {
     Ok(([&length.to_le_bytes(), block.as_slice()].concat(), type_size))
 }
 
-/// The key/value data: ours and those of the specification, in the order of the keys' bytes, each padded to 4
-/// bytes.
+/// Builds the key/value data from the texture's entries and the specification's, in the order of
+/// the keys' bytes, each padded to 4 bytes.
 fn key_value_data(texture: &Ktx2Texture) -> Vec<u8> {
     let orientation = if texture.size[2] > 1 { "rdi" } else { "rd" };
     let writer = concat!("relief-io ", env!("CARGO_PKG_VERSION"));
@@ -188,18 +193,18 @@ fn key_value_data(texture: &Ktx2Texture) -> Vec<u8> {
     data
 }
 
-/// The bytes of a level in the order of the file, made row by row.
+/// Reader of a level's bytes in the order of the file, generated row by row.
 struct LevelBytes<'a, 'b> {
     texture: &'a Ktx2Texture,
     rows: &'a mut RowSource<'b>,
     level: u32,
     size: [u32; 3],
-    /// Of the next row of blocks.
+    /// Slice of the next row of blocks.
     slice: u32,
     row: u32,
     texels: Vec<f32>,
     bytes: Vec<u8>,
-    /// Bytes of the row that have been given.
+    /// Number of bytes of the row that have been read.
     given: usize,
 }
 
@@ -215,14 +220,14 @@ impl<'a, 'b> LevelBytes<'a, 'b> {
         let (columns, side) = (width as usize, format.block_side());
         let texels_a_channel = columns * side as usize;
         self.texels.resize(texels_a_channel * format.channels(), 0.0);
-        // A channel that the format has and the texture has not is 0, opacity 1.
+        // A channel that the format has and the texture lacks is 0, opacity 1.
         for (channel, texels) in self.texels.chunks_exact_mut(texels_a_channel).enumerate() {
             if channel >= self.texture.channels {
                 texels.fill(if channel == 3 { 1.0 } else { 0.0 });
                 continue;
             }
             for (row, texels) in (self.row..).zip(texels.chunks_exact_mut(columns)) {
-                // A block that juts out below repeats the last row.
+                // A block that extends below the texture repeats the last row.
                 let row = row.min(height - 1);
                 (self.rows)(Row { level: self.level, slice: self.slice, channel, row }, texels)?;
             }
@@ -264,8 +269,8 @@ impl Read for LevelBytes<'_, '_> {
     }
 }
 
-/// Compresses into one Zstandard frame. The compressor panics where reading or writing fails: it is shown an
-/// end of the data and a sink without bottom instead, and the failure is given here.
+/// Compresses into one Zstandard frame. The compressor panics if reading or writing fails.
+/// Therefore it gets an end of data or an endless sink instead, and the failure is returned here.
 fn compress(bytes: &mut LevelBytes<'_, '_>, out: &mut BufWriter<&File>) -> io::Result<()> {
     let mut compressor = FrameCompressor::new(CompressionLevel::Fastest);
     compressor.set_source(UntilFailure { inner: bytes, failure: None });

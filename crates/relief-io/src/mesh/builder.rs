@@ -1,4 +1,4 @@
-//! A mesh while it is read, within what memory it may take.
+//! Builder of a mesh while it is read, within a limit of memory.
 
 use glam::{DVec3, Vec2, Vec3};
 use relief_core::mesh::{RawCorner, RawMesh};
@@ -7,58 +7,59 @@ use super::polygon::{self, Triangulated};
 use super::up::Up;
 use crate::{ReadProblem, Remark};
 
-/// Memory that a normal takes, and texture coordinates: themselves, in lists that double as they grow.
+/// Memory of a normal and of texture coordinates, in lists that double as they grow.
 const NORMAL_BYTES: u64 = 3 * size_of::<Vec3>() as u64;
 const UV_BYTES: u64 = 3 * size_of::<Vec2>() as u64;
 
-/// Collects what a file holds, and counts the memory that it takes and will take.
+/// Collects positions, normals, texture coordinates and triangles, and counts the memory that they
+/// take and will take.
 pub(super) struct Builder {
     raw: RawMesh,
-    /// What points up in the file.
+    /// Axis that points up in the file.
     pub up: Up,
     left: u64,
     limit: u64,
-    /// What is to be said of the pictures in the file.
+    /// Notes on the pictures in the file.
     pub notes: Vec<Remark>,
 }
 
 impl Builder {
-    /// Of nothing yet, which may take so many bytes.
+    /// Creates an empty builder that may use `limit` bytes.
     pub fn new(limit: u64) -> Self {
         Self { raw: RawMesh::default(), up: Up::Y, left: limit, limit, notes: Vec::new() }
     }
 
-    /// Counts bytes before somebody takes them.
+    /// Counts bytes before they are allocated.
     pub fn take(&mut self, bytes: u64) -> Result<(), ReadProblem> {
         self.left = self.left.checked_sub(bytes).ok_or(ReadProblem::MeshMemory { limit: self.limit })?;
         Ok(())
     }
 
-    /// Gives back what was counted for something that is gone.
+    /// Returns the bytes of something that is freed.
     pub fn give_back(&mut self, bytes: u64) {
         self.left = self.left.saturating_add(bytes).min(self.limit);
     }
 
-    /// Bytes that may still be taken.
+    /// Bytes that may still be allocated.
     pub fn left(&self) -> u64 {
         self.left
     }
 
-    /// Adds a position and gives its place.
+    /// Adds a position and returns its index.
     pub fn position(&mut self, position: Vec3) -> Result<u32, ReadProblem> {
         self.take(RawMesh::BYTES_PER_POSITION)?;
         let position = self.up.with_y_up(position);
         push(&mut self.raw.positions, position)
     }
 
-    /// Adds a normal and gives its place.
+    /// Adds a normal and returns its index.
     pub fn normal(&mut self, normal: Vec3) -> Result<u32, ReadProblem> {
         self.take(NORMAL_BYTES)?;
         let normal = self.up.with_y_up(normal);
         push(&mut self.raw.normals, normal)
     }
 
-    /// Adds texture coordinates and gives their place.
+    /// Adds texture coordinates and returns their index.
     pub fn uv(&mut self, uv: Vec2) -> Result<u32, ReadProblem> {
         self.take(UV_BYTES)?;
         push(&mut self.raw.uvs, uv)
@@ -70,7 +71,7 @@ impl Builder {
         push(&mut self.raw.triangles, corners).map(drop)
     }
 
-    /// Refuses faces of too many corners, before these are collected.
+    /// Refuses faces of too many corners, before they are collected.
     pub fn check_corners(count: usize) -> Result<(), ReadProblem> {
         if count <= polygon::MAX_CORNERS {
             return Ok(());
@@ -79,7 +80,7 @@ impl Builder {
         Err(ReadProblem::Unsupported { what, advice: "cut it into triangles" })
     }
 
-    /// Adds a face of at least three corners, whose positions are there.
+    /// Adds a face of at least three corners, whose positions exist.
     pub fn face(&mut self, corners: &[RawCorner]) -> Result<(), ReadProblem> {
         if let &[a, b, c] = corners {
             return self.triangle([a, b, c]);
@@ -99,13 +100,13 @@ impl Builder {
         }
     }
 
-    /// What was collected.
+    /// Returns the mesh.
     pub fn finish(self) -> RawMesh {
         self.raw
     }
 }
 
-/// Adds to a list and gives the place; an error, not an abort, where the system has no more memory.
+/// Adds to a list and returns the index; an error, not an abort, if the system has no more memory.
 fn push<T>(list: &mut Vec<T>, value: T) -> Result<u32, ReadProblem> {
     let place = list.len();
     if place == list.capacity() {
@@ -113,6 +114,6 @@ fn push<T>(list: &mut Vec<T>, value: T) -> Result<u32, ReadProblem> {
         list.try_reserve(1).map_err(|_| ReadProblem::OutOfMemory { needed })?;
     }
     list.push(value);
-    // A mesh of more than 32 bits count is refused when its frames are made.
+    // A mesh whose numbers exceed 32 bits is refused when its frames are computed.
     Ok(u32::try_from(place).unwrap_or(RawCorner::NONE))
 }

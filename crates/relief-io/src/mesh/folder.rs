@@ -1,11 +1,11 @@
-//! Files that a mesh names: they lie in its folder, or below.
+//! Resolution of files that a mesh refers to: they must be in its folder or below.
 
 use std::path::{Component, Path, PathBuf};
 
 use crate::ReadProblem;
 
-/// The place of a file by its name, a path from that folder on: there is one, and it lies in the folder or
-/// below. `named` is what errors show.
+/// Resolves `path` relative to `folder`. The file must exist in the folder or below. Errors show
+/// `named`.
 pub fn inside(folder: &Path, path: &Path, named: &str) -> Result<PathBuf, ReadProblem> {
     let outside = || ReadProblem::OutsideFolder { file: named.chars().take(200).collect() };
     if !stays(path) {
@@ -24,9 +24,9 @@ pub fn inside(folder: &Path, path: &Path, named: &str) -> Result<PathBuf, ReadPr
     Ok(file)
 }
 
-/// Whether a path stays in the folder that it begins in, on every system.
+/// Whether a path stays in the folder in which it begins, on every system.
 pub fn stays(path: &Path) -> bool {
-    // A colon is that of a scheme or of a drive, and backslashes are separators on some systems.
+    // A colon belongs to a scheme or a drive, and backslashes are separators on some systems.
     let is_plain = !path.to_string_lossy().contains([':', '\\', '\0']);
     let mut components = path.components().peekable();
     let stays = components.peek().is_some()

@@ -1,4 +1,4 @@
-//! The materials of a mesh's triangles.
+//! Materials and colours of a mesh's triangles.
 
 use std::sync::Arc;
 
@@ -7,28 +7,30 @@ use relief_core::mesh::Mesh;
 
 use crate::Picture;
 
-/// A material, as far as its colour goes.
+/// Colour part of a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshMaterial {
-    /// Its name.
+    /// Name, if the file gives one.
     pub name: Option<Arc<str>>,
-    /// Linear red, green, blue and opacity, each from 0 to 1, which multiply the picture.
+    /// Linear red, green, blue and opacity, each from 0 to 1. They multiply the picture.
     pub factor: [f32; 4],
-    /// The opacity below which nothing is seen; everything is where there is none. Above 1 nothing is seen.
+    /// Opacity below which a point is invisible; none if all points are visible. Above 1 all are
+    /// invisible.
     pub cutoff: Option<f32>,
-    /// The picture; white and opaque where there is none.
+    /// Picture; white and opaque if there is none.
     pub picture: Option<Arc<Picture>>,
-    /// How the picture goes on beyond its sides, along `u` and `v`.
+    /// Continuation of the picture beyond its sides, along `u` and `v`.
     pub wrap: [Wrap; 2],
-    /// Two rows that make the picture's coordinates of texture coordinates `(u, v, 1)`.
+    /// Two rows of a matrix that maps texture coordinates `(u, v, 1)` to the picture's coordinates.
     pub transform: [[f32; 3]; 2],
 }
 
 impl MeshMaterial {
-    /// The transform that changes nothing.
-    pub const SAME: [[f32; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// Identity transform.
+    pub const IDENTITY: [[f32; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
-    /// The linear colour and the opacity of the picture at texture coordinates, before they are transformed.
+    /// Returns the linear colour and opacity of the picture at texture coordinates, given before
+    /// [`Self::transform`] is applied.
     pub fn picture_at(&self, [u, v]: [f64; 2]) -> [f32; 4] {
         let Some(picture) = &self.picture else { return [1.0; 4] };
         let along = |[x, y, one]: [f32; 3]| f64::from(x) * u + f64::from(y) * v + f64::from(one);
@@ -37,7 +39,7 @@ impl MeshMaterial {
 }
 
 impl Default for MeshMaterial {
-    /// White and opaque.
+    /// Returns a white, opaque material.
     fn default() -> Self {
         Self {
             name: None,
@@ -45,51 +47,56 @@ impl Default for MeshMaterial {
             cutoff: None,
             picture: None,
             wrap: [Wrap::Repeat; 2],
-            transform: Self::SAME,
+            transform: Self::IDENTITY,
         }
     }
 }
 
-/// The colours of a mesh, triangle by triangle.
+/// Colours of a mesh, triangle by triangle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshColors {
-    /// The materials, at least one.
+    /// Materials, at least one.
     pub materials: Vec<MeshMaterial>,
-    /// The number of each triangle's material. Empty where all have the first one.
+    /// Index of each triangle's material. Empty if all have the first one.
     pub of_triangles: Vec<u32>,
-    /// Texture coordinates of each triangle's corners by which pictures lie. Empty where they are the mesh's
+    /// Texture coordinates of each triangle's corners for pictures. Empty if they are the mesh's
     /// own.
     pub uvs: Vec<[[f32; 2]; 3]>,
-    /// Linear red, green, blue and opacity of each triangle's corners, which multiply the material. Empty
-    /// where all are 1.
+    /// Linear red, green, blue and opacity of each triangle's corners, which multiply the material.
+    /// Empty if all are 1.
     pub tints: Vec<[[f32; 4]; 3]>,
 }
 
 impl MeshColors {
-    /// A single opaque material for all triangles, by the mesh's own texture coordinates.
+    /// Creates a single opaque material for all triangles, with the mesh's own texture coordinates.
     pub fn of(factor: [f32; 3], picture: Option<Picture>) -> Self {
         let [red, green, blue] = factor;
         let picture = picture.map(Arc::new);
         MeshMaterial { factor: [red, green, blue, 1.0], picture, ..MeshMaterial::default() }.into()
     }
 
-    /// The colours of a framed mesh's triangles, by the numbers that the triangles had before.
+    /// Selects the colours of a framed mesh's triangles by their former numbers.
     pub(super) fn of_framed(self, mesh: &Mesh, numbers: &[u32]) -> Self {
-        fn kept<T: Copy>(list: &[T], numbers: &[u32]) -> Vec<T> {
+        fn selected<T: Copy>(list: &[T], numbers: &[u32]) -> Vec<T> {
             numbers.iter().filter_map(|number| list.get(*number as usize).copied()).collect()
         }
         let Self { materials, of_triangles, uvs, tints } = self;
-        let mut uvs = kept(&uvs, numbers);
-        // Where there are no others they are the mesh's own.
+        let mut uvs = selected(&uvs, numbers);
+        // NaN marks the mesh's own coordinates, which are filled in here.
         for (triangle, corners) in (0u32..).zip(&mut uvs) {
             if corners[0][0].is_nan() {
                 *corners = mesh.corners(triangle).map(|corner| corner.uv.to_array());
             }
         }
-        Self { materials, of_triangles: kept(&of_triangles, numbers), uvs, tints: kept(&tints, numbers) }
+        Self {
+            materials,
+            of_triangles: selected(&of_triangles, numbers),
+            uvs,
+            tints: selected(&tints, numbers),
+        }
     }
 
-    /// How many materials show something else than white, with colours of vertices as one more.
+    /// Number of materials that are not plain white; colours of vertices count as one more.
     pub fn colored(&self) -> usize {
         let is_plain = |material: &MeshMaterial| {
             material.picture.is_none() && material.cutoff.is_none() && material.factor == [1.0; 4]
@@ -98,19 +105,19 @@ impl MeshColors {
         of_materials + usize::from(!self.tints.is_empty())
     }
 
-    /// The material of a triangle. One that is not there is white.
+    /// Returns the material of a triangle. None, which means white, if it does not exist.
     pub fn material(&self, triangle: u32) -> Option<&MeshMaterial> {
         let number = self.of_triangles.get(triangle as usize).copied().unwrap_or_default();
         self.materials.get(number as usize)
     }
 
-    /// Whether a triangle may be seen through: whether its material has a mask.
+    /// Whether a triangle may be transparent in places: whether its material has a cut-off.
     pub fn has_mask(&self, triangle: u32) -> bool {
         self.material(triangle).is_some_and(|material| material.cutoff.is_some())
     }
 
-    /// The linear colour and the opacity of a point of a triangle, by its barycentric weights and the mesh's
-    /// own texture coordinates there.
+    /// Returns the linear colour and opacity of a point of a triangle, given its barycentric
+    /// weights and the mesh's own texture coordinates there.
     pub fn at(&self, triangle: u32, weights: [f64; 3], uv: [f64; 2]) -> [f32; 4] {
         let Some(material) = self.material(triangle) else { return [1.0; 4] };
         let mut color = material.factor;
@@ -135,8 +142,8 @@ impl MeshColors {
         color
     }
 
-    /// Whether a point of a triangle is seen: as with [`Self::at`], where its opacity reaches the material's
-    /// cut-off.
+    /// Whether a point of a triangle is visible: whether its opacity, as from [`Self::at`], reaches
+    /// the material's cut-off.
     pub fn is_seen(&self, triangle: u32, weights: [f64; 3], uv: [f64; 2]) -> bool {
         let cutoff = self.material(triangle).and_then(|material| material.cutoff);
         cutoff.is_none_or(|cutoff| self.at(triangle, weights, uv)[3] >= cutoff)
@@ -144,18 +151,18 @@ impl MeshColors {
 }
 
 impl From<MeshMaterial> for MeshColors {
-    /// That material for all triangles, by the mesh's own texture coordinates.
+    /// Uses the material for all triangles, with the mesh's own texture coordinates.
     fn from(material: MeshMaterial) -> Self {
         Self { materials: vec![material], of_triangles: Vec::new(), uvs: Vec::new(), tints: Vec::new() }
     }
 }
 
-/// A picture's colour and opacity at its coordinates.
+/// Samples a picture's colour and opacity bilinearly at its coordinates.
 fn bilinear(picture: &Picture, wrap: [Wrap; 2], at: [f64; 2]) -> [f32; 4] {
     let size = [picture.width, picture.height];
     let along = |axis: usize| {
         let side = i64::from(size[axis]);
-        // Whole periods are left out before there is a number too large for texels.
+        // Whole periods are removed before numbers get too large for texels.
         let at = match wrap[axis] {
             Wrap::Clamp => at[axis].clamp(-1.0, 2.0),
             Wrap::Repeat => at[axis].rem_euclid(1.0),

@@ -1,13 +1,13 @@
-//! Meshes from and to files: glTF, OBJ, PLY and STL.
+//! Readers and writers of meshes: glTF, OBJ, PLY and STL.
 
 mod builder;
 mod folder;
 mod gltf;
 mod material;
-mod named;
 mod obj;
 mod ply;
 mod polygon;
+mod referenced;
 mod stl;
 mod text;
 mod up;
@@ -19,17 +19,17 @@ use std::path::{Path, PathBuf};
 use relief_core::mesh::{Framed, Mesh, RawMesh, UvProjection};
 
 pub use self::material::{MeshColors, MeshMaterial};
-pub use self::named::files_of_mesh;
+pub use self::referenced::files_of_mesh;
 pub use self::up::Up;
 pub use self::write::{
-    GlbLayout, GlbLevel, GlbMaterials, GlbNode, MAX_SHELLS, MeshCounts, MeshSink, Quantization, Shells,
-    Standing, write_glb, write_mesh, write_mesh_standing, write_shells,
+    FileFrame, GlbLayout, GlbLevel, GlbMaterials, GlbNode, MAX_SHELLS, MeshCounts, MeshSink, Quantization,
+    Shells, write_glb, write_mesh, write_mesh_in_frame, write_shells,
 };
 
 use self::builder::Builder;
 use crate::{DEFAULT_MAX_BYTES, ReadError, ReadProblem, Remark, Source, omissions};
 
-/// A format of meshes.
+/// File format of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MeshFormat {
     /// glTF 2.0, as JSON or as binary GLB.
@@ -42,7 +42,7 @@ pub enum MeshFormat {
     Stl,
 }
 
-/// The endings of meshes' names.
+/// File extensions of meshes.
 const ENDINGS: [(&str, MeshFormat); 5] = [
     ("gltf", MeshFormat::Gltf),
     ("glb", MeshFormat::Gltf),
@@ -52,7 +52,7 @@ const ENDINGS: [(&str, MeshFormat); 5] = [
 ];
 
 impl MeshFormat {
-    /// The name of the format.
+    /// Returns the format's common name.
     pub const fn name(self) -> &'static str {
         match self {
             MeshFormat::Gltf => "glTF",
@@ -62,7 +62,8 @@ impl MeshFormat {
         }
     }
 
-    /// The format of a file by the ending of its name, in upper or lower case; none where it is no mesh's.
+    /// Recognises the format by a file's extension, in upper or lower case; none if it is not a
+    /// mesh's.
     pub fn by_name(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_str()?;
         ENDINGS.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(ending)).map(|(_, format)| format)
@@ -75,17 +76,18 @@ impl fmt::Display for MeshFormat {
     }
 }
 
-/// How to read a mesh.
+/// Options for reading a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshOptions {
-    /// How texture coordinates are made, in place of the file's. None: those of the file.
+    /// Projection that makes texture coordinates in place of the file's. None: the file's
+    /// coordinates.
     pub projection: Option<UvProjection>,
-    /// Which axis of the file points up. None: as a file of Relief says itself, else `z` in STL and `y` in
-    /// all others.
+    /// Axis of the file that points up. None: as noted in files that Relief wrote, otherwise `z` in
+    /// STL and `y` in all others.
     pub up: Option<Up>,
-    /// Whether the colours of the file's materials are read, too, with their pictures.
+    /// Whether to read the colours and pictures of the file's materials. Default: false.
     pub colors: bool,
-    /// The most memory that reading may take, in bytes.
+    /// Greatest memory for reading, in bytes. Default: [`DEFAULT_MAX_BYTES`].
     pub max_bytes: u64,
 }
 
@@ -95,27 +97,27 @@ impl Default for MeshOptions {
     }
 }
 
-/// A mesh of a file.
+/// Mesh read from a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshFile {
     /// The mesh.
     pub mesh: Mesh,
-    /// The file's format.
+    /// File format.
     pub format: MeshFormat,
-    /// The colours, if they were asked for and the file has them: a glTF with materials or colours of
+    /// Colours, if they were requested and the file has them: a glTF with materials or colours of
     /// vertices.
     pub colors: Option<MeshColors>,
-    /// What of the file is read otherwise than it may be meant, or left out.
+    /// Notes on parts of the file that were ignored, or possibly read differently than meant.
     pub notes: Vec<Remark>,
-    /// Triangles without an area, which were left out.
+    /// Number of triangles without an area, which were left out.
     pub degenerate: usize,
-    /// Triangles that lay on an earlier one with the same corners and front, which were left out.
+    /// Number of triangles with the same corners and front as an earlier one, which were left out.
     pub double: usize,
 }
 
-/// Reads a mesh from a file or from the bytes of one: all of its triangles as one mesh, with normals and true
-/// tangent frames (see [`RawMesh::framed`](relief_core::mesh::RawMesh::framed)). The format is that of the
-/// ending of its name.
+/// Reads all triangles of a file, or of the bytes of one, as one mesh, with normals and true
+/// tangent frames (see [`RawMesh::framed`](relief_core::mesh::RawMesh::framed)). The extension of
+/// the file's name gives the format.
 ///
 /// ```
 /// use relief_io::{MeshOptions, Source, read_mesh};
@@ -128,41 +130,43 @@ pub struct MeshFile {
 /// # Ok::<(), relief_io::ReadError>(())
 /// ```
 ///
-/// A unit is a metre, in STL a millimetre. `y` is up, in STL `z`, or what [`MeshOptions::up`] says. Files of
-/// other programs may count in something else; a [`Placement`](relief_core::mesh::Placement) sizes them.
+/// A unit is a metre, in STL a millimetre. `y` points up, in STL `z`, unless [`MeshOptions::up`]
+/// says otherwise. Files of other programs may use other units; a
+/// [`Placement`](relief_core::mesh::Placement) sizes them.
 ///
 /// | format | what is read |
 /// | --- | --- |
 /// | glTF | all triangles of the default scene, see below; the first texture coordinates |
-/// | OBJ | faces of any number of corners, with `vt` and `vn`; `v` is turned over, as it runs up there |
+/// | OBJ | faces of any number of corners, with `vt` and `vn`; `v` is flipped, since it runs upward |
 /// | PLY | faces of any number of corners; `u` and `v`, `s` and `t` or `texture_u` and `texture_v` of vertices, or `texcoord` of faces, turned over; normals |
 /// | STL | triangles, in millimetres; their normals are not used |
 ///
-/// A glTF without a default scene has its first one read. Triangles are in the places of their nodes; they may
-/// be strips, of which the triangles that join them are left out, or fans, and accessors sparse or quantised.
-/// Morph targets and skins put vertices where the file's nodes and weights say; animations are not played. A
-/// vertex whose weights add up to 0 follows its first joint. Compressed meshes are refused.
+/// In a glTF without a default scene the first one is read. Triangles are transformed by their
+/// nodes. They may be strips or fans; triangles without an area that only join parts of a strip are
+/// left out. Accessors may be sparse or quantised. Morph targets and skins move vertices by the
+/// file's nodes and weights; animations are not played. A vertex whose weights add up to 0 follows
+/// its first joint. Compressed meshes are refused.
 ///
-/// Files that a glTF names have to lie in its folder or below. Bytes in memory have no folder: there all
-/// buffers are in the file itself.
+/// Files that a glTF refers to must be in its folder or below. Bytes in memory have no folder: all
+/// their buffers must be in the file itself.
 ///
 /// # Memory
 ///
-/// A triangle takes at most 480 bytes, a position 100, and the file its length; they are counted while they
-/// are read, and reading ends before it takes more than [`MeshOptions::max_bytes`].
+/// A triangle takes at most 480 bytes, a position 100, and the file its length. They are counted
+/// while they are read, and reading ends before it takes more than [`MeshOptions::max_bytes`].
 ///
 /// # Errors
 ///
-/// When the file, or one that it names, cannot be read, is damaged, lies outside the folder or is too large;
-/// when it has no triangles, no texture coordinates (and no projection is asked for), or numbers that are not
-/// finite; or when it uses what is not supported.
+/// When the file, or one that it refers to, cannot be read, is damaged, lies outside the folder or
+/// is too large; when it has no triangles, no texture coordinates (and no projection is given), or
+/// numbers that are not finite; or when it uses an unsupported feature.
 pub fn read_mesh<'a>(source: impl Into<Source<'a>>, options: &MeshOptions) -> Result<MeshFile, ReadError> {
     let source = source.into();
     read(source, options).map_err(|problem| source.error(problem))
 }
 
-/// What a mesh's file says for a program, as a JSON text: what its materials' `extras` hold under a name.
-/// None where they hold nothing of that name, and in all formats but glTF. Of a GLB only the JSON is read.
+/// Reads the value under `name` in the `extras` of a mesh's materials, as JSON text. None if the
+/// extras have no such name, and in all formats but glTF. Of a GLB only the JSON is read.
 ///
 /// ```
 /// use relief_io::{Source, read_mesh_extras};
@@ -180,8 +184,8 @@ pub fn read_mesh<'a>(source: impl Into<Source<'a>>, options: &MeshOptions) -> Re
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is no mesh's, is damaged, or takes more than `max_bytes` to be read; when
-/// its triangles have materials that say different things.
+/// When the file cannot be read, is not a mesh, is damaged, or needs more than `max_bytes`; or when
+/// its triangles have materials with different values.
 pub fn read_mesh_extras<'a>(
     source: impl Into<Source<'a>>,
     name: &str,
@@ -196,24 +200,25 @@ pub fn read_mesh_extras<'a>(
     extras.map_err(|problem| source.error(problem))
 }
 
-/// The place of a file that another one, such as a mesh's, names by a path from its folder on.
+/// Resolves a path that a file `naming`, such as a mesh, contains: `name` is relative to its
+/// folder.
 ///
 /// # Errors
 ///
-/// When there is no such file, or it does not lie in that folder or below, links followed.
+/// When the file does not exist, or is not in that folder or below, after links are followed.
 pub fn beside_file(naming: &Path, name: &Path) -> Result<PathBuf, ReadError> {
     let folder = naming.parent().unwrap_or(Path::new(""));
     let place = folder::inside(folder, name, &name.to_string_lossy());
     place.map_err(|problem| Source::from(naming).error(problem))
 }
 
-/// Reads what a mesh's file holds, as [`read_mesh`] does, and makes nothing of it: neither normals nor
-/// texture coordinates need be there.
+/// Reads the raw content of a mesh's file. Unlike [`read_mesh`], neither normals nor texture
+/// coordinates are needed.
 ///
 /// # Errors
 ///
-/// When the file, or one that it names, cannot be read, is damaged, lies outside the folder, takes more than
-/// `max_bytes`, or uses what is not supported.
+/// When the file, or one that it refers to, cannot be read, is damaged, lies outside the folder,
+/// needs more than `max_bytes`, or uses an unsupported feature.
 pub fn read_raw_mesh<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<RawMesh, ReadError> {
     let source = source.into();
     let options = MeshOptions { max_bytes, ..MeshOptions::default() };
@@ -231,7 +236,7 @@ fn read(source: Source<'_>, options: &MeshOptions) -> Result<MeshFile, ReadProbl
     Ok(MeshFile { mesh, format, colors, notes, degenerate, double })
 }
 
-/// What a file holds, before anything is made of it.
+/// Raw content of a file.
 struct Read {
     raw: RawMesh,
     format: MeshFormat,
@@ -251,7 +256,7 @@ fn read_raw(source: Source<'_>, options: &MeshOptions) -> Result<Read, ReadProbl
             obj::read(&bytes, &mut builder)?;
             let names_materials = |line: &[u8]| line.trim_ascii_start().starts_with(b"mtllib ");
             if options.colors && bytes.split(|byte| matches!(byte, b'\n' | b'\r')).any(names_materials) {
-                let what = "the materials of its .mtl file are not read: a .glb of it keeps them";
+                let what = "the materials of its .mtl file are not read: convert it to .glb, which holds its materials";
                 notes.push(Remark::new(&omissions::MTL, what));
             }
         }

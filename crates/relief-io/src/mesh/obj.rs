@@ -1,6 +1,6 @@
-//! Wavefront OBJ.
+//! Reader of Wavefront OBJ.
 //!
-//! Read by hand: lines are named in errors, texts need not be UTF-8, faces with and without texture
+//! The parser is our own: errors name lines, text need not be UTF-8, faces with and without texture
 //! coordinates may be mixed, and memory is counted as it is taken.
 
 use glam::{Vec2, Vec3};
@@ -13,14 +13,14 @@ use crate::text::{line_len, without_mark};
 
 const FORMAT: &str = "OBJ";
 
-/// What stands in a file besides faces, and shows nothing.
+/// Statements other than faces, which show nothing.
 #[derive(Default)]
 struct Others {
     lines_or_points: bool,
     curves: bool,
 }
 
-/// Statements whose words are names, in which `#` begins no comment.
+/// Statements with names, in which `#` does not begin a comment.
 const NAMING: [&[u8]; 5] = [b"usemtl", b"mtllib", b"o", b"g", b"usemap"];
 
 pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProblem> {
@@ -47,7 +47,7 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProble
             _ => {}
         }
     }
-    // Faces may name what comes later, so they are read in a second turn.
+    // Faces may refer to later vertices, so they are read in a second pass.
     let mut so_far = [0; 3];
     for (line, mut words) in lines(bytes) {
         match words.next() {
@@ -81,7 +81,7 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProble
     Err(ReadProblem::damaged(FORMAT, format!("it has no faces{but}")))
 }
 
-/// How many positions, texture coordinates and normals a file has.
+/// Numbers of positions, texture coordinates and normals in a file.
 fn totals(bytes: &[u8]) -> [usize; 3] {
     let mut totals = [0; 3];
     for (_, mut words) in lines(bytes) {
@@ -95,8 +95,8 @@ fn totals(bytes: &[u8]) -> [usize; 3] {
     totals
 }
 
-/// The lines with their numbers, counted from 1, as words. One that ends in a backslash goes on in the next;
-/// a comment begins with `#` and ends with its line.
+/// Iterates over the lines as words, with their numbers from 1. A line that ends in a backslash
+/// continues in the next one. A comment begins with `#` and ends with its line.
 fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, impl Iterator<Item = &[u8]>)> {
     let (mut rest, mut number) = (bytes, 1);
     std::iter::from_fn(move || {
@@ -114,20 +114,20 @@ fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, impl Iterator<Item = &[u8
         }
         let (line, after) = rest.split_at(end);
         rest = after;
-        // Backslashes stand in names of files, too, which are not read.
+        // Names of files contain backslashes, too, but are not read.
         let words = without_comment(line).split(|byte| byte.is_ascii_whitespace() || *byte == b'\\');
         Some((first, words.filter(|word| !word.is_empty())))
     })
 }
 
-/// A line up to its comment.
+/// Returns a line up to its comment.
 fn without_comment(line: &[u8]) -> &[u8] {
     let Some(comment) = line.iter().position(|&byte| byte == b'#') else { return line };
     let statement = line.trim_ascii_start().split(u8::is_ascii_whitespace).next().unwrap_or_default();
     if NAMING.contains(&statement) { line } else { &line[..comment] }
 }
 
-/// Three numbers, of which so many have to be there. What follows them, such as colours, is not read.
+/// Reads up to three numbers, at least `least`. Anything behind them, such as colours, is ignored.
 fn numbers<'a>(
     line: usize,
     words: &mut impl Iterator<Item = &'a [u8]>,
@@ -138,7 +138,7 @@ fn numbers<'a>(
         match words.next() {
             Some(word) => *place = number(FORMAT, line, word)?,
             None if at < least => {
-                let what = format!("line {line}: {at} numbers where at least {least} belong");
+                let what = format!("line {line}: {at} numbers, but at least {least} are needed");
                 return Err(ReadProblem::damaged(FORMAT, what));
             }
             None => break,
@@ -147,7 +147,7 @@ fn numbers<'a>(
     Ok(found)
 }
 
-/// A corner `position/uv/normal`, of which the last two may be missing.
+/// Parses a corner `position/uv/normal`; the last two may be missing.
 fn corner(
     line: usize,
     word: &[u8],
@@ -166,18 +166,19 @@ fn corner(
             continue;
         }
         let text = std::str::from_utf8(part).ok();
-        let index: i64 = text.and_then(|text| text.parse().ok()).ok_or_else(|| wrong("is no number"))?;
-        // Negative ones count back from the last one so far.
+        let index: i64 = text.and_then(|text| text.parse().ok()).ok_or_else(|| wrong("is not a number"))?;
+        // Negative indices count back from the last one so far.
         let place = if index < 0 { (so_far[at] as i64).checked_add(index) } else { index.checked_sub(1) };
         let place = place.and_then(|place| u32::try_from(place).ok());
         let place = place.filter(|&place| (place as usize) < totals[at]);
         let name = ["position", "texture coordinates", "normal"][at];
-        places[at] = place
-            .ok_or_else(|| wrong(&format!("names a {name} that is not there (there are {})", totals[at])))?;
+        places[at] = place.ok_or_else(|| {
+            wrong(&format!("refers to a {name} that does not exist (the file has {})", totals[at]))
+        })?;
     }
     let [position, uv, normal] = places;
     if position == RawCorner::NONE {
-        return Err(wrong("names no position"));
+        return Err(wrong("has no position"));
     }
     Ok(RawCorner { position, normal, uv })
 }

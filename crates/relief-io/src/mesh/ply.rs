@@ -1,7 +1,7 @@
-//! PLY, as text and binary of either byte order.
+//! Reader of PLY, as text and binary of either byte order.
 //!
-//! Read by hand: what the header promises is held against the file's length before it is believed, only what
-//! meshes need is kept, and memory is counted as it is taken.
+//! The parser is our own: claims of the header are checked against the file's length, only data for
+//! meshes is stored, and memory is counted as it is taken.
 
 mod header;
 mod values;
@@ -17,7 +17,8 @@ use crate::text::without_mark;
 
 const FORMAT: &str = "PLY";
 
-/// What is kept of a vertex, by the names that programs give it: position, normal, texture coordinates.
+/// Properties of a vertex that are read, with the names that programs use: position, normal,
+/// texture coordinates.
 const OF_VERTEX: [&[&str]; 8] = [
     &["x"],
     &["y"],
@@ -29,10 +30,10 @@ const OF_VERTEX: [&[&str]; 8] = [
     &["v", "t", "texture_v", "texture_t"],
 ];
 
-/// The names of the list of a face's vertices.
+/// Names of the list of a face's vertices.
 const VERTICES: [&str; 2] = ["vertex_indices", "vertex_index"];
 
-/// The name of the list of a face's texture coordinates, two for each vertex.
+/// Name of the list of a face's texture coordinates, two for each vertex.
 const TEXTURE: &str = "texcoord";
 
 pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProblem> {
@@ -40,7 +41,7 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProble
     let header = Header::read(bytes)?;
     let mut values = Values::new(&header, bytes);
     let mut vertices = None;
-    // Faces that come before the vertices that they name, and their numbers.
+    // Faces that come before their vertices, with their numbers.
     let mut waiting: Vec<(&Element, Values<'_>)> = Vec::new();
     let mut faces = 0;
     for element in &header.elements {
@@ -94,7 +95,7 @@ fn skip(element: &Element, values: &mut Values<'_>) -> Result<(), ReadProblem> {
     Ok(())
 }
 
-/// What the vertices of a file have.
+/// Number of vertices, and the attributes that they have.
 #[derive(Clone, Copy)]
 struct Vertices {
     count: u32,
@@ -188,7 +189,7 @@ fn read_faces(
 
 fn corner(face: u64, value: f64, vertices: Vertices) -> Result<RawCorner, ReadProblem> {
     if value.fract() != 0.0 || !(0.0..f64::from(vertices.count)).contains(&value) {
-        let what = format!("face {face} names vertex {value}, but there are {}", vertices.count);
+        let what = format!("face {face} refers to vertex {value}, but there are {}", vertices.count);
         return Err(damaged(what));
     }
     let position = value as u32;

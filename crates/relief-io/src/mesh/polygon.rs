@@ -1,23 +1,24 @@
-//! Faces of many corners, cut into triangles.
+//! Triangulation of faces of many corners.
 
 use glam::{DVec2, DVec3};
 
-/// The most corners of a face.
+/// Greatest number of corners of a face.
 pub(super) const MAX_CORNERS: usize = 1 << 16;
 
-/// The most corners of a face that is not convex: each ear that is cut off looks at all corners.
+/// Greatest number of corners of a face that is not convex: each ear that is cut off checks all
+/// corners.
 const MAX_CORNERS_OF_CONCAVE: usize = 1024;
 
-/// What becomes of a face.
+/// Result of a triangulation.
 pub(super) enum Triangulated {
-    /// Triangles by places of their corners, with the face's front.
+    /// Triangles by indices of their corners, with the face's front.
     Triangles(Vec<[usize; 3]>),
-    /// It has too many corners for one that is not convex.
+    /// The face is not convex and has too many corners.
     TooComplex,
 }
 
-/// Cuts a face of at least three corners into triangles: a fan where it is convex, else ear by ear (Meisters
-/// 1975). Corners need not lie in one plane.
+/// Cuts a face of at least three corners into triangles: a fan if it is convex, otherwise ear by
+/// ear (Meisters 1975). Corners need not lie in one plane.
 pub(super) fn triangulate(points: &[DVec3]) -> Triangulated {
     let flat = flattened(points);
     let mut left: Vec<usize> = (0..points.len()).collect();
@@ -30,7 +31,7 @@ pub(super) fn triangulate(points: &[DVec3]) -> Triangulated {
     }
     let mut triangles = Vec::with_capacity(points.len().saturating_sub(2));
     while left.len() > 3 {
-        // A face that crosses itself may have no ear: something is cut off all the same.
+        // A face that intersects itself may have no ear: then any corner is cut off.
         let ear = (0..left.len()).find(|&at| is_ear(&flat, &left, at)).unwrap_or_default();
         triangles.push(around(&left, ear));
         left.remove(ear);
@@ -39,10 +40,10 @@ pub(super) fn triangulate(points: &[DVec3]) -> Triangulated {
     Triangulated::Triangles(triangles)
 }
 
-/// The corners in the plane of the face, counter-clockwise seen from its front.
+/// Projects the corners to the plane of the face, counter-clockwise seen from its front.
 fn flattened(points: &[DVec3]) -> Vec<DVec2> {
     let next = |at: usize| points[(at + 1) % points.len()];
-    // Newell's normal: right for faces that are not convex or not quite plane, too.
+    // Newell's normal is also right for faces that are not convex or not quite plane.
     let normal = points
         .iter()
         .enumerate()
@@ -51,7 +52,7 @@ fn flattened(points: &[DVec3]) -> Vec<DVec2> {
     points.iter().map(|point| DVec2::new((point - points[0]).dot(x), (point - points[0]).dot(y))).collect()
 }
 
-/// A corner that is left between the one before it and the one after it.
+/// Returns a remaining corner between its predecessor and its successor.
 fn around(left: &[usize], at: usize) -> [usize; 3] {
     [left[(at + left.len() - 1) % left.len()], left[at], left[(at + 1) % left.len()]]
 }
@@ -65,7 +66,7 @@ fn area([a, b, c]: [DVec2; 3]) -> f64 {
     (b - a).perp_dot(c - b)
 }
 
-/// Whether the triangle at a corner lies inside of the face and holds no other corner.
+/// Whether the triangle at a corner lies inside the face and contains no other corner.
 fn is_ear(flat: &[DVec2], left: &[usize], at: usize) -> bool {
     let corners = around(left, at);
     let [a, b, c] = corners.map(|place| flat[place]);
@@ -85,7 +86,7 @@ fn is_ear(flat: &[DVec2], left: &[usize], at: usize) -> bool {
 mod tests {
     use super::*;
 
-    /// Areas of the triangles that a face in the plane of `x` and `z` is cut into; its front looks up.
+    /// Areas of the triangles of a face in the plane of `x` and `z`; its front looks up.
     fn areas(corners: &[[f64; 2]]) -> Vec<f64> {
         let points: Vec<DVec3> = corners.iter().map(|[x, z]| DVec3::new(*x, 0.0, *z)).collect();
         let Triangulated::Triangles(triangles) = triangulate(&points) else { return Vec::new() };

@@ -1,10 +1,10 @@
-//! STL, as text and binary.
+//! Reader of STL, as text and binary.
 //!
-//! Its numbers have no unit. They are millimetres here, as nearly all programs and printers take them, and as
-//! it is written.
+//! Numbers in STL have no unit. They are read and written as millimetres, as in nearly all programs
+//! and printers.
 //!
-//! Read by hand: binary files often begin with the word that marks texts, and their length alone tells them
-//! apart; normals, which are not used, are often wrong or no numbers.
+//! The parser is our own. Binary files often begin with the word that marks text files; only their
+//! length tells them apart. Normals are not used: they are often wrong or not numbers.
 
 use std::collections::HashMap;
 
@@ -18,19 +18,19 @@ use crate::text::without_mark;
 
 const FORMAT: &str = "STL";
 
-/// Millimetres of a metre.
+/// Millimetres per metre.
 pub(super) const MILLIMETRES: f64 = 1000.0;
 
-/// Bytes before the triangles of a binary file: a text, and how many there are.
+/// Bytes before the triangles of a binary file: a text, and the number of triangles.
 const HEADER: usize = 84;
 
 /// Bytes of a triangle: its normal, three corners, and two more.
 const TRIANGLE: usize = 50;
 
-/// Memory that a different position takes while positions are told apart.
+/// Memory of a position in the map that merges equal positions.
 const BYTES_TO_TELL_APART: u64 = 40;
 
-/// Adds triangles, with equal positions once.
+/// Collects triangles, and stores equal positions once.
 struct Triangles<'a> {
     builder: &'a mut Builder,
     places: HashMap<[u32; 3], u32>,
@@ -74,7 +74,7 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProble
 
 fn binary(bytes: &[u8], len: u64, triangles: &mut Triangles<'_>) -> Result<(), ReadProblem> {
     if (bytes.len() as u64) < len {
-        let what = format!("its header promises {len} bytes, the file has {}", bytes.len());
+        let what = format!("its header says {len} bytes, but the file has {}", bytes.len());
         return Err(ReadProblem::damaged(FORMAT, what));
     }
     let body = &bytes[HEADER..len as usize];
@@ -94,7 +94,7 @@ fn binary(bytes: &[u8], len: u64, triangles: &mut Triangles<'_>) -> Result<(), R
 
 fn text(bytes: &[u8], triangles: &mut Triangles<'_>) -> Result<(), ReadProblem> {
     let mut words = Words::new(bytes, 1);
-    // The corners of the loop that is open, and whether a solid is.
+    // Corners of the current loop, and whether a solid is open.
     let (mut corners, mut is_open) = (Vec::new(), false);
     while let Some(word) = words.next() {
         let line = words.line();
@@ -107,7 +107,7 @@ fn text(bytes: &[u8], triangles: &mut Triangles<'_>) -> Result<(), ReadProblem> 
                 is_open = false;
                 words.skip_line();
             }
-            // The normal that follows, its name and three numbers, is not read.
+            // The normal that follows (its name and three numbers) is not read.
             b"facet" => words.by_ref().take(4).for_each(drop),
             b"outer" => {
                 corners.clear();

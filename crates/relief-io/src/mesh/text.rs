@@ -1,18 +1,18 @@
-//! Numbers and words in files of text.
+//! Numbers and words in text files.
 
 use crate::ReadProblem;
 
-/// A finite number, or what stands there in its place.
+/// Parses a finite number. An error shows the word instead.
 pub(super) fn number(format: &'static str, line: usize, word: &[u8]) -> Result<f32, ReadProblem> {
     let text = std::str::from_utf8(word).ok();
     let number = text.and_then(|text| text.parse::<f32>().ok()).filter(|number| number.is_finite());
     number.ok_or_else(|| {
-        let what = format!("line {line}: '{}' is no finite number", shown(word));
+        let what = format!("line {line}: '{}' is not a finite number", shown(word));
         ReadProblem::damaged(format, what)
     })
 }
 
-/// The beginning of a word as people can read it.
+/// Returns the beginning of a word in a readable form.
 pub(super) fn shown(word: &[u8]) -> String {
     const MOST: usize = 32;
     let cut = &word[..word.len().min(MOST)];
@@ -20,7 +20,7 @@ pub(super) fn shown(word: &[u8]) -> String {
     if cut.len() < word.len() { format!("{text}...") } else { text }
 }
 
-/// How many lines end in white space: by a line feed, a carriage return, or both.
+/// Number of line ends in white space: a line feed, a carriage return, or both.
 fn line_ends(space: &[u8]) -> usize {
     let ends = |at: usize| match space[at] {
         b'\n' => true,
@@ -29,7 +29,7 @@ fn line_ends(space: &[u8]) -> usize {
     (0..space.len()).filter(|&at| ends(at)).count()
 }
 
-/// The words of a text one by one, and the line that the last one stands on, counted from 1.
+/// Iterator over the words of a text, with the line of the last word, counted from 1.
 #[derive(Clone, Debug)]
 pub(super) struct Words<'a> {
     rest: &'a [u8],
@@ -37,22 +37,22 @@ pub(super) struct Words<'a> {
 }
 
 impl<'a> Words<'a> {
-    /// The words from there on, which is on that line.
+    /// Creates an iterator over `rest`, which begins on line `line`.
     pub fn new(rest: &'a [u8], line: usize) -> Self {
         Self { rest, line }
     }
 
-    /// The line of the last word.
+    /// Returns the line of the last word.
     pub fn line(&self) -> usize {
         self.line
     }
 
-    /// Bytes that follow.
+    /// Number of bytes that remain.
     pub fn left(&self) -> usize {
         self.rest.len()
     }
 
-    /// What is left of the line is no word.
+    /// Skips the rest of the line.
     pub fn skip_line(&mut self) {
         let end = self.rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
         self.rest = &self.rest[end.unwrap_or(self.rest.len())..];

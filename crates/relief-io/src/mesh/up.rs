@@ -1,4 +1,4 @@
-//! Which axis of a mesh's file points up.
+//! Axis that points up in a mesh's file.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,7 +8,7 @@ use relief_core::registry::UnknownName;
 
 use super::MeshFormat;
 
-/// Which axis of a mesh's file points up. In memory it is `y`.
+/// Axis that points up in a mesh's file. In memory it is `y`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Up {
     /// `y`, as in glTF, and mostly in OBJ and PLY.
@@ -18,14 +18,14 @@ pub enum Up {
     Z,
 }
 
-/// The bytes of a file that may hold the comment of its first lines.
+/// Number of bytes at the beginning of a file that may hold the comment.
 const HEAD: usize = 160;
 
 impl Up {
-    /// Both.
+    /// Both axes.
     pub const ALL: [Self; 2] = [Self::Y, Self::Z];
 
-    /// The name used on the command line.
+    /// Name used on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Y => "y",
@@ -33,7 +33,7 @@ impl Up {
         }
     }
 
-    /// What points up in files of a format that do not say it: `z` in STL, `y` in others.
+    /// Returns the usual axis of a format: `z` in STL, `y` in others.
     pub const fn usual(format: MeshFormat) -> Self {
         match format {
             MeshFormat::Stl => Self::Z,
@@ -41,7 +41,8 @@ impl Up {
         }
     }
 
-    /// What points up in a file, by its own comment if this program wrote it, else as is usual.
+    /// Returns the axis of a file: from its own comment if Relief wrote it, otherwise the usual
+    /// one.
     pub(super) fn of_file(format: MeshFormat, bytes: &[u8]) -> Self {
         let head = &bytes[..bytes.len().min(HEAD)];
         let says = |up: &Self| {
@@ -52,7 +53,7 @@ impl Up {
         own.unwrap_or(Self::usual(format))
     }
 
-    /// A vector of such a file, as it is with `y` up.
+    /// Converts a vector of the file to one with `y` up.
     pub fn with_y_up(self, vector: Vec3) -> Vec3 {
         match self {
             Self::Y => vector,
@@ -61,7 +62,7 @@ impl Up {
         }
     }
 
-    /// A vector that has `y` up, as such a file has it.
+    /// Converts a vector with `y` up to one of the file.
     pub fn stored(self, vector: Vec3) -> Vec3 {
         match self {
             Self::Y => vector,
@@ -70,7 +71,7 @@ impl Up {
     }
 }
 
-/// What this program writes into a file's head.
+/// Returns the comment that Relief writes into a file's head.
 pub(super) fn comment(format: MeshFormat, up: Up) -> String {
     let unit = if format == MeshFormat::Stl { "millimetres" } else { "metres" };
     format!("Relief: a displaced mesh, in {unit}, {up} up")

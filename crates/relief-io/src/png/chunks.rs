@@ -1,58 +1,57 @@
-//! What a PNG's chunks say of the picture besides its samples (PNG specification, third edition): how it is
-//! turned, by which curve its samples were made, whether it moves.
+//! Facts from a PNG's chunks other than its samples (PNG specification, third edition):
+//! orientation, transfer curve and animation.
 
 use std::io::{Read, Seek, SeekFrom};
 
 use crate::exif;
 use crate::source::SourceReader;
 
-/// Bytes of the signature; of a chunk's length and type, and of its checksum.
+/// Bytes of the signature, of a chunk's length and type, and of its checksum.
 const SIGNATURE: u64 = 8;
 const HEAD: usize = 8;
 const CHECKSUM: u64 = 4;
 
-/// Bytes of the header, the place of the colour type among them, and the types without an alpha channel.
+/// Bytes of the header, offset of the colour type, and colour types without an alpha channel.
 const HEADER: u64 = 13;
 const COLOUR_TYPE: usize = 9;
 const GREY: u8 = 0;
 const COLOUR: u8 = 2;
 const PALETTE: u8 = 3;
 
-/// The most bytes of EXIF metadata that are read. A JPEG's are at most 64 KiB.
+/// Greatest number of bytes of EXIF metadata that are read. A JPEG's are at most 64 KiB.
 const MOST_EXIF: u64 = 1 << 20;
 
-/// The gamma of samples that are proportional to light, in the chunk's unit, and how far others may be from
-/// it.
+/// Gamma of samples that are proportional to light, in the chunk's unit, and its tolerance.
 const LINEAR_GAMMA: u32 = 100_000;
 const GAMMA_ROUNDING: u32 = 500;
 
-/// The number of samples that are proportional to light among transfer functions (ITU-T H.273).
+/// Code of linear samples among transfer functions (ITU-T H.273).
 const LINEAR_TRANSFER: u8 = 8;
 
-/// What the chunks say.
+/// Facts from the chunks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Chunks {
-    /// The orientation in EXIF metadata, whatever number it is.
+    /// Orientation number in EXIF metadata, of any value.
     pub orientation: Option<u32>,
     /// Whether samples are proportional to light.
     pub is_linear: bool,
-    /// Whether there is an animation.
+    /// Whether the file is animated.
     pub is_animated: bool,
-    /// The bytes of opacity, and how many its colours allow, where there are more. Decoders of each colour
-    /// type make something else of it.
+    /// Number of bytes of opacity, and the greatest number that the colours allow, if there are
+    /// more. Decoders treat them differently for each colour type.
     pub long_opacity: Option<[u64; 2]>,
 }
 
 impl Chunks {
-    /// Walks all chunks, since EXIF metadata may come last. What cannot be read ends it: the decoder says
-    /// what is wrong with the file.
+    /// Walks all chunks, since EXIF metadata may come last. An error only ends the walk: the
+    /// decoder reports faults of the file.
     pub(super) fn read(file: &mut SourceReader<'_>) -> Self {
-        let mut found = Found::default();
-        // What was found counts, whatever ended the walk.
-        let _ = found.walk(file);
-        let Found { orientation, gamma, has_curve, transfer, is_animated, .. } = found;
-        let long_opacity = found.long_opacity();
-        // The first that is there counts, in this order.
+        let mut facts = ChunkFacts::default();
+        // Chunks before an error count.
+        let _ = facts.walk(file);
+        let ChunkFacts { orientation, gamma, has_curve, transfer, is_animated, .. } = facts;
+        let long_opacity = facts.long_opacity();
+        // The first one present counts, in this order.
         let is_linear = match (transfer, has_curve, gamma) {
             (Some(transfer), ..) => transfer == LINEAR_TRANSFER,
             (None, true, _) => false,
@@ -63,10 +62,10 @@ impl Chunks {
 }
 
 #[derive(Default)]
-struct Found {
+struct ChunkFacts {
     orientation: Option<u32>,
     gamma: Option<u32>,
-    /// Whether there is a colour profile or the word that it is sRGB.
+    /// Whether there is a colour profile or an sRGB chunk.
     has_curve: bool,
     transfer: Option<u8>,
     is_animated: bool,
@@ -76,7 +75,7 @@ struct Found {
     opacity_len: Option<u64>,
 }
 
-impl Found {
+impl ChunkFacts {
     fn long_opacity(&self) -> Option<[u64; 2]> {
         let most = match self.colour_type? {
             GREY => 2,

@@ -1,4 +1,4 @@
-//! EXR with any named float channels, and metadata in one string attribute.
+//! Writer of EXR with any named float channels, and metadata in one string attribute.
 
 use std::fs::File;
 use std::io::{self, BufWriter};
@@ -17,17 +17,18 @@ use super::{LineSink, Metadata, Row, RowSource};
 use crate::write_whole::write_file;
 use crate::{WriteError, WriteProblem};
 
-/// Writes named channels as 32-bit floats, without loss (ZIP, 16 rows a block), row by row.
+/// Writes named channels as 32-bit floats, without loss (ZIP, 16 rows a block). Rows are requested
+/// from `rows`.
 ///
-/// The metadata are the lines of one string attribute named `relief`: the `exr` crate stores several
-/// attributes in an order that changes from run to run. Channels are stored in the order of their names;
-/// [`Row::channel`] counts in the order of `names`.
+/// The metadata are lines of one string attribute named `relief`: the `exr` crate stores several
+/// attributes in an order that changes from run to run. Channels are stored in the order of their
+/// names; [`Row::channel`] is an index into `names`.
 ///
 /// # Errors
 ///
-/// When there is no channel, when a name is empty, longer than 255 bytes, not printable ASCII or given twice,
-/// when the size is 0 or above what a height map may have, when a row cannot be had, or when the file cannot
-/// be written. Nothing is left behind then.
+/// When there is no channel; when a name is empty, longer than 255 bytes, not printable ASCII or
+/// given twice; when the size is 0 or above the limit of a height map; when `rows` fails; or when
+/// the file cannot be written. Nothing is left behind then.
 pub fn write_exr_rows(
     path: &Path,
     width: u32,
@@ -48,12 +49,12 @@ pub fn write_exr_rows(
     })
 }
 
-/// The same whose rows `lines` hands over, from the top: of each channel, in the order of the `names` given,
-/// its texels.
+/// Writes named channels like [`write_exr_rows`]. `lines` passes the rows to its argument, from the
+/// top: the texels of each channel, in the order of `names`.
 ///
 /// # Errors
 ///
-/// As [`write_exr_rows`], and when `lines` fails, or hands over another number of rows, of channels or of
+/// See [`write_exr_rows`]. Also when `lines` fails, or passes a wrong number of rows, channels or
 /// texels.
 pub fn write_exr_lines(
     path: &Path,
@@ -65,10 +66,11 @@ pub fn write_exr_lines(
     write_file(path, |out| write_exr_lines_of(out, size, names, metadata, false, lines))
 }
 
-/// The primaries of sRGB and its white (IEC 61966-2-1).
+/// Primaries and white point of sRGB (IEC 61966-2-1).
 const SRGB: [(f32, f32); 4] = [(0.64, 0.33), (0.3, 0.6), (0.15, 0.06), (0.3127, 0.329)];
 
-/// An EXR file's bytes; with `is_picture` its channels are colours in the primaries of sRGB.
+/// Writes the bytes of an EXR file. With `is_picture` its channels are colours in the primaries of
+/// sRGB.
 pub(crate) fn write_exr_lines_of(
     out: &mut BufWriter<&File>,
     [width, height]: [u32; 2],
@@ -113,7 +115,7 @@ fn check_names(names: &[&str], order: &[usize]) -> Result<(), WriteProblem> {
     match names.iter().find(|name| !printable(name)) {
         None => Ok(()),
         Some(name) => Err(WriteProblem::NotStorable(format!(
-            "an EXR channel's name has 1 to 255 printable ASCII characters, this one is '{name}'"
+            "'{name}' cannot be an EXR channel's name: use 1 to 255 printable ASCII characters"
         ))),
     }
 }
@@ -130,12 +132,12 @@ fn write_blocks(
         let mut blocks = meta.enumerate_ordered_header_block_indices();
         let mut compressor = chunks.sequential_blocks_compressor(&meta);
         let mut next = blocks.next();
-        // The bytes of a block are those of its rows, each channel after channel.
+        // The bytes of a block are its rows, each channel after channel.
         let (mut data, mut held, mut count) = (Vec::new(), 0, 0);
         lines(&mut |line| {
             let Some((number, index)) = next else { return wrong("more rows than the file has") };
             if line.len() != order.len() || line.iter().any(|texels| texels.len() != width as usize) {
-                return wrong("a row of another size");
+                return wrong("a row of a wrong size");
             }
             for &channel in order {
                 data.extend(line[channel].iter().flat_map(|sample| sample.to_ne_bytes()));

@@ -1,23 +1,23 @@
-//! Names and values inside texture files.
+//! Metadata inside texture files: names and values.
 
 use crate::WriteProblem;
 
-/// The attribute of EXR files that holds the metadata, a line each.
+/// Attribute of EXR files with the metadata, one line each.
 pub(super) const EXR_ATTRIBUTE: &str = "relief";
 
-/// Names and values that travel inside a texture's file, in the order of their names: `iTXt` chunks in PNG,
-/// key/value data in KTX2, the lines of the string attribute `relief` in EXR.
+/// Names and values inside a texture's file, sorted by name. They are `iTXt` chunks in PNG,
+/// key/value data in KTX2, and lines of the string attribute `relief` in EXR.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Metadata(Vec<(String, String)>);
 
 impl Metadata {
-    /// Checks names and values.
+    /// Creates metadata from names and values, and checks them.
     ///
     /// # Errors
     ///
-    /// When a name is not 1 to 79 printable ASCII characters without `=` and outer spaces, or is given twice;
-    /// when a value holds a line break, NUL or another control character, none of which every format can
-    /// hold.
+    /// When a name is not 1 to 79 printable ASCII characters without `=` and outer spaces, or is
+    /// given twice; or when a value has a line break, NUL or another control character, which some
+    /// format cannot hold.
     pub fn new(mut entries: Vec<(String, String)>) -> Result<Self, WriteProblem> {
         entries.sort();
         if let Some(pair) = entries.windows(2).find(|pair| pair[0].0 == pair[1].0) {
@@ -26,22 +26,24 @@ impl Metadata {
         for (key, value) in &entries {
             let printable = key.bytes().all(|byte| (b' '..=b'~').contains(&byte) && byte != b'=');
             if !(1..=79).contains(&key.len()) || !printable || key.trim() != key {
-                return Err(WriteProblem::NotStorable(format!("'{key}' is no name of metadata")));
+                return Err(WriteProblem::NotStorable(format!(
+                    "'{key}' cannot be a name of metadata: use 1 to 79 printable ASCII characters without ="
+                )));
             }
             if value.chars().any(char::is_control) {
-                let what = format!("the value of the metadata '{key}' holds a control character");
+                let what = format!("the value of the metadata '{key}' has a control character: remove it");
                 return Err(WriteProblem::NotStorable(what));
             }
         }
         Ok(Self(entries))
     }
 
-    /// The value of that name.
+    /// Returns the value of a name.
     pub fn get(&self, key: &str) -> Option<&str> {
         self.0.iter().find(|(found, _)| found == key).map(|(_, value)| value.as_str())
     }
 
-    /// Names and values, in the order of the names.
+    /// Iterates over names and values, in the order of the names.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
         self.0.iter().map(|(key, value)| (key.as_str(), value.as_str()))
     }
@@ -55,7 +57,7 @@ impl Metadata {
         Self::found(entries.map(|(key, value)| (key.to_owned(), value.to_owned())).collect())
     }
 
-    /// What a file holds, whatever it is.
+    /// Creates metadata from a file's entries, without checks.
     pub(crate) fn found(mut entries: Vec<(String, String)>) -> Self {
         entries.sort();
         Self(entries)

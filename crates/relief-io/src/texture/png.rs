@@ -1,4 +1,4 @@
-//! PNG with 1 to 4 channels of 8 or 16 bit and metadata in `iTXt` chunks.
+//! Writer of PNG with 1 to 4 channels of 8 or 16 bit and metadata in `iTXt` chunks.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -11,26 +11,27 @@ use crate::write::write_png;
 use crate::write_whole::write_file;
 use crate::{WriteError, WriteProblem};
 
-/// What a PNG texture holds.
+/// Description of a PNG texture to write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PngTexture {
     /// Width in texels.
     pub width: u32,
     /// Height in texels.
     pub height: u32,
-    /// Channels: 1 grey, 2 grey and opacity, 3 colour, 4 colour and opacity.
+    /// Number of channels: 1 grey, 2 grey and opacity, 3 colour, 4 colour and opacity.
     pub channels: usize,
-    /// Bits a sample: 8 or 16.
+    /// Bits per sample: 8 or 16.
     pub bits: u32,
 }
 
-/// Writes a PNG whose samples are the texels in `[0, 1]` to the nearest code, without a transfer function,
-/// and whose metadata are `iTXt` chunks before the texels. What lies outside `[0, 1]` is cut off.
+/// Writes a PNG whose samples are texels in `[0, 1]`, rounded to the nearest code, without a
+/// transfer function. Values outside `[0, 1]` are clamped. The metadata are `iTXt` chunks before
+/// the texels.
 ///
 /// # Errors
 ///
-/// When the size, the channels, the bits or the metadata cannot be stored, when a row cannot be had, or when
-/// the file cannot be written. Nothing is left behind then.
+/// When the size, the channels, the bits or the metadata cannot be stored, when `rows` fails, or
+/// when the file cannot be written. Nothing is left behind then.
 pub fn write_png_rows(
     path: &Path,
     texture: &PngTexture,

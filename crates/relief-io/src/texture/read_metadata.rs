@@ -1,4 +1,4 @@
-//! Reads the names and values inside texture files, and nothing else of them.
+//! Reader of the metadata in texture files.
 
 use std::io::{BufRead, Read, Seek, SeekFrom};
 
@@ -8,19 +8,20 @@ use crate::layout::Format;
 use crate::source::SourceReader;
 use crate::{ReadError, ReadProblem, Source, ktx2};
 
-/// The most bytes of metadata that are read from a file.
+/// Greatest number of bytes of metadata that are read from a file.
 const MOST_BYTES: u64 = 1 << 20;
 
-/// The most attributes before the one sought in an EXR header: more than any program writes.
+/// Greatest number of attributes before the one sought in an EXR header: more than any program
+/// writes.
 const MOST_ATTRIBUTES: usize = 1000;
 
-/// Reads the metadata of a PNG, EXR or KTX2 file that this crate has written, or of the bytes of one, and
-/// nothing else of it. Files without any give none.
+/// Reads only the metadata of a PNG, EXR or KTX2 file that this crate has written, or of the bytes
+/// of one. Files without metadata return none.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is none of those formats, is damaged before the end of its metadata, or
-/// holds more than 1 MiB of them.
+/// When the file cannot be read, is in none of these formats, is damaged before the end of its
+/// metadata, or holds more than 1 MiB of them.
 pub fn read_metadata<'a>(source: impl Into<Source<'a>>) -> Result<Metadata, ReadError> {
     let source = source.into();
     read(source).map_err(|problem| source.error(problem))
@@ -39,8 +40,9 @@ fn read(source: Source<'_>) -> Result<Metadata, ReadProblem> {
     }
 }
 
-/// The texts of a PNG. Compressed texts are unpacked while all of them together have at most `most` bytes. A
-/// longer text, or one that cannot be unpacked, is another program's and is left out.
+/// Reads the texts of a PNG. Compressed texts are unpacked as long as all texts together have at
+/// most `most` bytes. A longer text, or one that cannot be unpacked, belongs to another program and
+/// is skipped.
 fn of_png(file: SourceReader<'_>, most: usize) -> Result<Metadata, ReadProblem> {
     let problem = |error| match error {
         png::DecodingError::IoError(error) => io_problem(Format::Png, error),
@@ -62,7 +64,7 @@ fn of_png(file: SourceReader<'_>, most: usize) -> Result<Metadata, ReadProblem> 
     Ok(Metadata::found(entries))
 }
 
-/// Walks the attributes of the first header ("OpenEXR File Layout", openexr.com) up to ours.
+/// Walks the attributes of the first header ("OpenEXR File Layout", openexr.com) up to `relief`.
 fn of_exr(mut file: SourceReader<'_>, file_len: u64) -> Result<Metadata, ReadProblem> {
     let problem = |error| io_problem(Format::Exr, error);
     let damaged = |what: &str| ReadProblem::damaged(Format::Exr.name(), what);
@@ -85,7 +87,7 @@ fn of_exr(mut file: SourceReader<'_>, file_len: u64) -> Result<Metadata, ReadPro
             }
             let mut lines = zeros(length as usize)?;
             file.read_exact(&mut lines).map_err(problem)?;
-            let lines = String::from_utf8(lines).map_err(|_| damaged("its metadata are no text"))?;
+            let lines = String::from_utf8(lines).map_err(|_| damaged("its metadata are not text"))?;
             return Ok(Metadata::from_lines(&lines));
         }
         file.seek_relative(length as i64).map_err(problem)?;
@@ -93,7 +95,7 @@ fn of_exr(mut file: SourceReader<'_>, file_len: u64) -> Result<Metadata, ReadPro
     Err(damaged("it has too many attributes"))
 }
 
-/// A name of at most 255 bytes that ends with a zero byte.
+/// Reads a name of at most 255 bytes that ends with a zero byte.
 fn exr_name(file: &mut SourceReader<'_>) -> Result<Vec<u8>, ReadProblem> {
     let mut name = Vec::new();
     file.by_ref().take(256).read_until(0, &mut name).map_err(|error| io_problem(Format::Exr, error))?;
@@ -109,7 +111,7 @@ mod tests {
 
     use super::*;
 
-    /// A picture with those texts, compressed or not.
+    /// Picture with the given texts, compressed or not.
     fn picture(texts: &[(&str, usize, bool)]) -> Vec<u8> {
         let mut bytes = Vec::new();
         let mut writer = png::Encoder::new(&mut bytes, 1, 1).write_header().expect("a header");
@@ -134,12 +136,12 @@ mod tests {
         let one = |name: &str, length: usize| (name.to_owned(), length);
         assert_eq!(lengths(&[("x", 300, true)], 300), [one("x", 300)]);
         assert!(lengths(&[("x", 301, true)], 300).is_empty());
-        // One that is too long hides no other, and together they have no more than the limit.
+        // A text that is too long does not hide others, and together they stay within the limit.
         let many = [("a", 200, false), ("b", 5000, true), ("c", 90, true), ("d", 20, true), ("e", 10, true)];
         assert_eq!(lengths(&many, 300), [one("a", 200), one("c", 90), one("e", 10)]);
-        // What is not compressed is as long as its part of the file.
+        // An uncompressed text is as long as its part of the file.
         assert_eq!(lengths(&[("x", 301, false)], 300), [one("x", 301)]);
-        // A text that cannot be unpacked is no other's fault.
+        // A text that cannot be unpacked does not affect others.
         let mut bytes = picture(&[("a", 10, false), ("b", 50, true)]);
         let at = bytes.windows(7).position(|part| part == b"iTXtb\0\x01").expect("the chunk") + 9;
         let length_at = at - 13;

@@ -1,4 +1,4 @@
-//! What GDAL notes in tags of its own: nodata, and of each band the scale, the offset and the unit.
+//! GDAL's own tags: nodata, and the scale, the offset and the unit of each band.
 
 use half::f16;
 use tiff_reader::Ifd;
@@ -10,20 +10,22 @@ use crate::layout::{SampleKind, SampleType};
 const TAG_METADATA: u16 = 42112;
 const TAG_NODATA: u16 = 42113;
 
-/// The raw value that marks a texel without a value, as the file's samples hold it. NaN is none: it is no
-/// value anyhow.
+/// Reads the nodata value as the file's samples store it. None for NaN, which never counts as a
+/// value.
 pub(super) fn nodata(ifd: &Ifd, sample: SampleType) -> Result<Option<f64>, String> {
     let Some(tag) = ifd.tag(TAG_NODATA) else { return Ok(None) };
     let value = match tag.value.as_str() {
         Some(text) => match text.trim_matches(|c: char| c == '\0' || c.is_whitespace()) {
             "" => return Ok(None),
-            // As old programs on Windows write it.
+            // Old programs on Windows write it this way.
             text if text.trim_start_matches('-').starts_with("1.#") => f64::NAN,
-            text => text.parse().map_err(|_| format!("its nodata value '{}' is no number", shown(text)))?,
+            text => {
+                text.parse().map_err(|_| format!("its nodata value '{}' is not a number", shown(text)))?
+            }
         },
         None => tag.value.as_f64_vec().and_then(|values| values.first().copied()).unwrap_or(f64::NAN),
     };
-    // GDAL writes the number in decimals, which need not be those of the nearest f32.
+    // GDAL writes the number in decimals, which may differ from the nearest f32.
     let stored = match (sample.kind, sample.bits) {
         (SampleKind::Float, 16) => f16::from_f64(value).to_f64(),
         (SampleKind::Float, 32) => f64::from(value as f32),
@@ -33,7 +35,7 @@ pub(super) fn nodata(ifd: &Ifd, sample: SampleType) -> Result<Option<f64>, Strin
     Ok(Some(stored).filter(|stored| possible && !stored.is_nan()))
 }
 
-/// What the metadata say of each band; none where they say nothing of any.
+/// Reads the metadata of each band; none if there are none for any.
 pub(super) fn bands(ifd: &Ifd, count: usize) -> Result<Option<Vec<Band>>, String> {
     let Some(xml) = ifd.tag(TAG_METADATA).and_then(|tag| tag.value.as_str()) else { return Ok(None) };
     let mut bands = vec![Band::default(); count];
@@ -57,7 +59,7 @@ pub(super) fn bands(ifd: &Ifd, count: usize) -> Result<Option<Vec<Band>>, String
     Ok(Some(bands).filter(|bands| bands.iter().any(|band| *band != Band::default())))
 }
 
-/// An element `Item` of the metadata.
+/// Element `Item` of the metadata.
 struct Item<'a> {
     attributes: &'a str,
     text: &'a str,
@@ -78,7 +80,7 @@ impl<'a> Item<'a> {
         None
     }
 
-    /// Its text as a number that has to be possible.
+    /// Parses the text as a number that must be possible.
     fn number(&self, what: &str, is_possible: impl Fn(f64) -> bool) -> Result<f64, String> {
         let text = self.text.trim();
         let number = text.parse().ok().filter(|number| is_possible(*number));
@@ -86,7 +88,7 @@ impl<'a> Item<'a> {
     }
 }
 
-/// The items of metadata, one by one.
+/// Iterator over the items of metadata.
 struct Items<'a>(&'a str);
 
 impl<'a> Iterator for Items<'a> {
@@ -110,7 +112,7 @@ fn unescaped(text: &str) -> String {
     entities.iter().fold(shown(text), |text, (entity, character)| text.replace(entity, character))
 }
 
-/// A text of the file as messages show it: not too long, and without control characters.
+/// Shortens a text of the file for messages, and removes control characters.
 fn shown(text: &str) -> String {
     text.chars().filter(|character| !character.is_control()).take(40).collect()
 }

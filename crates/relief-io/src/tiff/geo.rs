@@ -1,4 +1,4 @@
-//! What a GeoTIFF's tags say of the ground (OGC 19-008r4, GeoTIFF 1.1).
+//! Georeference in a GeoTIFF's tags (OGC 19-008r4, GeoTIFF 1.1).
 
 use tiff_reader::Ifd;
 
@@ -10,17 +10,17 @@ const TAG_PIXEL_SCALE: u16 = 33550;
 const TAG_TIEPOINTS: u16 = 33922;
 const TAG_TRANSFORMATION: u16 = 34264;
 
-/// The raster type whose coordinates name texels' centres, not their corners.
+/// Raster type whose coordinates refer to texels' centres, not their corners.
 const PIXEL_IS_POINT: u16 = 2;
 
-/// What the file says as an elevation model of that many channels. An error, with the reason, where what it
-/// says cannot be.
+/// Reads the facts about ground and heights of a file with `channels` channels. An error, with the
+/// reason, if a fact is impossible.
 pub(super) fn facts(ifd: &Ifd, channels: usize) -> Result<Facts, String> {
     let keys = Keys::read(ifd)?;
     let ground = Ground::read(ifd)?;
     let crs = keys.as_ref().map(Keys::system).transpose()?;
     let mut bands = gdal::bands(ifd, channels)?.unwrap_or_default();
-    // The heights of tie points are those of a vertical system; without one there are none.
+    // The heights of tie points belong to a vertical system, and are ignored without one.
     if let Some([scale, offset]) = ground.heights.filter(|_| keys.as_ref().is_some_and(Keys::has_heights)) {
         bands.resize(channels, Band::default());
         for band in bands.iter_mut().filter(|band| band.scale.is_none() && band.offset.is_none()) {
@@ -31,13 +31,13 @@ pub(super) fn facts(ifd: &Ifd, channels: usize) -> Result<Facts, String> {
     Ok(Facts { crs, grid, grid_from: None, bands })
 }
 
-/// What tie points, scale or matrix say.
+/// Georeference from tie points, scale or matrix.
 struct Ground {
-    /// The way from one column to the next, and from one row to the next, along x and y.
+    /// Steps from one column to the next, and from one row to the next, along x and y.
     sides: Option<[[f64; 2]; 2]>,
-    /// What lies at column 0 and row 0, where the file says it.
+    /// Coordinates of column 0 and row 0, if the file gives them.
     tied: Option<[f64; 2]>,
-    /// Scale and offset of the texels' values, where they are none that change nothing.
+    /// Scale and offset of the texels' values, unless they change nothing.
     heights: Option<[f64; 2]>,
 }
 
@@ -71,13 +71,13 @@ impl Ground {
                 (Some([[x, 0.0], [0.0, -y]]), tie.map(|(at, _)| at), [z, height - value * z])
             }
             (None, Some(&[xx, xy, _, x, yx, yy, _, y, zx, zy, zz, z, ..])) => {
-                // Heights that depend on the place are those of another use of the matrix.
+                // A matrix whose heights depend on the position has another purpose.
                 let heights = if [zx, zy] == [0.0; 2] { [zz, z] } else { [0.0; 2] };
                 (Some([[xx, yx], [xy, yy]]), Some([x, y]), heights)
             }
             _ => (None, None, [0.0; 2]),
         };
-        // 0 stands for no scale.
+        // 0 means that there is no scale.
         if heights[0] < 0.0 {
             return Err(format!("the scale of its values is {}", heights[0]));
         }
@@ -85,10 +85,10 @@ impl Ground {
         Ok(Self { sides, tied, heights })
     }
 
-    /// The grid; none where the file places none, but perhaps single points.
+    /// Returns the grid; none if the file has only single points or none at all.
     fn grid(&self, keys: Option<&Keys>, size: [u32; 2]) -> Result<Option<Grid>, String> {
         let Some(sides) = self.sides else { return Ok(None) };
-        // What the file places at 0, 0 is the first texel's corner or its centre.
+        // Position 0, 0 is the first texel's corner or its centre.
         let is_point = keys.and_then(|keys| keys.short(KEY_RASTER_TYPE)) == Some(PIXEL_IS_POINT);
         let to_corner = if is_point { 0.5 } else { 0.0 };
         let [u, v] = sides;

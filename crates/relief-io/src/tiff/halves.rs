@@ -1,5 +1,6 @@
-//! Floats of 16 bits. The decoder takes them for unknown without its feature `f16`, which needs an older
-//! `half` than other crates do: so it is shown a header that says integers, whose bytes are the same.
+//! Support for floats of 16 bits. The decoder needs its feature `f16` for them, which requires an
+//! older `half` than other crates do. Therefore it gets a header that declares integers, whose
+//! bytes are the same.
 
 use tiff_reader::header::TiffHeader;
 use tiff_reader::ifd::parse_ifd_at;
@@ -12,14 +13,15 @@ const TAG_FORMAT: u16 = 339;
 const INTEGER: u16 = 1;
 const FLOAT: u16 = 3;
 
-/// Bytes of a BigTIFF's header entries: how many there are, one of them, the link behind them, and of a value
-/// that stands in its entry.
+/// Bytes in a BigTIFF's header: of the number of entries, of an entry, of the link after them, and
+/// of a value that is stored in its entry.
 const COUNT: usize = 8;
 const ENTRY: usize = 20;
 const LINK: usize = 8;
 const INLINE: usize = 8;
 
-/// The header of a picture of 16-bit floats as a header of 16-bit integers; none for other samples.
+/// Converts the header of a picture of 16-bit floats to a header of 16-bit integers; none for other
+/// samples.
 pub(super) fn as_integers(header: &Ifd) -> Result<Option<Ifd>, TiffError> {
     let shorts = |tag: u16| header.tag(tag).and_then(|tag| tag.value.as_u16_slice()).unwrap_or_default();
     let all =
@@ -36,7 +38,7 @@ pub(super) fn as_integers(header: &Ifd) -> Result<Option<Ifd>, TiffError> {
         .collect();
     let order = ByteOrder::LittleEndian;
     let mut bytes = (tags.len() as u64).to_le_bytes().to_vec();
-    // Values that are longer follow the entries.
+    // Longer values follow the entries.
     let after = COUNT + tags.len() * ENTRY + LINK;
     let mut values = Vec::new();
     for (code, value) in tags {

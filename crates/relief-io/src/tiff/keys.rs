@@ -1,4 +1,4 @@
-//! The directory of keys that describes a GeoTIFF's coordinate system (OGC 19-008r4, GeoTIFF 1.1).
+//! Directory of keys that describes a GeoTIFF's coordinate system (OGC 19-008r4, GeoTIFF 1.1).
 
 use tiff_reader::Ifd;
 
@@ -22,22 +22,23 @@ const KEY_VERTICAL_UNIT: u16 = 4099;
 const MODEL_PROJECTED: u16 = 1;
 const MODEL_GEOGRAPHIC: u16 = 2;
 
-/// Degrees, as the EPSG's list numbers them.
+/// EPSG code of the degree.
 const DEGREE: u16 = 9122;
 
-/// Numbers of vertical systems of GeoTIFF 1.0, which are those of an ellipsoid or a datum and name no unit.
+/// Codes of vertical systems of GeoTIFF 1.0, which name an ellipsoid or a datum and no unit.
 const WITHOUT_UNIT: [std::ops::RangeInclusive<u16>; 2] = [5001..=5033, 5101..=5106];
 
-/// The keys of a file.
+/// Keys of a file.
 pub(super) struct Keys {
-    /// Of each key its number, where its value lies, how many values it has, and the value or its place.
+    /// For each key: its number, the location of its value, its number of values, and the value or
+    /// its index.
     entries: Vec<[u16; 4]>,
     doubles: Vec<f64>,
 }
 
 impl Keys {
-    /// The keys; none where the file has no directory, or an empty one. An error where the directory holds
-    /// less than it says.
+    /// Reads the keys; none if the file has no directory, or an empty one. An error if the
+    /// directory is shorter than it says.
     pub(super) fn read(ifd: &Ifd) -> Result<Option<Self>, String> {
         let Some(tag) = ifd.tag(TAG_KEYS) else { return Ok(None) };
         let shorts = tag.value.as_u16_slice().ok_or("its directory of keys is not of shorts")?;
@@ -46,9 +47,9 @@ impl Keys {
             return Err("its directory of keys has no beginning".into());
         };
         let count = usize::from(*count);
-        let entries = entries.get(..count).ok_or_else(|| {
-            format!("its directory of keys announces {count} keys and holds {}", entries.len())
-        })?;
+        let entries = entries
+            .get(..count)
+            .ok_or_else(|| format!("its directory of keys says {count} keys, but holds {}", entries.len()))?;
         let doubles = ifd.tag(TAG_KEY_DOUBLES).and_then(|tag| tag.value.as_f64_vec()).unwrap_or_default();
         Ok((count > 0).then(|| Self { entries: entries.to_vec(), doubles }))
     }
@@ -57,13 +58,13 @@ impl Keys {
         self.entries.iter().find(|entry| entry[0] == key).copied()
     }
 
-    /// The value of a key that is a number of 16 bit.
+    /// Returns the value of a 16-bit key.
     pub(super) fn short(&self, key: u16) -> Option<u16> {
         // Location 0 means that the value is in the entry itself.
         self.entry(key).filter(|entry| entry[1] == 0).map(|[.., value]| value)
     }
 
-    /// The value of a key that is the size of a unit.
+    /// Returns the value of a key for the size of a unit.
     fn unit_size(&self, key: u16) -> Result<Option<f64>, String> {
         let Some([_, TAG_KEY_DOUBLES, _, index]) = self.entry(key) else { return Ok(None) };
         let size = self.doubles.get(usize::from(index)).copied();
@@ -75,12 +76,12 @@ impl Keys {
         }
     }
 
-    /// The value of such a key, where it says anything.
+    /// Returns the value of a 16-bit key, unless it is 0.
     fn code(&self, key: u16) -> Option<u16> {
         self.short(key).filter(|&number| number != 0)
     }
 
-    /// The unit that a key names, if it names one: by its number, or by a size in another key.
+    /// Returns the unit of a key, if it names one: by its code, or by a size in another key.
     fn unit(
         &self,
         key: u16,
@@ -94,7 +95,7 @@ impl Keys {
                 let name = format!("EPSG:{USER_DEFINED}");
                 Some(match self.unit_size(size_key)? {
                     Some(size) => {
-                        let name = "a unit of its own".to_owned();
+                        let name = "user-defined".to_owned();
                         Unit::Known { name, size, origin: UnitOrigin::Key(size_key) }
                     }
                     None => Unit::Unknown { name, origin },
@@ -104,7 +105,8 @@ impl Keys {
         })
     }
 
-    /// The coordinate system. Its unit is the one that a key names, else that of its number.
+    /// Returns the coordinate system. A key for the unit takes precedence over the unit of the
+    /// system's code.
     pub(super) fn system(&self) -> Result<Crs, String> {
         let (projected, geographic) = (self.code(KEY_PROJECTED_TYPE), self.code(KEY_GEOGRAPHIC_TYPE));
         let implied = || match (projected, geographic) {
@@ -142,7 +144,7 @@ impl Keys {
         self.code(KEY_VERTICAL_TYPE).or_else(|| self.code(KEY_VERTICAL_UNIT)).is_some()
     }
 
-    /// The heights, where the keys say anything of them.
+    /// Returns the vertical axis, if the keys name one.
     fn vertical(&self, geographic: Option<u16>) -> Result<Option<Vertical>, String> {
         let is_system = |number: &u16| {
             *number != USER_DEFINED && !WITHOUT_UNIT.iter().any(|numbers| numbers.contains(number))

@@ -1,15 +1,15 @@
-//! The colours of a palette (TIFF 6.0, tag ColorMap).
+//! Colours of a palette (TIFF 6.0, tag ColorMap).
 
 use tiff_reader::{ColorModel, Ifd};
 
 use super::problem;
 use crate::ReadProblem;
 
-/// The greatest byte, and the factor that makes 16 bits of it.
+/// Greatest byte, and the factor that extends it to 16 bits.
 const BYTE: u16 = 255;
 const BYTE_STEP: u16 = 257;
 
-/// Red, green and blue by a sample.
+/// Palette: red, green and blue for each sample.
 pub(super) struct Palette {
     colours: [Vec<u16>; 3],
     /// Bits of a colour: 8 or 16.
@@ -19,14 +19,15 @@ pub(super) struct Palette {
 }
 
 impl Palette {
-    /// The palette of a picture; none where it has none.
+    /// Reads the palette of a picture; none if it has none.
     pub(super) fn read(header: &Ifd) -> Result<Option<Self>, ReadProblem> {
         let ColorModel::Palette { color_map, .. } = header.color_model().map_err(problem)? else {
             return Ok(None);
         };
         let mut colours = [color_map.red(), color_map.green(), color_map.blue()].map(<[u16]>::to_vec);
         let all = |is: fn(u16) -> bool| colours.iter().flatten().all(|&part| is(part));
-        // Colours of 16 bits are mostly bytes: repeated, above zeros, or as old programs write them.
+        // Colours of 16 bits mostly hold bytes: repeated, above zeros, or unscaled as old programs
+        // write them.
         let step = match () {
             () if all(|part| part <= BYTE) => Some(1),
             () if all(|part| part.is_multiple_of(BYTE_STEP)) => Some(BYTE_STEP),
@@ -39,12 +40,12 @@ impl Palette {
         Ok(Some(Self { colours, bits: if step.is_some() { 8 } else { 16 }, has_index: false }))
     }
 
-    /// The names of its channels.
+    /// Names of the palette's channels.
     pub(super) fn channels(&self) -> &'static [&'static str] {
         if self.has_index { &["index", "r", "g", "b"] } else { &["r", "g", "b"] }
     }
 
-    /// What a channel makes of a sample.
+    /// Converts a sample to a channel's value.
     pub(super) fn sample(&self, channel: usize, index: f64) -> f64 {
         let colour = if self.has_index { channel.checked_sub(1) } else { Some(channel) };
         let plane = colour.and_then(|colour| self.colours.get(colour));

@@ -1,4 +1,4 @@
-//! One picture of a TIFF, whose header has been checked: its samples, block by block.
+//! Picture of a TIFF with a checked header, decoded block by block.
 
 use half::f16;
 use tiff_reader::{Ifd, OpenOptions, ParseBudgets};
@@ -11,10 +11,11 @@ use crate::ReadProblem;
 use crate::input::Input;
 use crate::layout::{Format, SampleKind, SampleType, Sink, Span};
 
-/// What the file's tags may take; the tables of the largest height map, a strip a row, need 16 MiB.
+/// Memory limit of the file's tags. The tables of the largest height map, with one row a strip,
+/// need 16 MiB.
 const MAX_TAG_BYTES: usize = 20 << 20;
 
-/// What all headers of a file may take.
+/// Limits for all headers of a file.
 pub(super) const PARSE_BUDGETS: ParseBudgets = ParseBudgets {
     max_ifds: 256,
     max_ifd_entries: 1024,
@@ -22,42 +23,43 @@ pub(super) const PARSE_BUDGETS: ParseBudgets = ParseBudgets {
     max_metadata_value_bytes: MAX_TAG_BYTES,
 };
 
-/// A block of more texels is handed on in several pieces, each out of the cache.
+/// Greatest number of texels that are passed on at once. A larger block is passed on in several
+/// pieces from the cache.
 const WINDOW_TEXELS: u32 = 1 << 16;
 
-/// Pictures are made of at most that many channels, whose blocks are used side by side.
+/// Greatest number of channels of a picture, whose blocks are used together.
 const MAX_CHANNELS: u64 = 4;
 
 pub(super) struct Raster<'a> {
     stored: Stored<'a>,
     decoder: tiff_reader::TiffFile,
     ifd: usize,
-    /// The header for the decoder, in place of the file's.
+    /// Header for the decoder that replaces the file's.
     as_integers: Option<Ifd>,
     pub size: [u32; 2],
     pub bands: usize,
     pub sample: SampleType,
     blocks: Blocks,
-    /// The value of a block that a sparse file leaves out; 0 if none.
+    /// Value of a block that a sparse file omits; 0 if none.
     pub nodata: Option<f64>,
-    /// The colours that samples stand for, if they stand for any.
+    /// Palette of the samples, if they have one.
     pub palette: Option<Palette>,
-    /// The sample of white where the grey is stored with 0 as white and handed over with 0 as black.
+    /// Sample of white if grey is stored with white as 0 and passed on with black as 0.
     pub inverted_white: Option<f64>,
 }
 
-/// How the picture is cut into blocks.
+/// Division of the picture into blocks.
 struct Blocks {
     columns: u32,
     rows: u32,
-    /// The file's offset of each block; 0 where a sparse file leaves it out.
+    /// Offset of each block in the file; 0 for a block that a sparse file omits.
     offsets: Vec<u64>,
     /// Whether each channel has blocks of its own.
     planar: bool,
 }
 
 impl<'a> Raster<'a> {
-    /// The picture with that header and number.
+    /// Opens the picture with the given header and index.
     pub(super) fn open(
         input: &Input<'a>,
         stored: Stored<'a>,
@@ -86,8 +88,8 @@ impl<'a> Raster<'a> {
             (u64::from(columns) * u64::from(rows)).saturating_mul(in_block * raster.bytes_per_sample as u64);
         let count = u64::from(size[0].div_ceil(columns)) * u64::from(size[1].div_ceil(rows));
         let cache_bytes = block_bytes.saturating_mul(at_once);
-        // Besides the cache one block is held compressed; and each has an entry of at least two bytes in two
-        // tables.
+        // Besides the cache, one compressed block is held. Each block has an entry of at least two
+        // bytes in two tables.
         let least = if count > 1 { 4 * count } else { 0 };
         input.check_size(Format::Tiff, size, cache_bytes.saturating_add(block_bytes), least)?;
 
@@ -127,7 +129,7 @@ impl<'a> Raster<'a> {
         Ok(())
     }
 
-    /// Hands on a part of one block.
+    /// Passes on a part of one block.
     fn window(
         &self,
         [[left, top], [columns, rows]]: [[u32; 2]; 2],
@@ -149,7 +151,7 @@ impl<'a> Raster<'a> {
                 let (top, left) = place;
                 self.decoder.read_band_window_bytes_from_ifd(header, band, top, left, rows_len, columns_len)
             };
-            let bytes = self.stored.lending(read).map_err(problem)?;
+            let bytes = self.stored.with_ranges(read).map_err(problem)?;
             spread(self.sample, &bytes, slots)?;
             if let Some(palette) = &self.palette {
                 let slots = samples[slot..].iter_mut().step_by(channels.len());
@@ -167,7 +169,7 @@ impl<'a> Raster<'a> {
         Ok(())
     }
 
-    /// Whether a sparse file leaves out the block at that texel.
+    /// Whether a sparse file omits the block at a texel.
     fn left_out(&self, left: u32, top: u32, channel: usize) -> bool {
         let [width, height] = self.size;
         let across = width.div_ceil(self.blocks.columns) as usize;
@@ -202,7 +204,7 @@ fn sample_type(format: u16, bits: u16) -> Result<SampleType, ReadProblem> {
     }
 }
 
-/// Native-endian samples to numbers.
+/// Converts native-endian samples to numbers.
 fn spread<'a>(
     sample: SampleType,
     bytes: &[u8],
@@ -230,9 +232,5 @@ fn spread<'a>(
         (SampleKind::Float, 17..=32) => each(bytes, slots, |b| f64::from(f32::from_ne_bytes(b))),
         (SampleKind::Float, _) => each(bytes, slots, f64::from_ne_bytes),
     };
-    if fits {
-        Ok(())
-    } else {
-        Err(ReadProblem::damaged("TIFF", "a block has another length than its size says"))
-    }
+    if fits { Ok(()) } else { Err(ReadProblem::damaged("TIFF", "a block's length does not fit its size")) }
 }

@@ -1,6 +1,6 @@
-//! What the decoder reads from. It wants to own that, which an opened file allows and bytes of the caller's
-//! do not: of those it is lent copies of the ranges that it asks for, one block or less at a time, and then
-//! asks again.
+//! Sources of the TIFF decoder. It must own its source, which is possible for an opened file, but
+//! not for the caller's bytes. The decoder gets copies of the ranges of bytes that it requests, one
+//! block or less at a time, and then repeats the request.
 
 use std::collections::HashMap;
 use std::fs::File;
@@ -16,13 +16,13 @@ use crate::ReadProblem;
 use crate::input::Input;
 use crate::source::SourceReader;
 
-/// The most bytes of a header.
+/// Greatest number of bytes of a header.
 const HEADER_BYTES: u64 = 16;
 
-/// A file or bytes, as the decoder sees them.
+/// File or bytes, as the decoder sees them.
 pub(super) enum Stored<'a> {
     File(Arc<StoredFile>),
-    Memory(&'a [u8], Arc<Lent>),
+    Memory(&'a [u8], Arc<CopiedRanges>),
 }
 
 impl<'a> Stored<'a> {
@@ -34,12 +34,12 @@ impl<'a> Stored<'a> {
             }
             SourceReader::Memory(bytes) => Self::Memory(
                 bytes.get_ref(),
-                Arc::new(Lent { len: input.file_len, ranges: Mutex::default() }),
+                Arc::new(CopiedRanges { len: input.file_len, ranges: Mutex::default() }),
             ),
         })
     }
 
-    /// The headers of all pictures.
+    /// Reads the headers of all pictures.
     pub(super) fn pictures(&self, budgets: ParseBudgets) -> Result<Vec<Ifd>, TiffError> {
         let parse = |source: &dyn TiffSource| {
             let header = source.read_exact_at(0, source.len().min(HEADER_BYTES) as usize)?;
@@ -47,37 +47,37 @@ impl<'a> Stored<'a> {
         };
         match self {
             Self::File(file) => parse(file.as_ref()),
-            Self::Memory(bytes, lent) => parse(&Lending { bytes, lent }),
+            Self::Memory(bytes, copied) => parse(&Recording { bytes, copied }),
         }
     }
 
-    /// A decoder, which reads the same headers once more.
+    /// Creates a decoder, which reads the same headers again.
     pub(super) fn decoder(&self, options: OpenOptions) -> Result<tiff_reader::TiffFile, TiffError> {
-        self.lending(|| {
+        self.with_ranges(|| {
             let source: Arc<dyn TiffSource> = match self {
                 Self::File(file) => file.clone(),
-                Self::Memory(_, lent) => lent.clone(),
+                Self::Memory(_, copied) => copied.clone(),
             };
             tiff_reader::TiffFile::from_source_with_options(source, options)
         })
     }
 
-    /// Does something with the decoder, again and again until it has been lent all that it asks for.
-    pub(super) fn lending<T>(&self, action: impl Fn() -> Result<T, TiffError>) -> Result<T, TiffError> {
-        let Self::Memory(bytes, lent) = self else { return action() };
+    /// Runs an action with the decoder, and repeats it until all requested ranges have been copied.
+    pub(super) fn with_ranges<T>(&self, action: impl Fn() -> Result<T, TiffError>) -> Result<T, TiffError> {
+        let Self::Memory(bytes, copied) = self else { return action() };
         loop {
-            lent.copy(bytes);
+            copied.copy(bytes);
             let result = action();
-            let mut ranges = lent.ranges();
+            let mut ranges = copied.ranges();
             if !std::mem::take(&mut ranges.missing) {
-                ranges.by_place.clear();
+                ranges.by_range.clear();
                 return result;
             }
         }
     }
 }
 
-/// An opened file.
+/// Opened file.
 pub(super) struct StoredFile {
     file: Mutex<File>,
     len: u64,
@@ -99,43 +99,43 @@ impl TiffSource for StoredFile {
     }
 }
 
-/// Ranges of bytes that the caller keeps.
-pub(super) struct Lent {
+/// Copied ranges of the caller's bytes.
+pub(super) struct CopiedRanges {
     len: u64,
-    ranges: Mutex<LentRanges>,
+    ranges: Mutex<Ranges>,
 }
 
 #[derive(Default)]
-struct LentRanges {
-    /// By offset and length.
-    by_place: HashMap<(usize, usize), LentRange>,
-    /// Whether one was asked for in vain.
+struct Ranges {
+    /// Ranges by offset and length.
+    by_range: HashMap<(usize, usize), RangeCopies>,
+    /// Whether a requested range was missing.
     missing: bool,
 }
 
 #[derive(Default)]
-struct LentRange {
-    /// How often it is asked for.
+struct RangeCopies {
+    /// Number of requests.
     asked: usize,
-    /// A copy for each time, given away once, so that there is no second one of a block that the decoder
-    /// holds.
+    /// One copy for each request, which is moved out. There is no second copy of a block that the
+    /// decoder holds.
     copies: Vec<Vec<u8>>,
 }
 
-impl Lent {
-    /// Copies the ranges that have been asked for.
+impl CopiedRanges {
+    /// Copies the requested ranges.
     fn copy(&self, bytes: &[u8]) {
-        for (&(start, len), range) in &mut self.ranges().by_place {
+        for (&(start, len), range) in &mut self.ranges().by_range {
             range.copies.resize_with(range.asked, || bytes[start..][..len].to_vec());
         }
     }
 
-    fn ranges(&self) -> MutexGuard<'_, LentRanges> {
+    fn ranges(&self) -> MutexGuard<'_, Ranges> {
         self.ranges.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl TiffSource for Lent {
+impl TiffSource for CopiedRanges {
     fn len(&self) -> u64 {
         self.len
     }
@@ -143,36 +143,36 @@ impl TiffSource for Lent {
     fn read_exact_at(&self, offset: u64, len: usize) -> Result<Vec<u8>, TiffError> {
         check(offset, len, self.len)?;
         let mut ranges = self.ranges();
-        let range = ranges.by_place.entry((offset as usize, len)).or_default();
+        let range = ranges.by_range.entry((offset as usize, len)).or_default();
         if let Some(bytes) = range.copies.pop() {
             return Ok(bytes);
         }
         range.asked += 1;
         ranges.missing = true;
-        Err(TiffError::Other("bytes that have not been lent yet".into()))
+        Err(TiffError::Other("bytes that have not been copied yet".into()))
     }
 }
 
-/// The bytes themselves while they are at hand. What is read of them is asked for.
-struct Lending<'a> {
+/// Direct access to the bytes, which records the ranges that are read.
+struct Recording<'a> {
     bytes: &'a [u8],
-    lent: &'a Lent,
+    copied: &'a CopiedRanges,
 }
 
-impl TiffSource for Lending<'_> {
+impl TiffSource for Recording<'_> {
     fn len(&self) -> u64 {
-        self.lent.len
+        self.copied.len
     }
 
     fn read_exact_at(&self, offset: u64, len: usize) -> Result<Vec<u8>, TiffError> {
-        check(offset, len, self.lent.len)?;
+        check(offset, len, self.copied.len)?;
         let start = offset as usize;
-        self.lent.ranges().by_place.entry((start, len)).or_default().asked += 1;
+        self.copied.ranges().by_range.entry((start, len)).or_default().asked += 1;
         Ok(self.bytes[start..][..len].to_vec())
     }
 }
 
-/// Refuses a range that does not lie in a source of that length.
+/// Refuses a range outside a source of length `source_len`.
 fn check(offset: u64, len: usize, source_len: u64) -> Result<(), TiffError> {
     let length = len as u64;
     if offset.checked_add(length).is_some_and(|end| end <= source_len) {

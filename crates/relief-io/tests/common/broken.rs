@@ -1,4 +1,4 @@
-//! Files that are cut off, damaged, lying about their size, or nothing of the kind; and the smallest valid
+//! Broken files: cut off, damaged, with false sizes, or of another kind; and the smallest valid
 //! ones.
 
 use exr::prelude::{Compression, SampleType as ExrSample};
@@ -9,17 +9,17 @@ use super::files::{Scan, big_endian, hdr, jpeg, pgm, plain_pgm, png, png_by_hand
 use super::tiff_file::{Tiff, Value};
 use super::{Random, channel, exr_file, samples};
 
-/// What reading has to give.
+/// Expected result of reading a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Expect {
     Error,
     Map,
-    /// Damage that no reader can see in every case: an error or a valid map, but no panic and no end of
-    /// memory.
+    /// Damage that a reader cannot always detect: an error or a valid map, but no panic and no
+    /// exhausted memory.
     Either,
 }
 
-/// One file and how to read it.
+/// File with the options for reading it.
 #[derive(Clone, Debug)]
 pub struct BrokenFile {
     pub name: String,
@@ -44,7 +44,7 @@ fn raw(text: &str) -> HeightOptions {
     HeightOptions { raw: Some(text.parse().expect("a layout")), ..HeightOptions::default() }
 }
 
-/// A valid file of every format and encoding.
+/// Valid files of every format and encoding.
 pub fn valid_files() -> Vec<BrokenFile> {
     let [width, height] = [37, 29];
     let bytes: Vec<u8> = samples(width, height, 255.0).iter().map(|&s| s as u8).collect();
@@ -94,7 +94,7 @@ pub fn valid_files() -> Vec<BrokenFile> {
     files
 }
 
-/// An elevation model with a mask that leaves out no texel.
+/// Elevation model with a mask that excludes no texel.
 fn geotiff(width: u32, height: u32, values: &[f64]) -> Vec<u8> {
     let keys = vec![1, 1, 0, 4, 1024, 0, 1, 2, 2048, 0, 1, 4326, 2054, 0, 1, 9102, 4099, 0, 1, 9002];
     let items = "<Item sample=\"0\" role=\"scale\">0.5</Item><Item sample=\"0\" role=\"offset\">-9</Item>";
@@ -111,11 +111,11 @@ fn geotiff(width: u32, height: u32, values: &[f64]) -> Vec<u8> {
     Tiff { extra, ..Tiff::grey(width, height, 16, 1) }.bytes_before(values, &more)
 }
 
-/// Each valid file cut off at several places.
+/// Valid files, each cut off at several lengths.
 fn cut_off() -> Vec<BrokenFile> {
     let mut files = Vec::new();
     for file in valid_files() {
-        // A plain PGM is whole without its last line end, and another one without its last digits.
+        // A plain PGM is valid without its last line end, and another one without its last digits.
         let last = if file.name.starts_with("plain") { 8 } else { 1 };
         let len = file.bytes.len();
         for cut in [1, 4, 12, 24, len / 4, len / 2, 3 * len / 4, len - last] {
@@ -129,8 +129,8 @@ fn cut_off() -> Vec<BrokenFile> {
     files
 }
 
-/// A valid file with `flips` bits turned over, the same ones for the same seed; half of them in its first 600
-/// bytes, where headers are.
+/// Flips up to four bits of a valid file, the same ones for the same seed; half of them in its
+/// first 600 bytes, which contain the header.
 pub fn flipped(file: &BrokenFile, seed: u64) -> BrokenFile {
     let mut random = Random::new(seed);
     let mut broken = file.clone();
@@ -145,7 +145,7 @@ pub fn flipped(file: &BrokenFile, seed: u64) -> BrokenFile {
     broken
 }
 
-/// Headers that claim a size, with next to nothing behind them.
+/// Headers that claim a size, with almost no data.
 fn sized([width, height]: [u32; 2], expect: Expect) -> Vec<BrokenFile> {
     let size = format!("{width}x{height}");
     let name = |format: &str| format!("{format} of {size}");
@@ -182,7 +182,7 @@ fn sized([width, height]: [u32; 2], expect: Expect) -> Vec<BrokenFile> {
     ]
 }
 
-/// The smallest valid maps, and one texel across.
+/// Smallest valid maps, and maps one texel wide.
 fn small() -> Vec<BrokenFile> {
     let mut files = Vec::new();
     for [width, height] in [[1, 1], [1, 9], [9, 1]] {
@@ -217,7 +217,7 @@ fn small() -> Vec<BrokenFile> {
     files
 }
 
-/// Files that are whole but cannot be read as asked.
+/// Intact files that cannot be read with their options.
 fn unfit() -> Vec<BrokenFile> {
     let values = samples(8, 8, 100.0);
     let float = |value: f64| {
@@ -263,7 +263,7 @@ fn unfit() -> Vec<BrokenFile> {
     files
 }
 
-/// All of the table but the bit flips, which are made by [`flipped`] from [`valid_files`].
+/// All cases except bit flips, which [`flipped`] makes from [`valid_files`].
 pub fn broken_files() -> Vec<BrokenFile> {
     let mut files = valid_files();
     files.extend(cut_off());

@@ -1,22 +1,22 @@
-//! Files that are no meshes, or strange ones, and what reading them has to give.
+//! Broken and unusual mesh files, with the expected results.
 
 use std::time::{Duration, Instant};
 
 use relief_core::mesh::{FramingError, Mesh, MeshError, UvProjection};
 use relief_io::{MeshFile, MeshOptions, ReadError, ReadProblem, Source, read_mesh};
 
-/// Enough for every small file.
+/// Memory limit that is enough for every small file.
 const LIMIT: u64 = 64 << 20;
 
-/// What reading has to give.
+/// Expected result of reading a file.
 pub enum Right {
     /// A problem of this kind.
     Refused(fn(&ReadProblem) -> bool),
-    /// A mesh of so many triangles, and so many left out as degenerate and as double.
+    /// A mesh with numbers of triangles, of degenerate ones and of double ones.
     Mesh(usize, usize, usize),
 }
 
-/// One file and what reading it has to give.
+/// File with the expected result.
 pub struct Case {
     pub what: &'static str,
     pub name: &'static str,
@@ -69,7 +69,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<MeshFile, ReadError> {
     let options = MeshOptions { max_bytes: LIMIT, colors: true, ..MeshOptions::default() };
     let read = read_mesh(Source::bytes(name, bytes), &options);
     for projection in UvProjection::ALL {
-        // What has no texture coordinates gets them, but where all is seen from its edge.
+        // Projections supply missing texture coordinates, unless all triangles are seen edge-on.
         let projected = MeshOptions { projection: Some(projection), ..options };
         let projected = read_mesh(Source::bytes(name, bytes), &projected);
         let is_edge = |error: &ReadError| has_no_texture_area(&error.problem);
@@ -89,8 +89,8 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<MeshFile, ReadError> {
     read
 }
 
-/// Fails unless frames are such that displacement can be reckoned in them. (That numbers are finite and
-/// indices in range is checked where meshes are made.)
+/// Fails unless displacement can be computed in all frames. (Constructors of meshes check that
+/// numbers are finite and indices are in range.)
 fn assert_sound(mesh: &Mesh) {
     assert!(!mesh.triangles().is_empty());
     for vertex in mesh.vertices() {

@@ -30,19 +30,19 @@ pub fn png_with(
     bytes
 }
 
-/// The same PNG with a chunk more, before the first chunk of that kind.
+/// Inserts a chunk into a PNG, before the first chunk of kind `before`.
 pub fn with_chunk(png: &[u8], kind: &[u8; 4], data: &[u8], before: &[u8; 4]) -> Vec<u8> {
     let at = png.windows(4).position(|bytes| bytes == before).expect("such a chunk") - 4;
     [&png[..at], &png_chunk(kind, data), &png[at..]].concat()
 }
 
-/// The same JPEG with EXIF metadata behind its first marker.
+/// Inserts EXIF metadata into a JPEG, after its first marker.
 pub fn with_exif(jpeg: &[u8], exif: &[u8]) -> Vec<u8> {
     let length = (exif.len() as u16 + 8).to_be_bytes();
     [&jpeg[..2], &[0xff, 0xe1], &length, b"Exif\0\0", exif, &jpeg[2..]].concat()
 }
 
-/// EXIF metadata that name an orientation, behind another entry.
+/// EXIF metadata with an orientation, after another entry.
 pub fn exif(orientation: u16, big_endian: bool) -> Vec<u8> {
     let short = |value: u16| if big_endian { value.to_be_bytes() } else { value.to_le_bytes() };
     let long = |value: u32| if big_endian { value.to_be_bytes() } else { value.to_le_bytes() };
@@ -126,7 +126,7 @@ pub fn plain_pgm(width: u32, height: u32, maxval: u16, samples: &[f64]) -> Vec<u
     text.into_bytes()
 }
 
-/// How the scan lines of a Radiance picture are stored.
+/// Encoding of a Radiance picture's scan lines.
 #[derive(Clone, Copy, Debug)]
 pub enum Scan {
     Flat,

@@ -1,11 +1,11 @@
-//! Meshes as files of every format.
+//! Mesh files of every format.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::Vec3;
 use relief_core::mesh::Mesh;
 
-/// An OBJ with texture coordinates, and normals where they are asked for.
+/// OBJ file with texture coordinates and optional normals.
 pub fn obj(mesh: &Mesh, normals: bool) -> String {
     let mut text = String::from("# a mesh\no mesh\n");
     for vertex in mesh.vertices() {
@@ -27,7 +27,7 @@ pub fn obj(mesh: &Mesh, normals: bool) -> String {
     text
 }
 
-/// How a PLY is stored.
+/// Encoding of a PLY.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ply {
     Text,
@@ -35,7 +35,7 @@ pub enum Ply {
     Big,
 }
 
-/// A PLY with normals and texture coordinates.
+/// PLY file with normals and texture coordinates.
 pub fn ply(mesh: &Mesh, stored: Ply) -> Vec<u8> {
     let format = match stored {
         Ply::Text => "ascii",
@@ -91,13 +91,13 @@ pub fn stl_text(mesh: &Mesh) -> String {
     text + "endsolid a mesh\n"
 }
 
-/// A position as an STL has it, with z up.
+/// Converts a position to millimetres with `z` up, as in STL.
 fn in_millimetres(position: Vec3) -> [f32; 3] {
     let [x, y, z] = position.to_array();
     [x, 0.0 - z, y].map(|number| (f64::from(number) * 1000.0) as f32)
 }
 
-/// A binary STL. It begins with the word that marks texts, as many do.
+/// Binary STL file. It begins with the word that marks text files, as many do.
 pub fn stl_binary(mesh: &Mesh) -> Vec<u8> {
     let mut bytes = b"solid or not, this is binary".to_vec();
     bytes.resize(80, b' ');
@@ -112,7 +112,7 @@ pub fn stl_binary(mesh: &Mesh) -> Vec<u8> {
     bytes
 }
 
-/// The buffer of [`gltf`]: positions, normals, texture coordinates, indices.
+/// Buffer of [`gltf`]: positions, normals, texture coordinates, indices.
 pub fn gltf_buffer(mesh: &Mesh) -> Vec<u8> {
     let floats = |numbers: Vec<f32>| numbers.into_iter().flat_map(f32::to_le_bytes).collect::<Vec<u8>>();
     let vertices = mesh.vertices();
@@ -125,7 +125,8 @@ pub fn gltf_buffer(mesh: &Mesh) -> Vec<u8> {
     .concat()
 }
 
-/// The JSON of a glTF of that mesh on one node, whose buffer is there; `node` has more of its keys.
+/// JSON of a glTF with a mesh on one node; `uri` is the buffer's, and `node` has more of the node's
+/// keys.
 pub fn gltf(mesh: &Mesh, uri: Option<&str>, node: &str) -> String {
     let (vertices, indices) = (mesh.vertices().len(), 3 * mesh.triangles().len());
     let bytes = gltf_buffer(mesh).len();
@@ -165,7 +166,7 @@ pub fn gltf(mesh: &Mesh, uri: Option<&str>, node: &str) -> String {
     )
 }
 
-/// The URI of bytes inside of the JSON.
+/// Data URI of bytes.
 pub fn data_uri(bytes: &[u8]) -> String {
     format!("data:application/octet-stream;base64,{}", STANDARD.encode(bytes))
 }

@@ -1,4 +1,5 @@
-//! What the tests share: a scene of heights, files of every format made from it, and broken files.
+//! Shared parts of the tests: a landscape of heights, files of every format made from it, and
+//! broken files.
 
 // Each test binary compiles this module and uses a part of it.
 #![allow(dead_code)]
@@ -16,7 +17,7 @@ use std::path::{Path, PathBuf};
 use relief_core::HeightMap;
 use relief_io::{HeightOptions, Source, read_height};
 
-/// A folder of its own for one test, removed at the end.
+/// Temporary folder of a test, removed at the end.
 pub struct Folder(tempfile::TempDir);
 
 impl Folder {
@@ -36,7 +37,7 @@ impl Folder {
     }
 }
 
-/// The folder of real data, or none, said on the test's output.
+/// Folder of real data; none, with a message, if it is not set.
 pub fn real_data() -> Option<PathBuf> {
     let folder = std::env::var_os("RELIEF_DATA").map(PathBuf::from).filter(|folder| folder.is_dir());
     if folder.is_none() {
@@ -91,13 +92,13 @@ pub fn default() -> HeightOptions {
     HeightOptions::default()
 }
 
-/// The raw values that a map stands for.
+/// Raw values of a map's texels.
 fn raw_values(map: &HeightMap) -> Vec<f64> {
     let [zero, one] = map.physical_range().expect("a read map has a range");
     map.texels().iter().map(|&texel| zero + f64::from(texel) * (one - zero)).collect()
 }
 
-/// Reads a file that holds a map, and its bytes, which give the same map.
+/// Reads a map from a file and from its bytes, and checks that both are equal.
 pub fn read(path: &Path, options: &HeightOptions) -> HeightMap {
     let map = read_height(path, options).unwrap_or_else(|error| panic!("{error}"));
     let bytes = std::fs::read(path).expect("it has just been read");
@@ -106,7 +107,7 @@ pub fn read(path: &Path, options: &HeightOptions) -> HeightMap {
     map
 }
 
-/// Fails unless the file, and its bytes, are read as these raw values.
+/// Fails unless the file and its bytes are read as the expected raw values.
 pub fn assert_reads(path: &Path, options: &HeightOptions, expected: &[f64], tolerance: f64) {
     let map = read(path, options);
     assert_eq!(map.texels().len(), expected.len(), "{}", path.display());

@@ -1,4 +1,4 @@
-//! Whatever a file holds, reading it ends soon, in an error or a valid map.
+//! Reading any file ends soon, in an error or a valid map.
 
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -10,16 +10,16 @@ use relief_io::{
     read_picture,
 };
 
-/// Flips of bits a valid file. Every one of some 30 encodings gets as many.
+/// Number of flipped copies per valid file. Each of some 30 encodings gets as many.
 const FLIPS: u64 = 120;
 
-/// Reads a file in every way. A map that comes back has to be one: `HeightMap` checks its texels itself.
+/// Reads a file with every reader. `HeightMap` itself checks the texels of a map.
 fn read(folder: &Folder, file: &BrokenFile) -> bool {
     let path = folder.file(&format!("file.{}", file.extension), &file.bytes);
     let start = Instant::now();
     let map = read_height(&path, &file.options);
     let info = inspect(&path, &file.options);
-    // Flips can turn a file into one that these refuse or take; they must come back.
+    // Flips can turn a file into a valid or invalid one for these readers; they only must return.
     let _ = read_picture(&path, DEFAULT_MAX_BYTES);
     let _ = read_normal_map(&path, GreenSign::PlusY, DEFAULT_MAX_BYTES);
     assert!(start.elapsed() < Duration::from_secs(20), "{} takes too long", file.name);
@@ -58,7 +58,7 @@ fn flipped_bits_give_an_error_or_a_valid_map() {
 }
 
 #[test]
-fn what_is_no_file_is_said_so() {
+fn folders_and_missing_files_have_clear_errors() {
     let folder = Folder::new();
     let problem = |path: &Path| read_height(path, &HeightOptions::default()).expect_err("no file").problem;
     assert!(matches!(problem(folder.path()), ReadProblem::Folder));

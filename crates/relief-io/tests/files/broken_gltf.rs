@@ -1,5 +1,4 @@
-//! A glTF may claim any size, name any path and tie its nodes to any knot: it is refused, or read as it
-//! should be.
+//! Hostile glTF files are refused or read correctly: any size, any path, any graph of nodes.
 
 use crate::common::Folder;
 use crate::common::broken_mesh::{
@@ -10,7 +9,7 @@ use crate::common::mesh_file::{data_uri, glb, gltf, gltf_buffer};
 use relief_core::mesh::square;
 use relief_io::{MeshOptions, ReadProblem, read_mesh};
 
-/// Parts of the JSON of a square that are replaced.
+/// Parts of a square's JSON that are replaced.
 const NODES: &str = r#"{"mesh": 0}]"#;
 const NODE: &str = r#"{"mesh": 0}"#;
 const ROOTS: &str = r#""nodes": [0]"#;
@@ -20,7 +19,7 @@ const COUNT: &str = r#""count": 4"#;
 const VIEW: &str = r#""byteOffset": 0, "byteLength": 48"#;
 const LAST_VIEW: &str = r#""byteOffset": 128, "byteLength": 24}"#;
 const BUFFER: &str = r#""byteLength": 152}]"#;
-/// A view of what follows the square's buffer.
+/// View of the bytes after the square's buffer.
 const ONE_MORE_VIEW: &str =
     r#""byteOffset": 128, "byteLength": 24}, {"buffer": 0, "byteOffset": 152, "byteLength": 16}"#;
 
@@ -82,7 +81,7 @@ fn gltfs_are_read_or_refused() {
     assert_right(vec![
         right("a square", &[], 2, 0),
         right("a strip", &[(r#", "indices": 3"#, r#", "mode": 5"#)], 2, 0),
-        // What joins a strip is no triangle.
+        // Joints of a strip are not triangles.
         right("a strip that comes back", &[(INDICES, r#""indices": 3, "mode": 5"#)], 3, 0),
         right("a fan", &[(INDICES, r#""indices": 3, "mode": 6"#)], 2, 2),
         right("an extension of materials", &[(r#""scene": 0"#, &sheen)], 2, 0),
@@ -230,7 +229,7 @@ fn files_outside_of_the_folder_are_not_read() {
     for uri in ["data:text/plain,abc", "data:;base64,***", bad.as_str()] {
         assert!(is_damaged(&problem(uri)), "{uri}");
     }
-    // Bytes in memory have nothing beside them.
+    // Bytes in memory have no files beside them.
     let bytes = gltf(&mesh, Some("a.bin"), "");
     let error = read("a.gltf", bytes.as_bytes()).expect_err("no folder");
     assert!(is_unsupported(&error.problem), "{error}");

@@ -1,4 +1,4 @@
-//! Whatever a mesh's file holds, reading it ends soon, in an error or a valid mesh.
+//! Reading any mesh file ends soon, in an error or a valid mesh.
 
 use crate::common::Random;
 use crate::common::broken_mesh::{
@@ -10,7 +10,7 @@ use crate::common::mesh_file::{Ply, data_uri, glb, gltf, gltf_buffer, obj, ply, 
 use relief_core::mesh::{Mesh, UvProjection, square, torus};
 use relief_io::{MeshOptions, ReadProblem, Source, read_mesh};
 
-/// Flips of bits a valid file.
+/// Number of flipped copies per valid file.
 const FLIPS: u64 = 1500;
 
 const SQUARE: &str = "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nvt 0 1\nvt 0 0\nvt 1 0\nvt 1 1\n";
@@ -142,8 +142,8 @@ fn plys_are_read_or_refused() {
     ]);
 }
 
-/// A mesh so small that no `f32` holds the squares of its lengths, in every format that has texture
-/// coordinates, by its positions, the scale of a node, or positions that begin within a number.
+/// Tests a mesh so small that no `f32` holds the squares of its lengths, in every format with texture
+/// coordinates. Its positions, the scale of a node, or misaligned positions make it small.
 #[test]
 fn meshes_of_next_to_no_size_are_refused() {
     let refused = |what, name, bytes: Vec<u8>| case(what, name, bytes, Right::Refused(has_short_tiles));

@@ -59,7 +59,7 @@ fn exr_channels_parts_and_levels() {
 /// Names that differ in their case alone are channels of their own, and any case finds a name that stands
 /// alone.
 #[test]
-fn exr_channels_are_found_by_their_case() {
+fn exr_channel_names_may_differ_only_in_case() {
     let folder = Folder::new();
     let none = ::exr::prelude::Compression::Uncompressed;
     let values: Vec<f64> = samples(61, 37, 1000.0).iter().map(|s| s / 1000.0).collect();
@@ -269,7 +269,7 @@ fn tiff_palettes_are_colours() {
 }
 
 #[test]
-fn advice_on_tiffs_is_of_what_is_wrong() {
+fn tiff_errors_advise_on_their_cause() {
     let grey = Tiff::grey(4, 4, 8, 1);
     let compression = |code: u16| {
         let mut bytes = grey.bytes(&[0.0; 16]);

@@ -9,7 +9,7 @@ use relief_io::{HeightOptions, ReadProblem, Source, read_height, read_notes, rea
 
 #[test]
 #[should_panic(expected = "texel 70")]
-fn a_wrong_texel_is_seen() {
+fn a_wrong_texel_fails_the_comparison() {
     let folder = Folder::new();
     let mut values = samples(61, 37, 65535.0);
     let path = folder.file("map.pgm", &pgm(61, 37, 65535, &values));

@@ -1,5 +1,5 @@
-//! Elevation models: a tent of known slopes in metres is read as that tent, however a GeoTIFF stores it, and
-//! what such a file says that cannot be is refused.
+//! GeoTIFF elevation models: a tent of known slopes in metres is read correctly however the file
+//! stores it. Impossible georeferences are refused.
 
 use std::path::{Path, PathBuf};
 
@@ -14,10 +14,10 @@ use relief_io::{
 const WIDTH: u32 = 24;
 const HEIGHT: u32 = 18;
 
-/// Where the tent's top is: nearer to the west and to the north.
+/// Texel of the tent's top: nearer to the west and to the north.
 const TOP: [u32; 2] = [7, 5];
 
-/// What a file says of the ground: of `Tiff::extra`.
+/// Tags of a georeference, for `Tiff::extra`.
 type Tags = Vec<(u16, Value)>;
 
 /// A tent in metres: it falls by 45 degrees to each side of the top's column and of its row.
@@ -88,8 +88,8 @@ fn look(path: &Path) -> SourceInfo {
     inspect(path, &default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Fails unless the map is the tent with these texels: by its slopes in degrees along `u` and `v`, at all
-/// texels but those that are skipped, and by its top, in metres.
+/// Fails unless the map is the tent with these texels. Checks its top in metres, and its slopes in degrees
+/// along `u` and `v` at all texels that are not skipped.
 fn assert_tent(map: &HeightMap, texel_m: [f64; 2], top_m: f64, skip: impl Fn(u32, u32) -> bool) {
     let size = map.texel_size_m().expect("the size of a texel is known");
     let [zero, one] = map.physical_range().expect("the metres are known");
@@ -168,7 +168,7 @@ fn a_tent_whose_heights_are_in_feet() {
         (vec![with(&[[4096, 5703], [4099, 9001]])], 1.0, "m"),
         (vec![metadata(&[(0, "unittype", "ft")])], foot, "ft"),
         (vec![metadata(&[(0, "unittype", " US survey foot ")])], survey_foot, "US survey foot"),
-        // What is said of the band holds, whatever is said of the system.
+        // A band's unit takes precedence over the system's.
         (vec![metadata(&[(0, "unittype", "metre")]), with(&[[4099, 9002]])], 1.0, "metre"),
         (vec![metadata(&[(0, "unittype", "km")])], 1000.0, "km"),
     ] {
@@ -231,7 +231,7 @@ fn a_tent_with_a_mask() {
     let mut values = tent([2.0; 2], 90.0);
     let texels = || (0..HEIGHT).flat_map(|j| (0..WIDTH).map(move |i| (i, j)));
     let mask: Vec<f64> = texels().map(|(i, j)| f64::from(u8::from(!masked(i, j)))).collect();
-    // What is left out has values that would spoil the range.
+    // Masked texels have values that would spoil the range.
     for (value, mask) in values.iter_mut().zip(&mask).filter(|(_, mask)| **mask == 0.0) {
         *value = -3.4e38 + mask;
     }
@@ -312,7 +312,7 @@ fn a_tent_stored_from_the_south() {
             assert_eq!(look(&path).georeference.map(|found| found.turned_over), Some(turned));
         }
     }
-    // A mask is turned over with what it belongs to.
+    // A mask is flipped with its map.
     let mut mask = vec![1.0; values.len()];
     mask[0] = 0.0;
     let mask_tiff = Tiff { photometric: 4, ..grey(8, 1, vec![(254, Value::Long(vec![4]))]) };
@@ -347,7 +347,7 @@ fn a_tent_of_unsigned_integers() {
 }
 
 #[test]
-fn a_tent_on_a_grid_that_is_turned() {
+fn a_tent_on_a_rotated_grid() {
     let folder = Folder::new();
     let (sin, cos) = (0.6, 0.8);
     let size = [6.0, 2.0];
@@ -355,12 +355,12 @@ fn a_tent_on_a_grid_that_is_turned() {
     let turned = [[6.0 * cos, 2.0 * sin, 0.0, 5e5], [6.0 * sin, -2.0 * cos, 0.0, 4e6]];
     let path = write(&folder, &grey(32, 3, projected_by(turned)), &tent(size, 70.0));
     assert_tent(&read(&path, &default()), size, 70.0, nowhere);
-    // Texels that are no rectangles have no size along u and v that would do.
+    // Texels that are not rectangles have no usable size along u and v.
     let sheared = [[6.0, 1.0, 0.0, 5e5], [0.0, -2.0, 0.0, 4e6]];
     let path = write(&folder, &grey(32, 3, projected_by(sheared)), &tent(size, 70.0));
     assert_eq!(read(&path, &default()).texel_size_m(), None);
     let reason = look(&path).georeference.map(|found| found.texel_size_m);
-    assert_eq!(reason, Some(Err("its texels are no rectangles".to_owned())));
+    assert_eq!(reason, Some(Err("its texels are not rectangles".to_owned())));
 }
 
 fn projected_by(rows: [[f64; 4]; 2]) -> Tags {
@@ -418,7 +418,7 @@ fn the_corners_of_a_map_are_where_its_file_places_them() {
 }
 
 #[test]
-fn points_and_areas_make_no_difference() {
+fn points_and_areas_read_alike() {
     let folder = Folder::new();
     for raster_type in [1, 2] {
         let ground = projected([2.0; 2], vec![keys(&[[1024, 1], [1025, raster_type], [3076, 9001]])]);
@@ -428,7 +428,7 @@ fn points_and_areas_make_no_difference() {
 }
 
 #[test]
-fn nodata_is_known_however_it_is_written() {
+fn nodata_values_are_read_in_every_spelling() {
     let folder = Folder::new();
     let values = tent([2.0; 2], 90.0);
     for (nodata, hole) in [
@@ -473,7 +473,7 @@ fn only_elevation_models_are_clamped_and_filled_unasked() {
 }
 
 #[test]
-fn what_is_not_known_is_said_and_claims_no_metres() {
+fn unknown_units_have_a_note_and_no_metres() {
     let folder = Folder::new();
     let values = tent([2.0; 2], 90.0);
     let grid = [scale(2.0, 2.0), tie(5e5, 4e6)];
@@ -484,8 +484,8 @@ fn what_is_not_known_is_said_and_claims_no_metres() {
         (with(vec![keys(&[[1024, 32767]])]), "kind of its coordinate system"),
         (with(vec![keys(&[[1024, 1], [3076, 9999]])]), "EPSG:9999"),
         (with(vec![keys(&[[1024, 2], [2054, 9999]])]), "EPSG:9999"),
-        (vec![keys(&[[1024, 1], [3072, 32617]])], "places no grid"),
-        (vec![scale(2.0, 2.0), keys(&[[1024, 2]])], "where its grid lies"),
+        (vec![keys(&[[1024, 1], [3072, 32617]])], "gives no grid"),
+        (vec![scale(2.0, 2.0), keys(&[[1024, 2]])], "the position of its grid"),
     ] {
         let path = write(&folder, &grey(32, 3, ground), &values);
         let map = read(&path, &default());
@@ -503,7 +503,7 @@ fn what_is_not_known_is_said_and_claims_no_metres() {
 }
 
 #[test]
-fn what_cannot_be_is_refused() {
+fn impossible_keys_and_values_are_refused() {
     let folder = Folder::new();
     let values = tent([2.0; 2], 90.0);
     let doubles = |tag, numbers: &[f64]| (tag, Value::Double(numbers.to_vec()));
@@ -545,7 +545,7 @@ fn what_cannot_be_is_refused() {
             assert!(matches!(error.problem, ReadProblem::Georeference { .. }), "{name}: {error}");
             println!("{error}");
         }
-        // A picture is a picture, whatever it says of the ground.
+        // Pictures are read regardless of their georeference.
         let picture = relief_io::read_picture(&path, relief_io::DEFAULT_MAX_BYTES);
         assert!(picture.is_ok(), "{name}: {picture:?}");
     };
@@ -554,7 +554,7 @@ fn what_cannot_be_is_refused() {
         check(projected_by(rows));
     }
     check(vec![doubles(34264, &[2.0, 0.0, 0.0, 0.0, 0.0, -2.0, 0.0, 0.0])]);
-    // Metadata that are no metadata say nothing.
+    // Damaged metadata are ignored.
     for text in ["<GDALMetadata", "<Item sample=\"0\" role=\"scale\">", "<Item sample=0 role=scale>0</Item>"]
     {
         let path = write(

@@ -1,4 +1,4 @@
-//! The materials of a glTF are what its specification says.
+//! Materials of a glTF follow its specification.
 
 use crate::common::files::png;
 use crate::common::gltf_file::{Gltf, Numbers};
@@ -12,14 +12,14 @@ fn read(file: &Gltf) -> Result<MeshFile, ReadError> {
     read_mesh(Source::bytes("a.gltf", &file.json()), &options)
 }
 
-/// A WebP without loss of so many columns and rows.
+/// Lossless WebP with the given numbers of columns and rows.
 fn webp(size: [u32; 2], color: ColorType, samples: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
     WebPEncoder::new(&mut bytes).encode(samples, size[0], size[1], color).expect("a WebP");
     bytes
 }
 
-/// The square with a texture of those keys, and an image of those bytes.
+/// Square with a texture of the given keys, and an image of the given bytes.
 fn textured(texture: &str, image: &[u8], more: &str) -> Gltf {
     let mut file = Gltf::square();
     file.primitive = r#", "material": 0"#.to_owned();
@@ -46,7 +46,7 @@ fn pictures_by_extensions_are_read_or_left_out_by_name() {
     };
     let name = "EXT_texture_webp";
     assert_eq!(texels(&textured(&by(name), &of_webp, &required(name))).as_deref(), Some(&wanted[..]));
-    // What is to be read where the extension is not known is the second choice.
+    // The fallback for readers without the extension is the second choice.
     let both = format!(r#""source": 7, {}"#, by(name)).replace("7", "0");
     assert_eq!(texels(&textured(&both, &of_webp, "")).as_deref(), Some(&wanted[..]));
     for name in ["KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"] {
@@ -57,7 +57,7 @@ fn pictures_by_extensions_are_read_or_left_out_by_name() {
             read.mesh.triangles().len() == 2 && read.notes.iter().any(|note| note.text.contains(name)),
             "{name}"
         );
-        // One that is read may stand beside it.
+        // A supported picture may be given as well.
         let both = format!(r#""source": 0, {}"#, by(name));
         assert_eq!(texels(&textured(&both, &of_png, "")).as_deref(), Some(&wanted[..]), "{name}");
     }
@@ -133,8 +133,8 @@ fn shown(file: &MeshFile, at: [f64; 2]) -> [f64; 4] {
     panic!("no triangle at {at:?}")
 }
 
-/// Holds a file to the texels that the specification has at 64 points of the square: in the middle of some of
-/// `parts` x `parts` parts, by columns and rows counted from the upper left.
+/// Compares a file with the texels that the specification gives at 64 points of the square. The points are
+/// in the middle of some of its `parts` x `parts` parts; columns and rows count from the upper left.
 fn assert_shows(what: &str, file: &Gltf, parts: usize, wanted: impl Fn([usize; 2]) -> [usize; 2]) {
     let file = read(file).unwrap_or_else(|error| panic!("{what}: {error}"));
     for point in 0..64 {
@@ -163,7 +163,7 @@ fn tile(from: f32, to: f32) -> [f32; 8] {
 }
 
 #[test]
-fn colours_are_where_the_specification_has_them() {
+fn texture_transforms_follow_the_specification() {
     let plain = tile(0.0, 1.0);
     let transform = |text: &str| format!(r#", "extensions": {{"KHR_texture_transform": {{{text}}}}}"#);
     assert_shows("plain", &painted("", "", &plain), 16, |at| at);
@@ -235,7 +235,7 @@ fn triangles_keep_their_materials_and_masks() {
     let mut file = Gltf::square();
     let first = file.add(Numbers::Shorts(&[0, 1, 2, 0, 0, 1]), "SCALAR", "");
     let second = file.add(Numbers::Shorts(&[0, 2, 3]), "SCALAR", "");
-    // Two primitives of two materials, of which the first has a triangle without an area.
+    // Two primitives have two materials; the first one has a triangle without an area.
     let material =
         |more: &str| format!(r#"{{"pbrMetallicRoughness": {{"baseColorFactor": [1, 0, 0, 0.4]}}{more}}}"#);
     let with = |more: &str| {
@@ -287,7 +287,7 @@ fn materials_that_cannot_be_are_refused() {
     for text in [r#""scale": [1e39, 1]"#, r#""offset": [1, 1e39]"#, r#""rotation": 1e39"#] {
         refused(text, &of(text));
     }
-    // Coordinates that are not there are said.
+    // Missing coordinates cause a note.
     let file = read(&painted(r#", "texCoord": 5"#, "", &tile(0.0, 1.0))).expect("a mesh");
     assert_eq!(file.notes.len(), 1);
     // Ten thousand materials are read, each with its triangles.

@@ -1,4 +1,4 @@
-//! A glTF lies where its morph targets and skins put it.
+//! Morph targets and skins of a glTF move its vertices.
 
 use crate::common::gltf_file::{Gltf, Numbers};
 use glam::Vec3;
@@ -41,7 +41,7 @@ fn morph_targets_move_vertices_by_their_weights() {
     let at = |z: f32| [Vec3::new(0.0, 0.0, z), Vec3::new(1.0, 1.0, z)];
     assert_eq!(bounds(&morphed(&[Z], "", r#", "weights": [1]"#)), at(1.0));
     assert_eq!(bounds(&morphed(&[Z], r#", "weights": [0.5]"#, "")), at(0.5));
-    // Those of the node are before those of the mesh, and without any there is no pose.
+    // Weights of the node override the mesh's, and without any there is no pose.
     assert_eq!(bounds(&morphed(&[Z], r#", "weights": [0.5]"#, r#", "weights": [2]"#)), at(2.0));
     assert_eq!(bounds(&morphed(&[Z], "", "")), at(0.0));
     let both = morphed(&[Z, [1.0, 0.0, 0.0]], "", r#", "weights": [0.25, 2], "translation": [0, 0, 3]"#);
@@ -93,9 +93,9 @@ fn vertices_of_skins_follow_their_joints_alone() {
     let thirds = skinned(&[0, 1, 0, 0].repeat(4), &[0.25, 0.25, 0.0, 0.0].repeat(4), "");
     assert_eq!(bounds(&thirds), at(3.0));
     assert_eq!(bounds(&skinned(&[1, 0, 0, 0].repeat(4), &[0.0; 16], "")), at(4.0));
-    // What no weight asks for need not be there.
+    // Joints without weight need not exist.
     assert_eq!(bounds(&skinned(&[0, 200, 0, 0].repeat(4), &first, "")), at(2.0));
-    // Matrices that undo where the joints were bound.
+    // Inverse bind matrices undo the joints' bind pose.
     let mut bound = skinned(&[0, 1, 0, 0].repeat(4), &[0.5, 0.5, 0.0, 0.0].repeat(4), "");
     let undo = |z: f32| [1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., 0., 0., -z, 1.];
     let matrices = bound.add(Numbers::Floats(&[undo(2.0), undo(4.0)].concat()), "MAT4", "");

@@ -1,4 +1,4 @@
-//! KTX2 files: every format there and back, the container's rules, and files that are damaged or lie.
+//! KTX2 files: round trips of every format, the container's rules, and damaged or false files.
 
 use std::path::Path;
 
@@ -44,7 +44,7 @@ fn read(bytes: &[u8]) -> Result<Ktx2File, relief_io::ReadError> {
     read_ktx2(&folder.file("texture.ktx2", bytes), LIMIT)
 }
 
-/// How far a value may be from what was stored: half a step, or what block compression loses on smooth
+/// Greatest error of a stored value: half a step, or the loss of block compression on smooth
 /// texels.
 fn tolerance(format: TexelFormat) -> f32 {
     match format {
@@ -57,7 +57,7 @@ fn tolerance(format: TexelFormat) -> f32 {
     }
 }
 
-/// The greatest difference between a file and what it was made from.
+/// Greatest difference between a file and its source texels.
 fn difference(file: &Ktx2File) -> f32 {
     let mut most = 0.0f32;
     for (level, content) in file.levels.iter().enumerate() {
@@ -104,9 +104,9 @@ fn every_format_and_chain_round_trips() {
     }
 }
 
-/// A comparison that cannot fail proves nothing: one changed byte of the texels is seen.
+/// Checks the comparison itself: one changed byte of the texels is noticed.
 #[test]
-fn a_changed_texel_is_seen() {
+fn a_changed_texel_gives_a_difference() {
     let texture = texture(TexelFormat::R32F, [61, 37, 1], 1, false);
     let mut bytes = written(&texture);
     let last = bytes.len() - 1;
@@ -170,7 +170,7 @@ fn rows_are_asked_for_in_the_order_of_the_file() {
 }
 
 #[test]
-fn what_cannot_be_stored_is_refused_and_nothing_is_left() {
+fn unstorable_data_are_refused_and_leave_no_file() {
     let folder = Folder::new();
     let path = folder.path().join("texture.ktx2");
     let plain = || texture(TexelFormat::R8, [4, 4, 1], 1, false);
@@ -230,7 +230,7 @@ fn flipped_bits_never_panic() {
             let mut flipped = bytes.clone();
             flipped[bit / 8] ^= 1 << (bit % 8);
             let path = folder.file("flipped.ktx2", &flipped);
-            // An error or another texture; in either case an answer.
+            // Either an error or another texture is correct.
             if let Ok(file) = read_ktx2(&path, LIMIT) {
                 assert!(!file.levels.is_empty());
             }
@@ -256,7 +256,7 @@ fn sizes_are_checked_before_memory_is_taken() {
         let huge = patched(&patched(bytes, 20, 1 << 20), 24, 1 << 20);
         assert!(matches!(problem(&huge), ReadProblem::TooMuchMemory { .. }));
         assert!(matches!(problem(&patched(bytes, 20, u32::MAX)), ReadProblem::Damaged { .. }));
-        // What fits in the limit, but not in the file.
+        // This fits in the limit, but not in the file.
         let large = patched(&patched(bytes, 20, 2000), 24, 2000);
         assert!(matches!(problem(&large), ReadProblem::Damaged { .. }));
         assert!(matches!(problem(&patched(bytes, 40, 40)), ReadProblem::Damaged { .. }));
@@ -270,7 +270,7 @@ fn sizes_are_checked_before_memory_is_taken() {
             );
         }
     }
-    // A frame that says it is shorter than any frame of that content.
+    // A frame whose length is less than any frame of that content needs.
     let mut bomb = patched(&patched(&zstd, 20, 2048), 24, 2048);
     bomb[80 + 16..80 + 24].copy_from_slice(&(4u64 * 2048 * 2048).to_le_bytes());
     assert!(matches!(problem(&bomb), ReadProblem::Damaged { .. }));

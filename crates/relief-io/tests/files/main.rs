@@ -1,4 +1,4 @@
-//! Files that are read and written, sound and broken.
+//! Tests of reading and writing files, valid and broken.
 
 #[path = "../common/mod.rs"]
 mod common;

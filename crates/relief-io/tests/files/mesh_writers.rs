@@ -1,4 +1,4 @@
-//! Meshes that are written are read back as they were, whole or not at all.
+//! Written meshes are read back unchanged; failed writes leave nothing.
 
 use std::io;
 use std::path::Path;
@@ -50,7 +50,7 @@ fn corners(mesh: &Mesh) -> Vec<[Vec3; 3]> {
 }
 
 #[test]
-fn what_is_written_is_read_again() {
+fn written_files_are_read_back() {
     let folder = Folder::new();
     for mesh in meshes() {
         for (name, format) in FORMATS {
@@ -64,7 +64,7 @@ fn what_is_written_is_read_again() {
             let found = read_mesh(path.as_path(), &options).unwrap_or_else(|error| panic!("{error}"));
             assert_eq!((found.format, found.degenerate, found.double), (format, 0, 0));
             if format == MeshFormat::Stl {
-                // Through millimetres a number comes back but for its last bit.
+                // The conversion to millimetres and back changes at most the last bit.
                 let apart = corners(&found.mesh)
                     .into_iter()
                     .zip(corners(&mesh))
@@ -98,7 +98,7 @@ fn the_same_mesh_gives_the_same_bytes() {
 }
 
 #[test]
-fn tangents_of_a_glb_are_unit_and_say_which_way_the_picture_runs() {
+fn tangents_of_a_glb_are_unit_vectors_with_handedness() {
     let folder = Folder::new();
     let path = folder.path().join("mesh.glb");
     let mesh = &meshes()[0];
@@ -127,7 +127,7 @@ fn tangents_of_a_glb_are_unit_and_say_which_way_the_picture_runs() {
 }
 
 #[test]
-fn what_does_not_fit_or_fails_leaves_nothing() {
+fn refused_or_failed_writes_leave_no_file() {
     let folder = Folder::new();
     let mesh = &meshes()[0];
     let entries = || std::fs::read_dir(folder.path()).expect("the folder is there").count();
@@ -151,13 +151,13 @@ fn what_does_not_fit_or_fails_leaves_nothing() {
         });
         assert!(matches!(failed.map_err(|error| error.problem), Err(WriteProblem::Io(_))));
         assert_eq!(entries(), 0, "{name}");
-        // What is there stays.
+        // An existing file stays.
         write_atomically(&path, |out| out.write_all(b"old")).expect("the folder is writable");
         assert!(write_mesh(&path, format, counts(mesh), |_| Ok(())).is_err());
         assert_eq!(std::fs::read(&path).expect("it is there"), b"old");
         std::fs::remove_file(&path).expect("it is there");
     }
-    // A GLB ends at 4 GiB, and other formats do not.
+    // A GLB is limited to 4 GiB, other formats are not.
     let large = MeshCounts { vertices: 50_000_000, triangles: 200_000_000 };
     let refused = MeshFormat::Gltf.check(large).expect_err("it is too large").to_string();
     assert!(refused.contains("4 GiB") && refused.contains("PLY"), "{refused}");

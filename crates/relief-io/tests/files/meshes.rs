@@ -1,4 +1,4 @@
-//! Meshes that are read are those that were written, with normals and frames that are true.
+//! Meshes that are read equal the written ones, with true normals and frames.
 
 use std::path::Path;
 
@@ -19,8 +19,8 @@ fn projected(name: &str, bytes: &[u8], projection: UvProjection) -> Mesh {
     read_mesh(Source::bytes(name, bytes), &options).unwrap_or_else(|error| panic!("{error}")).mesh
 }
 
-/// The differences of two meshes of the same triangles, corner by corner: of positions, normals, texture
-/// coordinates, and of tangents and bitangents as parts of the longest.
+/// Greatest differences between the corners of two meshes of the same triangles: of positions, normals,
+/// texture coordinates, and of tangents and bitangents relative to the longest.
 fn differences(a: &Mesh, b: &Mesh) -> [f64; 4] {
     assert_eq!(a.triangles().len(), b.triangles().len());
     let longest = |vector: fn(&Vertex) -> Vec3| {
@@ -44,7 +44,7 @@ fn differences(a: &Mesh, b: &Mesh) -> [f64; 4] {
     worst.map(f64::from)
 }
 
-/// 1 where the texture is as it is, -1 where it is mirrored.
+/// Returns 1 if the texture is upright, -1 if it is mirrored.
 fn handedness(vertex: &Vertex) -> f32 {
     vertex.bitangent.cross(vertex.tangent).dot(vertex.normal).signum()
 }
@@ -68,13 +68,14 @@ fn torus_files() -> Vec<(&'static str, Vec<u8>)> {
 }
 
 #[test]
-fn what_is_written_is_read_again_in_every_format() {
+fn written_meshes_are_read_back_in_every_format() {
     let mesh = written_torus();
     for (name, bytes) in torus_files() {
         let file = read(name, &bytes);
         let [positions, normals, uvs, frames] = differences(&mesh, &file.mesh);
         assert!(positions == 0.0 && normals < 2e-7 && uvs < 2e-7, "{name}: {positions} {normals} {uvs}");
-        // A triangle's frame is that of a chord: of the arcs of 32 pieces that is half a percent off.
+        // A triangle's frame belongs to a chord, which is half a percent shorter than the arc of
+        // one of 32 pieces.
         assert!(frames < 0.01, "{name}: {frames}");
         assert_eq!((file.degenerate, file.double), (0, 0), "{name}");
         assert_eq!(file.mesh.vertices().len(), mesh.vertices().len(), "{name}");
@@ -115,8 +116,8 @@ fn a_tiled_texture_goes_on_across_its_cut() {
     assert!((sides[0].tangent.normalize() - cut.tangent.normalize()).length() < 0.01);
 }
 
-/// Two squares beside each other on the ground, each of 1 m, whose texture is given by its corners: of the
-/// left one from -x to 0, then of the right one, each from behind to the front.
+/// Two adjacent squares on the ground, each of 1 m. `uvs` are the texture coordinates of their
+/// corners: first of the left one (from -x to 0), then of the right one, each from back to front.
 fn two_squares(uvs: [[f64; 2]; 8]) -> Mesh {
     let positions = "v -1 0 0\nv -1 0 1\nv 0 0 1\nv 0 0 0\nv 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\n";
     let uvs: String = uvs.iter().map(|[u, v]| format!("vt {u} {}\n", 1.0 - v)).collect();
@@ -129,7 +130,7 @@ fn mirrored_charts_keep_their_handedness() {
     let right = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
     let left = [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]];
     let mesh = two_squares([left[0], left[1], left[2], left[3], right[0], right[1], right[2], right[3]]);
-    // The two in the middle are there twice, though all but their frames is equal.
+    // The two vertices in the middle exist twice, although only their frames differ.
     assert_eq!(mesh.vertices().len(), 8);
     for triangle in 0..mesh.triangles().len() as u32 {
         let corners = mesh.corners(triangle);
@@ -188,13 +189,13 @@ fn missing_normals_are_weighted_by_angles() {
 }
 
 #[test]
-fn projections_lay_textures_as_the_built_in_shapes_have_them() {
+fn projections_match_the_built_in_shapes() {
     let (cube, ball) = (cube(3).expect("a mesh"), sphere(48, 24).expect("a mesh"));
     let boxed = projected("cube.stl", &stl_binary(&cube), UvProjection::Box);
     for triangle in 0..cube.triangles().len() as u32 {
         for (a, b) in cube.corners(triangle).into_iter().zip(boxed.corners(triangle)) {
             assert!((a.uv - b.uv).length() < 1e-6, "{a:?} {b:?}");
-            // Through millimetres a number comes back but for its last bit.
+            // The conversion to millimetres and back changes at most the last bit.
             assert!((a.position - b.position).abs().max_element() < 1e-7, "{a:?} {b:?}");
         }
     }
@@ -269,7 +270,7 @@ fn buffers_lie_beside_their_gltf() {
     assert_eq!(file.mesh, read("torus.glb", &glb(&gltf(&mesh, None, ""), &gltf_buffer(&mesh))).mesh);
 }
 
-/// The torus as a glTF of one material, whose picture is there.
+/// Torus as a glTF with one material, whose picture is `image`.
 fn painted(image: &str, more: &str) -> Vec<u8> {
     let mesh = written_torus();
     let buffer = gltf_buffer(&mesh);
@@ -299,7 +300,7 @@ fn colours_are_those_of_the_only_material() {
     assert_eq!(material.picture.as_ref().expect("a picture").texels, [[1.0, 0.0, 0.0, 1.0]]);
     assert_eq!(colors(&painted(&image, ""), &MeshOptions::default()), None);
     assert_eq!(colors(&torus_files()[4].1, &options), None);
-    // Where other coordinates lay the maps, those of the file lay the picture.
+    // A projection changes the coordinates of maps; the picture keeps the file's.
     let projected = MeshOptions { projection: Some(UvProjection::Box), ..options };
     let found = colors(&painted(&image, ""), &projected).expect("a material");
     assert!(found.materials[0].picture.is_some() && !found.uvs.is_empty());
@@ -311,7 +312,7 @@ fn colours_are_those_of_the_only_material() {
 }
 
 #[test]
-fn what_measures_say_is_so() {
+fn stated_measures_are_correct() {
     let cube = cube(2).expect("a mesh");
     let measures = read("cube.obj", obj(&cube, true).as_bytes()).mesh.measures();
     assert_eq!((measures.vertices, measures.points, measures.triangles), (6 * 9, 26, 48));

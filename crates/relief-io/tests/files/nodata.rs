@@ -1,4 +1,4 @@
-//! Values of texels without one: as the file declares them, and as they are given.
+//! Nodata values: declared by the file, or given by the user.
 
 use std::path::{Path, PathBuf};
 
@@ -80,7 +80,7 @@ fn where_white_is_zero_the_stored_number_is_compared() {
 }
 
 #[test]
-fn opacity_is_stored_as_it_is_where_white_is_zero() {
+fn opacity_is_not_inverted_if_white_is_zero() {
     let folder = Folder::new();
     let texels: Vec<f64> = (0..16).flat_map(|at| [f64::from(at), f64::from(100 + at)]).collect();
     let extra = vec![(338, Value::Short(vec![2]))];
@@ -108,7 +108,7 @@ fn a_declared_value_need_not_have_the_digits_that_are_stored() {
         assert_eq!((found.nodata, found.not_finite), (6, 0), "{declared}");
         assert_eq!(found.range, Some([100.0, 400.0]), "{declared}");
     }
-    // What differs in more than its digits is another value.
+    // A value that differs in more than its last digits is another value.
     let tiff = Tiff { extra: nodata("-9999"), ..Tiff::grey(16, 8, 32, 3) };
     let found = look(&folder.file("dem.tif", &tiff.bytes(&ground(-9990.0))), &default());
     assert_eq!((found.nodata, found.range), (0, Some([-9990.0, 400.0])));
@@ -141,7 +141,7 @@ fn a_value_is_given_for_files_of_all_types() {
         // Others stay as they are.
         assert_eq!(look(&path, &given(77.5)).nodata, 0);
     }
-    // Both the file's and the one that is given have none.
+    // Both the file's nodata value and the given one count.
     let tiff = Tiff { extra: nodata("100"), ..Tiff::grey(16, 8, 16, 1) };
     let path = folder.file("map.tif", &tiff.bytes(&ground(7.0)));
     assert_eq!((look(&path, &default()).nodata, look(&path, &given(7.0)).nodata), (8, 14));
@@ -170,7 +170,7 @@ fn a_range_by_the_extremes_leaves_holes_out() {
     assert_eq!(filled(&level, &without).extremes(), [0.0, 0.0]);
 }
 
-/// What is to be said of reading a file: rows of the table and options that mend it.
+/// Notes of reading a file: rows of the table, and the values of options that change the reading.
 fn notes(path: &Path, options: &HeightOptions) -> Vec<(&'static str, Option<String>)> {
     let options = HeightOptions { fill: Fill::Always, ..options.clone() };
     let of_map = read_height_file(path, &options).unwrap_or_else(|error| panic!("{error}")).notes;
@@ -185,7 +185,7 @@ fn map(folder: &Folder, bits: u16, format: u16, values: &[f64]) -> PathBuf {
 }
 
 #[test]
-fn values_far_beyond_the_rest_are_said_to_stand_for_none() {
+fn outlying_values_have_a_note_as_likely_nodata() {
     let folder = Folder::new();
     let auto = HeightOptions { range: Some(HeightRange::Extremes), ..default() };
     for (bits, format, hole, low, step) in [
@@ -208,7 +208,7 @@ fn values_far_beyond_the_rest_are_said_to_stand_for_none() {
         let path = map(&folder, bits, format, &values);
         let found = notes(&path, &auto);
         let [("undeclared-nodata", Some(mend))] = &found[..] else { panic!("{hole}: {found:?}") };
-        // The number that is named is the one that mends it.
+        // The note's number works as the option.
         let mended = HeightOptions { nodata: mend.parse().ok(), ..auto.clone() };
         assert_eq!(notes(&path, &mended), [], "{hole}");
         let map = filled(&path, &mended);
@@ -226,7 +226,7 @@ fn values_far_beyond_the_rest_are_said_to_stand_for_none() {
         assert_eq!(note.remark.mend.as_deref(), Some("-9999"), "{note}");
         assert_eq!(note.remark.text.matches("texels have").count(), count, "{note}");
     }
-    // Where white is stored as 0 the stored number is named.
+    // If white is stored as 0, the note has the stored number.
     let values: Vec<f64> = ground(65535.0);
     let tiff = Tiff { photometric: 0, ..Tiff::grey(16, 8, 16, 1) };
     let path = folder.file("white.tif", &tiff.bytes(&values));
@@ -237,7 +237,7 @@ fn values_far_beyond_the_rest_are_said_to_stand_for_none() {
 type Shape = fn(u32, u32) -> f64;
 
 #[test]
-fn sound_maps_are_read_without_a_word() {
+fn sound_elevation_models_are_read_without_notes() {
     let folder = Folder::new();
     let auto = HeightOptions { range: Some(HeightRange::Extremes), ..default() };
     let shapes: [(&str, Shape); 10] = [
@@ -266,9 +266,9 @@ fn sound_maps_are_read_without_a_word() {
 }
 
 #[test]
-fn what_lossy_compression_makes_of_a_declared_value_has_none_either() {
+fn lossily_changed_nodata_values_are_holes() {
     let folder = Folder::new();
-    // As LERC of a tolerance of half a metre leaves it, of blocks with another least value each.
+    // Values after LERC with a tolerance of half a metre, in blocks with different least values.
     for (declared, stored) in [
         ("9999", [9998.985, 9999.4]),
         ("-9999", [-9998.7, -9999.0]),
@@ -301,7 +301,7 @@ fn what_lossy_compression_makes_of_a_declared_value_has_none_either() {
 }
 
 #[test]
-fn a_given_value_that_no_texel_has_is_said() {
+fn an_absent_given_nodata_value_has_a_note() {
     let folder = Folder::new();
     for (bits, format, absent) in [(32, 3, -32767.0), (8, 1, -1.0), (16, 1, 0.5), (16, 2, 1e9)] {
         let values: Vec<f64> = (0..128).map(f64::from).collect();
@@ -312,7 +312,7 @@ fn a_given_value_that_no_texel_has_is_said() {
 }
 
 #[test]
-fn heights_that_hardly_use_their_type_are_said_with_their_range() {
+fn narrow_ranges_have_a_note() {
     let folder = Folder::new();
     for (bits, photometric, [least, greatest]) in [
         (8, 1, [44u32, 69]),
@@ -336,7 +336,7 @@ fn heights_that_hardly_use_their_type_are_said_with_their_range() {
             assert_eq!((notes(&path, &options), filled(&path, &options).extremes()), (vec![], [0.0, 1.0]));
         }
     }
-    // What uses a tenth, what has metres, and floats, whose extremes are taken, are as they should be.
+    // No notes: a tenth of the range, metres, and floats, whose extremes are used.
     for (bits, format, extra, greatest) in [
         (8, 1, vec![], 26.0),
         (16, 1, vec![], 6554.0),
@@ -350,7 +350,7 @@ fn heights_that_hardly_use_their_type_are_said_with_their_range() {
 }
 
 #[test]
-fn of_fractions_it_is_said_which_range_is_taken() {
+fn fitted_ranges_of_fractions_have_a_note() {
     let folder = Folder::new();
     let fractions = |low: f64, high: f64| -> Vec<f64> {
         (0..128).map(|at| low + (high - low) * f64::from(at) / 127.0).collect()

@@ -15,7 +15,7 @@ fn float_file(folder: &Folder, width: u32, values: &[f64]) -> std::path::PathBuf
 }
 
 #[test]
-fn an_unknown_channel_is_named_with_the_nearest() {
+fn unknown_channels_are_refused_with_a_suggestion() {
     let folder = Folder::new();
     let path = float_file(&folder, 2, &[0.0, 1.0]);
     let error = read_height(&path, &channel("hieght")).expect_err("a misspelt channel");
@@ -63,7 +63,7 @@ fn a_range_is_in_sample_values() {
 }
 
 #[test]
-fn depth_is_turned_over() {
+fn depth_is_inverted() {
     let folder = Folder::new();
     let path = float_file(&folder, 2, &[10.0, 30.0, 15.0, 20.0]);
     let options = HeightOptions { convention: Some(Convention::Depth), ..HeightOptions::default() };
@@ -104,7 +104,7 @@ fn holes_are_an_error_or_filled() {
 #[test]
 fn wide_types_keep_their_detail() {
     let folder = Folder::new();
-    // A millimetre of relief ten thousand kilometres up: far below what an f32 resolves there.
+    // A relief of a millimetre at ten thousand kilometres, far below the resolution of an f32 there.
     let values: Vec<f64> = samples(40, 30, 1000.0).iter().map(|s| 1e7 + s * 1e-6).collect();
     let path = folder.file("high.tif", &Tiff::grey(40, 30, 64, 3).bytes(&values));
     let map = read_height(&path, &HeightOptions::default()).expect("a valid map");
@@ -115,7 +115,7 @@ fn wide_types_keep_their_detail() {
 }
 
 #[test]
-fn memory_is_limited_as_asked() {
+fn memory_is_limited_by_the_option() {
     let folder = Folder::new();
     let path = float_file(&folder, 64, &samples(64, 64, 1.0));
     let limited = |max_bytes| read_height(&path, &HeightOptions { max_bytes, ..HeightOptions::default() });
@@ -125,7 +125,7 @@ fn memory_is_limited_as_asked() {
 }
 
 #[test]
-fn inspect_counts_what_is_there() {
+fn inspect_counts_values_and_holes() {
     let folder = Folder::new();
     let mut values: Vec<f64> = (0..640).map(|i| f64::from(i % 64)).collect();
     (values[0], values[1]) = (f64::NAN, f64::NAN);

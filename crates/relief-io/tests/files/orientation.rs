@@ -1,4 +1,4 @@
-//! Pictures are turned as they say, whatever they are read for; and what is not followed is said.
+//! Pictures are turned by their stated orientation for every use; ignored orientations cause notes.
 
 use crate::common::files::{Scan, big_endian, exif, hdr, jpeg, png, png_by_hand, with_chunk, with_exif};
 use crate::common::mesh_file::{data_uri, gltf, gltf_buffer};
@@ -11,7 +11,7 @@ use relief_io::{
     read_mesh, read_normal_vectors, read_notes, read_picture, write_png_rows,
 };
 
-/// Width and height of what is stored.
+/// Width and height of the stored pictures.
 const STORED: [u32; 2] = [13, 9];
 
 const ORIENTATION: u16 = 274;
@@ -40,7 +40,7 @@ impl<T: Copy> Texels<T> {
         }
     }
 
-    /// As the orientation's name in EXIF says that it is shown.
+    /// Turns the picture as the name of the EXIF orientation says.
     fn shown(&self, orientation: u16) -> Self {
         match orientation {
             2 => self.mirrored(),
@@ -55,7 +55,7 @@ impl<T: Copy> Texels<T> {
     }
 }
 
-/// The rows of the table of what a header says and reading does not follow.
+/// Names of the notes on a picture's header.
 fn noted(name: &str, bytes: &[u8]) -> Vec<&'static str> {
     let notes = read_notes(Source::bytes(name, bytes)).unwrap_or_else(|error| panic!("{error}"));
     notes.iter().map(|note| note.remark.row.name).collect()
@@ -85,7 +85,7 @@ fn interlaced(bytes: &[u8]) -> Vec<u8> {
     rows
 }
 
-/// Files of every kind that names orientations, of one channel: by their names, and made with that
+/// Files of every format with orientations, with one channel: names and bytes with the given
 /// orientation.
 fn grey_files(orientation: u16) -> Vec<(&'static str, Vec<u8>)> {
     let [width, height] = STORED;
@@ -117,7 +117,7 @@ fn heights(name: &str, bytes: &[u8], options: &HeightOptions) -> Texels<f32> {
 }
 
 #[test]
-fn height_maps_are_turned_as_their_files_say() {
+fn height_maps_follow_the_orientation_of_their_files() {
     let stored: Vec<Texels<f32>> =
         grey_files(1).iter().map(|(name, bytes)| heights(name, bytes, &default())).collect();
     assert!(stored.iter().all(|stored| stored.size == STORED));
@@ -139,7 +139,7 @@ fn picture(name: &str, bytes: &[u8]) -> Texels<[f32; 4]> {
 }
 
 #[test]
-fn pictures_and_normals_are_turned_as_well() {
+fn pictures_and_normals_follow_the_orientation() {
     let [width, height] = STORED;
     let samples = numbers(3 * width * height, 256);
     let bytes: Vec<u8> = samples.iter().map(|&sample| sample as u8).collect();
@@ -167,7 +167,7 @@ fn pictures_and_normals_are_turned_as_well() {
 }
 
 #[test]
-fn holes_masks_and_colours_are_named_where_they_are_shown() {
+fn holes_masks_and_colours_are_labelled() {
     let [width, height] = STORED;
     let [column, row] = [4, 2];
     let at = (row * width + column) as usize;
@@ -202,7 +202,7 @@ fn holes_masks_and_colours_are_named_where_they_are_shown() {
 }
 
 #[test]
-fn numbers_that_are_no_orientation_are_said() {
+fn invalid_orientations_have_a_note() {
     for number in [0, 9, 65_535] {
         for ((name, bytes), (_, stored)) in grey_files(number).iter().zip(grey_files(1)) {
             assert_eq!(
@@ -215,7 +215,7 @@ fn numbers_that_are_no_orientation_are_said() {
             assert!(notes[0].remark.text.contains(&number.to_string()));
         }
     }
-    // Of damaged metadata nothing is said: the picture is whole.
+    // Damaged metadata cause no note: the picture is intact.
     let [width, height] = STORED;
     let grey = png(width, height, ColorType::Grayscale, BitDepth::Eight, &[7; 117]);
     let whole = exif(6, true);
@@ -229,7 +229,7 @@ fn numbers_that_are_no_orientation_are_said() {
 }
 
 #[test]
-fn on_the_ground_rows_are_as_they_are_stored() {
+fn georeferenced_rows_keep_their_stored_order() {
     let [width, height] = STORED;
     let samples = numbers(width * height, 1000);
     let model = |orientation: u16| {
@@ -287,7 +287,7 @@ fn a_place_in_a_file_beside_the_picture_comes_before_its_orientation() {
 }
 
 #[test]
-fn webp_is_turned_by_its_metadata() {
+fn webp_follows_its_orientation() {
     let [width, height] = STORED;
     let samples: Vec<u8> = numbers(3 * width * height, 256).iter().map(|&sample| sample as u8).collect();
     let webp = |metadata: Option<Vec<u8>>| {
@@ -308,7 +308,7 @@ fn webp_is_turned_by_its_metadata() {
 }
 
 #[test]
-fn pictures_of_a_gltf_are_as_they_are_stored() {
+fn pictures_of_a_gltf_keep_their_stored_orientation() {
     let mesh = cube(1).expect("a built-in mesh");
     let [width, height] = STORED;
     let bytes: Vec<u8> = numbers(3 * width * height, 256).iter().map(|&sample| sample as u8).collect();
@@ -387,7 +387,7 @@ fn turning_takes_no_more_memory() {
 }
 
 #[test]
-fn the_tile_that_a_file_notes_is_turned_with_it() {
+fn the_tile_follows_the_orientation() {
     let folder = Folder::new();
     let path = folder.path().join("a.png");
     let note = HeightNote { tile_m: [2.6, 0.9], scale_m: 0.1, bias_m: 0.0, of_mesh: false };
@@ -407,7 +407,7 @@ fn the_tile_that_a_file_notes_is_turned_with_it() {
 }
 
 #[test]
-fn what_else_a_file_holds_is_counted() {
+fn unread_parts_of_a_file_are_counted() {
     let [width, height] = STORED;
     let samples = numbers(width * height, 1000);
     let page = Tiff::grey(width, height, 16, 1);

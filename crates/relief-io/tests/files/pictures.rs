@@ -1,4 +1,4 @@
-//! Colour pictures, normal maps, and what a pair of maps says of its conventions.
+//! Colour pictures, normal maps, and detection of conventions from a pair of maps.
 
 use crate::common::files::{Scan, big_endian, hdr, jpeg, png, png_with, with_chunk};
 use crate::common::tiff_file::Tiff;
@@ -53,7 +53,7 @@ fn integers_are_decoded_by_the_srgb_curve_and_opacity_is_not() {
 }
 
 #[test]
-fn a_png_that_says_so_is_linear() {
+fn png_files_declare_their_curve() {
     let chunk = |kind: &[u8; 4], data: &[u8]| (*kind, data.to_vec());
     let gamma = |gamma: u32| chunk(b"gAMA", &gamma.to_be_bytes());
     let (srgb, linear) = (0.214_048_3, 0.500_007_6);
@@ -67,7 +67,7 @@ fn a_png_that_says_so_is_linear() {
         (vec![gamma(0)], srgb),
         (vec![chunk(b"cICP", &[1, 8, 0, 1])], linear),
         (vec![chunk(b"cICP", &[1, 13, 0, 1]), gamma(100_000)], srgb),
-        // What is said more exactly comes before.
+        // The more exact statement wins.
         (vec![chunk(b"sRGB", &[0]), gamma(100_000)], srgb),
         (vec![chunk(b"iCCP", &profile), gamma(100_000)], srgb),
     ] {
@@ -82,7 +82,7 @@ fn a_png_that_says_so_is_linear() {
             let [found, ..] = read(&bytes).texels[0];
             let rounding = if depth == BitDepth::Eight { 0.003 } else { 1e-6 };
             assert!((f64::from(found) - expected).abs() < rounding, "{chunks:?}: {found}, not {expected}");
-            // Who says the curve is believed; heights and normals are stored numbers.
+            // A declared curve is applied; heights and normals are stored numbers.
             for (curve, expected) in [(Curve::Srgb, srgb), (Curve::Linear, linear)] {
                 let told =
                     read_picture_as(Source::bytes("a.png", &bytes), curve, 1 << 26).expect("a picture");
@@ -134,7 +134,7 @@ fn normals_have_length_one_and_point_up_in_green() {
     let turned = read_normal_map(&path, GreenSign::MinusY, DEFAULT_MAX_BYTES).expect("a normal map");
     assert!(turned.normals[1][1] < -0.9999);
 
-    // Floats with negatives are directions already, without they are packed as bytes are.
+    // Floats with negative values are directions. Without them they are packed like bytes.
     let path = folder.path().join("normal.exr");
     let write = |r: f32, g: f32, b: f32| {
         write_exr(&path, 1, 1, &[("R", &[r]), ("G", &[g]), ("B", &[b])]).expect("the folder is writable");
@@ -142,9 +142,9 @@ fn normals_have_length_one_and_point_up_in_green() {
     };
     assert_eq!(write(-0.6, 0.0, 0.8), [-0.6, 0.0, 0.8]);
     assert_eq!(write(0.5, 0.5, 1.0), [0.0, 0.0, 1.0]);
-    // A level normal has no negatives, and is one as it stands.
+    // A level normal has no negative values, and is a direction already.
     assert_eq!(write(0.0, 0.0, 1.0), [0.0, 0.0, 1.0]);
-    // Channels that are named for a vector hold it.
+    // Channels with the names of a vector's components hold a vector.
     write_exr(&path, 1, 1, &[("x", &[0.6]), ("y", &[0.0]), ("z", &[0.8])]).expect("the folder is writable");
     let named = read_normal_vectors(&path, DEFAULT_MAX_BYTES).expect("a normal map");
     assert_eq!((named.vectors[0], named.most), ([0.6, 0.0, 0.8], None));
@@ -154,7 +154,7 @@ fn normals_have_length_one_and_point_up_in_green() {
 }
 
 #[test]
-fn zero_is_the_mean_of_what_was_rounded_to_the_middle() {
+fn the_code_of_zero_is_found_from_level_normals() {
     let folder = Folder::new();
     let read = |reds: &[u8]| -> Vec<f32> {
         let samples: Vec<u8> = reds.iter().flat_map(|&red| [red, 77, 255]).collect();
@@ -163,21 +163,21 @@ fn zero_is_the_mean_of_what_was_rounded_to_the_middle() {
         assert_eq!(vectors.most, Some(255));
         vectors.with_zero_centred().vectors.iter().map(|vector| vector[0] * 255.0).collect()
     };
-    // Nothing but level normals, whichever of both codes they were given: level.
+    // A map of level normals only is level, with either code of zero.
     assert_eq!(read(&[128; 4]), [0.0; 4]);
     assert_eq!(read(&[127; 4]), [0.0; 4]);
-    // As many as the neighbours have: as they are. The others are never moved.
+    // If the neighbouring codes are as frequent, values stay. Other codes never change.
     let as_they_are = read(&[126, 127, 128, 129, 0, 255]);
     for (found, expected) in as_they_are.iter().zip([-3.0, -1.0, 1.0, 3.0, -255.0, 255.0]) {
         assert!((found - expected).abs() < 1e-4, "{as_they_are:?}");
     }
-    // Four level ones beside one that is not, as its neighbours tell.
+    // Four level normals beside one that is not.
     let mixed = read(&[127, 128, 128, 128, 128, 128, 129]);
     assert!((mixed[1] - 0.2).abs() < 1e-4, "{mixed:?}");
 }
 
-/// The normals of a landscape with slopes up to 1 or so: `x` against the slope along `u`, `y` with the one
-/// along `v`.
+/// Normals of a landscape with slopes up to about 1. `x` is against the slope along `u`; `y` is with the
+/// slope along `v`.
 fn normals(width: u32, height: u32) -> NormalMap {
     let h = landscape(width, height);
     let slope = |a: f64, b: f64| (a - b) * f64::from(width) * 0.1;
@@ -194,7 +194,7 @@ fn normals(width: u32, height: u32) -> NormalMap {
 }
 
 #[test]
-fn all_four_conventions_are_told_apart() {
+fn all_four_conventions_are_distinguished() {
     let surface = landscape(64, 48);
     for (width, height) in [(64, 48), (32, 24)] {
         for convention in [Convention::Height, Convention::Depth] {

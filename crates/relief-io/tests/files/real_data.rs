@@ -1,5 +1,5 @@
-//! Real height, depth and normal maps: every file of one terrain gives the same heights, and pairs their
-//! conventions.
+//! Real height, depth and normal maps. All files of one terrain give the same heights, and the conventions
+//! of pairs of maps are found.
 
 use std::path::Path;
 
@@ -13,8 +13,7 @@ use relief_io::{
 const WIDTH: usize = 403;
 const HEIGHT: usize = 344;
 
-/// The terrain's elevations in metres, straight from the bytes of the headerless file: 236 to 1076 over 16
-/// bit.
+/// Elevations of the terrain in metres, from the bytes of the headerless file: 236 to 1076 in 16 bits.
 fn elevations(data: &Path) -> Vec<f64> {
     let bytes = std::fs::read(data.join("derived/jacksboro_403x344_le.r16")).expect("it is in the folder");
     assert_eq!(bytes.len(), 2 * WIDTH * HEIGHT);
@@ -22,7 +21,7 @@ fn elevations(data: &Path) -> Vec<f64> {
     samples.iter().map(|&b| (236.0 + f64::from(u16::from_le_bytes(b)) / 65535.0 * 840.0).round()).collect()
 }
 
-/// The greatest error in metres where texel 0 and 1 stand for `range`, of the texels that are not skipped.
+/// Greatest error in metres of the texels that are not skipped. Heights 0 and 1 mean the ends of `range`.
 fn worst(map: &HeightMap, range: [f64; 2], expected: &[f64], skip: impl Fn(usize) -> bool) -> f64 {
     assert_eq!((map.width() as usize, map.height() as usize), (WIDTH, HEIGHT));
     let metres = |texel: &f32| range[0] + f64::from(*texel) * (range[1] - range[0]);
@@ -35,7 +34,7 @@ fn every_file_of_the_terrain_gives_the_same_heights() {
     let Some(data) = real_data() else { return };
     let expected = elevations(&data);
     let raw = HeightOptions { raw: "403x344,le".parse().ok(), ..HeightOptions::default() };
-    // Half a level, rounded, of 16 bit; a whole one of 8 bit, which were cut off.
+    // Half a level of 16 bits, which were rounded; a whole level of 8 bits, which were truncated.
     let (wide_m, narrow_m) = (0.5 * 840.0 / 65535.0, 840.0 / 255.0);
     for (file, options, most_m) in [
         ("jacksboro_403x344_le.r16", raw, wide_m),
@@ -99,7 +98,7 @@ fn every_variant_of_the_geotiff_gives_the_same_heights() {
         }
         let map = read(&path, &filled);
         let range = map.physical_range().expect("a read map has a range");
-        // Filled texels are those whose value differs; no more than there are holes.
+        // Only filled texels differ, so there are at most as many as holes.
         let metres = |at: usize| range[0] + f64::from(map.texels()[at]) * (range[1] - range[0]);
         let off: Vec<usize> =
             (0..expected.len()).filter(|&at| (metres(at) - expected[at]).abs() > 0.01).collect();
@@ -108,7 +107,7 @@ fn every_variant_of_the_geotiff_gives_the_same_heights() {
         assert!(error < 0.01, "{file}: {error} m");
         assert_eq!((range, map.wrap()), ([236.0, 1076.0], Wrap::Clamp), "{file}");
         assert_eq!(map.filled_texels(), holes, "{file}");
-        // 3 seconds of arc at 36 degrees north.
+        // A texel is 3 seconds of arc at 36 degrees north.
         let [u, v] = map.texel_size_m().expect("it is georeferenced");
         assert!((u - 74.6).abs() < 0.3 && (v - 92.5).abs() < 0.3, "{file}: {u} x {v} m");
     }
@@ -165,7 +164,7 @@ fn a_real_elevation_model_of_unsigned_integers_uses_its_own_range() {
     assert_eq!((map.width(), map.height(), map.wrap()), (574, 245, Wrap::Clamp));
     assert_eq!((map.filled_texels(), map.texel_size_m()), (52119, Some([3.0, 3.0])));
     let bytes = std::fs::read(&path).expect("it has just been read");
-    // Its strips follow each other.
+    // Its strips are contiguous.
     let (samples, _) = bytes[426..][..2 * 574 * 245].as_chunks::<2>();
     let heights: Vec<u16> = samples.iter().map(|&sample| u16::from_le_bytes(sample)).collect();
     let least = heights.iter().copied().filter(|&height| height != 0).min().map(f64::from);
@@ -176,7 +175,7 @@ fn a_real_elevation_model_of_unsigned_integers_uses_its_own_range() {
 }
 
 #[test]
-fn maps_made_to_tile_are_told_from_cut_outs() {
+fn tiling_maps_are_distinguished_from_cut_outs() {
     let Some(data) = real_data() else { return };
     for (file, name, tiles) in [
         ("rock023_alb_ht.png", "a", [true, true]),
@@ -213,7 +212,7 @@ fn real_pairs_show_their_conventions() {
 }
 
 #[test]
-fn sound_maps_are_read_without_a_word() {
+fn sound_maps_are_read_without_notes() {
     let Some(data) = real_data() else { return };
     let mut looked = 0;
     let folders = [data.clone(), data.join("derived"), data.join("dem_matrix")];
@@ -229,7 +228,7 @@ fn sound_maps_are_read_without_a_word() {
                 continue;
             }
             let rows: Vec<&str> = info.notes.iter().map(|note| note.remark.row.name).collect();
-            // The least and greatest values of floats are taken, which is no fault of theirs.
+            // Floats use their least and greatest values, which is no defect.
             let faults: Vec<&str> = rows.into_iter().filter(|row| *row != "fitted-range").collect();
             let expected: &[&str] = if name == "canyon_height.jpg" { &["narrow-range"] } else { &[] };
             assert_eq!(faults, expected, "{name}");

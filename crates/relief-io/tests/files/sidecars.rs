@@ -1,4 +1,4 @@
-//! Files beside a map: world files, `.prj` and `.aux.xml`, for TIFF, PNG and JPEG.
+//! Sidecar files of a map: world files, `.prj` and `.aux.xml`, for TIFF, PNG and JPEG.
 
 use std::path::{Path, PathBuf};
 
@@ -31,7 +31,7 @@ fn pam(more: &str) -> String {
     )
 }
 
-/// Hills from 100 to 200, the first texel the lowest and the last one the highest.
+/// Hills from 100 to 200. The first texel is the lowest, the last one the highest.
 fn heights() -> Vec<f64> {
     let last = f64::from(SIZE[0] * SIZE[1] - 1);
     (0..SIZE[0] * SIZE[1]).map(|at| 100.0 + (100.0 * f64::from(at) / last).round()).collect()
@@ -94,7 +94,7 @@ fn world_files_place_maps_of_every_format() {
         assert_eq!(georeference.unit_origin, UnitOrigin::Beside(prj.to_owned()));
         assert_eq!(georeference.transform.map(|grid| grid.origin), Some([5e5, 5e6]), "{world}");
     }
-    // Bytes in memory have no neighbours.
+    // Bytes in memory have no sidecar files.
     let bytes = std::fs::read(folder.path().join("a.tif")).expect("it is there");
     let map = read_height(Source::bytes("a.tif", &bytes), &default()).expect("it is read");
     assert_eq!(map.texel_size_m(), None);
@@ -138,7 +138,7 @@ fn systems_are_read_as_text() {
         let is_depth = text.contains("DOWN") || text.contains("-1.0");
         assert_eq!(read(&path).texel(0, 0), f32::from(u8::from(is_depth)), "{text}");
     }
-    // Web Mercator is known by name, degrees by their kind.
+    // Web Mercator is recognised by its name, degrees by the kind of system.
     let web = "PROJCS[\"WGS_1984_Web_Mercator_Auxiliary_Sphere\",PROJECTION[\"Mercator_Auxiliary_Sphere\"],UNIT[\"Meter\",1.0]]";
     let degrees = "GEOGCS[\"WGS 84\",UNIT[\"degree\",0.0174532925199433]]";
     for (text, world, system) in [
@@ -150,7 +150,7 @@ fn systems_are_read_as_text() {
         let georeference = look(&path).georeference.expect("it is placed");
         assert!(georeference.system == system && georeference.texel_size_m.is_ok(), "{georeference:?}");
     }
-    // Without a system lengths share a unit, and what may be degrees is not known.
+    // Without a system all lengths share a unit, unless the ground may be in degrees.
     folder.file("dem.prj", b"");
     std::fs::remove_file(folder.path().join("dem.prj")).expect("it was there");
     assert_eq!(read(&path).stated_lengths(), None);
@@ -160,7 +160,7 @@ fn systems_are_read_as_text() {
 }
 
 #[test]
-fn aux_xml_comes_before_what_the_file_says() {
+fn aux_xml_wins_over_the_file() {
     let folder = Folder::new();
     let path = tiff(&folder, "aux.tif", vec![]);
     let band = |text: &str| format!("<PAMRasterBand band=\"1\">{text}</PAMRasterBand>");
@@ -188,7 +188,7 @@ fn aux_xml_comes_before_what_the_file_says() {
     assert_lengths(&read(&tagged), [120.0 * FOOT, 72.0 * FOOT], 100.0 * FOOT, "tags and a world file");
     folder.file("tagged.tif.aux.xml", pam("").as_bytes());
     assert_lengths(&read(&tagged), [400.0, 240.0], 100.0, "aux.xml");
-    // What has no place makes no ground of a picture.
+    // A picture without georeference stays a picture.
     let grey = png(2, 2, ::png::ColorType::Grayscale, ::png::BitDepth::Eight, &[10, 20, 30, 40]);
     let grey = folder.file("grey.png", &grey);
     let statistics = "<PAMDataset><SRS>EPSG:32633</SRS><PAMRasterBand band=\"1\"><Metadata><MDI key=\"STATISTICS_MEAN\">\
@@ -198,7 +198,7 @@ fn aux_xml_comes_before_what_the_file_says() {
 }
 
 #[test]
-fn maps_that_a_sidecar_says_lie_the_other_way_are_turned_over() {
+fn maps_are_flipped_as_a_sidecar_says() {
     let folder = Folder::new();
     let bytes: Vec<u8> = heights().iter().map(|height| *height as u8).collect();
     let grey = png(SIZE[0], SIZE[1], ::png::ColorType::Grayscale, ::png::BitDepth::Eight, &bytes);
@@ -217,7 +217,7 @@ fn maps_that_a_sidecar_says_lie_the_other_way_are_turned_over() {
 }
 
 #[test]
-fn sidecars_that_cannot_be_are_refused_by_name() {
+fn impossible_sidecars_are_refused_with_their_names() {
     let folder = Folder::new();
     let path = tiff(&folder, "dem.tif", vec![]);
     let deep = "A[".repeat(100_000);
@@ -272,11 +272,11 @@ fn sidecars_that_cannot_be_are_refused_by_name() {
             assert!(matches!(error.problem, ReadProblem::Georeference { .. }), "{shown}: {error}");
             assert!(error.to_string().contains(name), "{shown}: {error}");
         }
-        // A picture is a picture, whatever lies beside it.
+        // Pictures ignore sidecar files.
         assert!(relief_io::read_picture(&path, relief_io::DEFAULT_MAX_BYTES).is_ok(), "{shown}");
         std::fs::remove_file(sidecar).expect("it was there");
     }
-    // A text that is no well-known text names nothing.
+    // A text that is not well-known text names no system.
     folder.file("dem.tfw", WORLD.as_bytes());
     folder.file("dem.prj", b"Projection UTM\nUnits FEET\n");
     let reason = look(&path).georeference.and_then(|found| found.texel_size_m.err());

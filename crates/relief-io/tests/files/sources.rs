@@ -1,4 +1,4 @@
-//! The bytes of a file give what the file gives, errors included.
+//! Bytes in memory are read like a file, errors included.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ use relief_io::{
 /// Flips of bits a valid file.
 const FLIPS: u64 = 8;
 
-/// What one reader gives, as text: values that are NaN are then equal, too.
+/// Result of a reader as text, so that NaN values compare equal.
 fn answer<T: std::fmt::Debug>(read: Result<T, ReadError>) -> String {
     match read {
         Ok(read) => format!("{read:?}"),
@@ -25,7 +25,7 @@ fn answer<T: std::fmt::Debug>(read: Result<T, ReadError>) -> String {
     }
 }
 
-/// What each reader gives.
+/// Results of all readers.
 fn answers(source: Source<'_>, options: &HeightOptions) -> [String; 7] {
     [
         answer(read_height(source, options)),
@@ -53,7 +53,7 @@ fn assert_same(name: &str, path: &Path, bytes: &[u8], options: &HeightOptions) {
     }
 }
 
-/// Compares a file whole, and what is left of it cut off at many places.
+/// Compares a file and its beginnings, cut off at many lengths.
 fn assert_same_cut_off(folder: &Folder, name: &str, path: &Path) {
     let bytes = std::fs::read(path).expect("it was written");
     assert_same(name, path, &bytes, &HeightOptions::default());
@@ -66,7 +66,7 @@ fn assert_same_cut_off(folder: &Folder, name: &str, path: &Path) {
 }
 
 #[test]
-fn files_whole_and_broken_give_the_same_as_their_bytes() {
+fn files_read_like_their_bytes_whole_and_broken() {
     let folder = Folder::new();
     let same = |file: &BrokenFile| {
         let path = folder.file(&format!("file.{}", file.extension), &file.bytes);
@@ -79,7 +79,7 @@ fn files_whole_and_broken_give_the_same_as_their_bytes() {
 }
 
 #[test]
-fn textures_and_their_notes_give_the_same_as_their_bytes() {
+fn textures_with_notes_read_like_their_bytes() {
     let folder = Folder::new();
     let mut fill = |row: Row, texels: &mut [f32]| {
         texels.iter_mut().enumerate().for_each(|(column, texel)| {
@@ -134,7 +134,7 @@ fn textures_and_their_notes_give_the_same_as_their_bytes() {
 /// Files of GDAL say at their beginning how blocks are wrapped, which is read besides headers and blocks.
 /// Here the first block says so, and no block is wrapped.
 #[test]
-fn a_tiff_that_says_how_its_blocks_are_wrapped_gives_the_same_as_its_bytes() {
+fn compressed_tiffs_read_alike_from_files_and_bytes() {
     let folder = Folder::new();
     let (width, height) = (64, 48);
     for wrapping in ["BLOCK_LEADER=SIZE_AS_UINT4\n", "BLOCK_TRAILER=LAST_4_BYTES_REPEATED\n"] {

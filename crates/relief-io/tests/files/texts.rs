@@ -1,4 +1,5 @@
-//! Texts as different programs write them: byte order marks, encodings, line ends, comments, orders of parts.
+//! Text files as different programs write them: byte order marks, encodings, line ends, comments,
+//! orders of parts.
 
 use crate::common::mesh_file::{Ply, data_uri, glb, gltf, gltf_buffer, obj, ply, stl_binary, stl_text};
 use glam::Vec3;
@@ -38,7 +39,7 @@ fn mesh() -> Mesh {
     torus(8, 5).expect("a built-in mesh")
 }
 
-/// The same mesh in every format that is text.
+/// One mesh in every text format.
 fn texts() -> Vec<(&'static str, Vec<u8>)> {
     let mesh = mesh();
     vec![
@@ -50,7 +51,7 @@ fn texts() -> Vec<(&'static str, Vec<u8>)> {
 }
 
 #[test]
-fn a_byte_order_mark_changes_nothing() {
+fn byte_order_marks_are_skipped() {
     for (name, text) in texts() {
         assert_eq!(raw(name, &marked(&text)), raw(name, &text), "{name}");
     }
@@ -95,7 +96,7 @@ fn binary_files_are_no_texts() {
 }
 
 #[test]
-fn lines_end_as_on_any_system() {
+fn line_ends_of_all_systems_are_read() {
     for (name, text) in texts() {
         for end in ["\r\n", "\r"] {
             assert_eq!(raw(name, &with_ends(&text, end)), raw(name, &text), "{name} with {end:?}");

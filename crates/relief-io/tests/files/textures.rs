@@ -57,7 +57,7 @@ fn each_format_keeps_metadata_and_the_same_bytes() {
         for (key, value) in metadata.iter() {
             assert_eq!(found.get(key), Some(value), "{name}");
         }
-        // Cut off or damaged, metadata are an error or whatever is left, never a panic.
+        // Truncated or damaged metadata are an error or are read in part, without a panic.
         let mut random = Random::new(1);
         for _ in 0..800 {
             let mut broken = bytes.clone();
@@ -89,7 +89,7 @@ fn texels_come_back() {
             }
         }
     }
-    // Channels are stored by their names, whatever the order in which they are given.
+    // Channels are stored by name, in whatever order they are given.
     write_exr_rows(&path, 300, 40, &["slope", "height", "a"], &metadata(), &mut fill)
         .expect("it is writable");
     for (at, name) in ["slope", "height", "a"].into_iter().enumerate() {
@@ -103,7 +103,7 @@ fn texels_come_back() {
 }
 
 #[test]
-fn what_cannot_be_stored_is_refused_and_nothing_is_left() {
+fn unstorable_textures_are_refused_and_leave_no_file() {
     let folder = Folder::new();
     let path = folder.path().join("map");
     let texture = PngTexture { width: 3, height: 3, channels: 1, bits: 16 };
@@ -132,7 +132,7 @@ fn what_cannot_be_stored_is_refused_and_nothing_is_left() {
 }
 
 #[test]
-fn a_noted_size_is_that_of_the_map_that_is_read() {
+fn a_size_in_metadata_is_read() {
     let folder = Folder::new();
     let note = HeightNote { tile_m: [3.0, 0.5], scale_m: 0.25, bias_m: -0.1, of_mesh: false };
     let metadata = note.metadata(Vec::new()).expect("plain text");
@@ -158,7 +158,7 @@ fn a_noted_size_is_that_of_the_map_that_is_read() {
         let about = inspect(path, &HeightOptions::default()).expect("it is a map");
         assert_eq!((about.note, about.texel_size_m), (Some(note), Some([0.6, 0.25])));
     }
-    // Other kinds say other things by the same names.
+    // In other kinds of files the same names mean something else.
     let kind = |value: &str| Metadata::new(vec![("relief.kind".to_owned(), value.to_owned())]);
     write_png_rows(&other, &texture, &kind("cone").expect("plain text"), &mut ramp).expect("writable");
     let map = read_height(&other, &HeightOptions::default()).expect("it is a map");

@@ -1,5 +1,5 @@
-//! Units of elevation models: those of coordinate systems by their numbers, heights of tie points, depths,
-//! units that are not known or not named, and those that a user gives.
+//! Units of elevation models: units of coordinate systems by EPSG code, heights of tie points,
+//! depths, unknown and missing units, and units that a user gives.
 
 use std::path::{Path, PathBuf};
 
@@ -18,7 +18,7 @@ const HEIGHT: u32 = 24;
 const FOOT: f64 = 0.3048;
 const SURVEY_FOOT: f64 = 1200.0 / 3937.0;
 
-/// A ramp that rises by 10 from a texel to the next one.
+/// Ramp that rises by 10 per texel.
 fn ramp() -> Vec<f64> {
     (0..WIDTH * HEIGHT).map(|at| 500.0 + 10.0 * f64::from(at % WIDTH)).collect()
 }
@@ -29,7 +29,7 @@ fn keys(keys: &[[u16; 2]]) -> (u16, Value) {
     (34735, Value::Short(directory))
 }
 
-/// Texels of 10 units at (2,000,000, 300,000), or in degrees at (7, 46), with these heights of tie points.
+/// Tags for texels of 10 units at (2,000,000, 300,000), or in degrees at (7, 46), with a tie point's height.
 fn placed([scale_z, tie_z]: [f64; 2], numbers: &[[u16; 2]]) -> Vec<(u16, Value)> {
     let is_geographic = numbers.contains(&[1024, 2]);
     let (side, [x, y]) = if is_geographic { (0.001, [7.0, 46.0]) } else { (10.0, [2e6, 3e5]) };
@@ -70,7 +70,7 @@ fn near(found: f64, expected: f64) -> bool {
 }
 
 #[test]
-fn feet_are_known_by_the_numbers_of_systems() {
+fn feet_are_known_by_epsg_codes() {
     let folder = Folder::new();
     // The ground's number, more keys, and metres of a unit along the ground and upward.
     for (number, more, ground, upward) in [
@@ -88,7 +88,7 @@ fn feet_are_known_by_the_numbers_of_systems() {
         (24382, &[[4096, 5703]], 0.914_398_530_744_440_8, 1.0),
         (2314, &[[4096, 5703], [4099, 9002]], 0.304_797_265_4, FOOT),
         (32617, &[[4096, 4979]], 1.0, 1.0),
-        // A system of heights that names no unit: they share that of the ground.
+        // A vertical system without a unit shares the ground's unit.
         (2263, &[[4096, 5103]], SURVEY_FOOT, SURVEY_FOOT),
         (2263, &[], SURVEY_FOOT, SURVEY_FOOT),
         (2222, &[], FOOT, FOOT),
@@ -107,7 +107,7 @@ fn feet_are_known_by_the_numbers_of_systems() {
 }
 
 #[test]
-fn degrees_and_grads_are_known_by_the_numbers_of_systems() {
+fn degrees_and_grads_are_known_by_epsg_codes() {
     let folder = Folder::new();
     let width = |numbers: &[[u16; 2]]| {
         let map = read(&write(&folder, [0.0; 2], numbers), &default());
@@ -128,7 +128,7 @@ fn degrees_and_grads_are_known_by_the_numbers_of_systems() {
 }
 
 #[test]
-fn numbers_of_nothing_have_no_known_unit() {
+fn unknown_epsg_codes_have_no_known_unit() {
     let folder = Folder::new();
     for number in [1, 31_000, 32_770, 4326, 5703, 40_000] {
         let path = write(&folder, [0.0; 2], &[[1024, 1], [3072, number], [4096, 5703]]);
@@ -137,7 +137,7 @@ fn numbers_of_nothing_have_no_known_unit() {
         let (georeference, _) = parts(look(&path, &default()));
         let reason = georeference.texel_size_m.expect_err("it is not known");
         assert!(reason.contains(&format!("EPSG:{number}")), "{reason}");
-        // The unit of heights, given, serves the ground that has none.
+        // A given unit of heights is also the ground's if that has none.
         let lengths = read(&path, &given("ft")).stated_lengths_m().expect("it is given");
         assert!(near(lengths.0[0], 400.0 * FOOT) && near(lengths.1, 390.0 * FOOT), "{lengths:?}");
     }
@@ -153,14 +153,14 @@ fn numbers_of_nothing_have_no_known_unit() {
 }
 
 #[test]
-fn where_nobody_names_a_unit_proportions_are_known() {
+fn proportions_are_known_without_a_unit() {
     let folder = Folder::new();
     let path = write(&folder, [0.0; 2], &[[1024, 1], [3072, 32767]]);
     let map = read(&path, &default());
     assert_eq!((map.texel_size_m(), map.stated_tile_m(), map.stated_lengths_m()), (None, None, None));
     assert_eq!(map.stated_lengths(), Some(([400.0, 240.0], 390.0)));
     assert_eq!(map.proportions(), [1.0, 0.6]);
-    // Heights that name one give it to the ground.
+    // The unit of heights is also the ground's.
     let path = write(&folder, [0.0; 2], &[[1024, 1], [3072, 32767], [4099, 9002]]);
     let (tile, span) = read(&path, &default()).stated_lengths_m().expect("it is known");
     assert!(near(tile[0], 400.0 * FOOT) && near(span, 390.0 * FOOT), "{tile:?} {span}");
@@ -168,7 +168,7 @@ fn where_nobody_names_a_unit_proportions_are_known() {
 }
 
 #[test]
-fn units_that_are_given_come_first() {
+fn given_units_win_over_the_file() {
     let folder = Folder::new();
     let feet = [[1024, 1], [3072, 2263], [4096, 6360]];
     let metres = [[1024, 1], [3072, 32617]];
@@ -197,7 +197,7 @@ fn units_that_are_given_come_first() {
 }
 
 #[test]
-fn tie_points_have_heights_where_there_is_a_vertical_system() {
+fn tie_points_have_heights_if_there_is_a_vertical_system() {
     let folder = Folder::new();
     let with = [[1024, 1], [3072, 32633], [4096, 5773]];
     let without = [[1024, 1], [3072, 32633]];
@@ -220,7 +220,7 @@ fn tie_points_have_heights_where_there_is_a_vertical_system() {
     let tied = |tags: Vec<(u16, Value)>| read(&file(&folder, tags, &ramp()), &default()).physical_range();
     let range = tied(tags.clone()).expect("it is known");
     assert!(near(range[0], 50.0) && near(range[1], 89.0), "{range:?}");
-    // A matrix says the same; and what GDAL notes of the band comes first.
+    // A matrix gives the same, and GDAL's entry for the band wins over both.
     let rows = [[10.0, 0.0, 0.0, 5e5], [0.0, -10.0, 0.0, 4e6], [0.0, 0.0, 0.1, 50.0], [0.0, 0.0, 0.0, 1.0]];
     let matrix = vec![(34264, Value::Double(rows.concat())), keys(&with)];
     let range = tied(matrix.clone()).expect("it is known");
@@ -236,7 +236,7 @@ fn tie_points_have_heights_where_there_is_a_vertical_system() {
 }
 
 #[test]
-fn what_counts_downward_is_depth() {
+fn values_that_count_downward_are_depths() {
     let folder = Folder::new();
     for (vertical, more, metres) in [
         (5715, &[] as &[[u16; 2]], 1.0),

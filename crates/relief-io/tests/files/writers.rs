@@ -1,4 +1,4 @@
-//! What is written is read back, whole or not at all.
+//! Written files are read back unchanged; failed writes leave nothing.
 
 use std::io::Write;
 use std::path::Path;
@@ -64,7 +64,7 @@ fn exr_round_trips_bit_by_bit_and_is_the_same_every_time() {
 }
 
 #[test]
-fn what_does_not_fit_is_refused_and_nothing_is_left() {
+fn textures_that_do_not_fit_are_refused_and_leave_no_file() {
     let folder = Folder::new();
     let path = folder.path().join("map");
     let problem = |result: Result<(), relief_io::WriteError>| result.expect_err("it does not fit").problem;
@@ -89,7 +89,7 @@ fn what_does_not_fit_is_refused_and_nothing_is_left() {
 }
 
 #[test]
-fn a_failed_write_keeps_the_old_file_and_leaves_nothing() {
+fn failed_writes_keep_the_old_file_and_leave_no_other() {
     let folder = Folder::new();
     let path = folder.file("kept.txt", b"old");
     let failed = write_atomically(&path, |out| {
@@ -134,7 +134,7 @@ fn child() {
 
 #[cfg(unix)]
 #[test]
-fn no_room_on_the_disk_is_an_error_and_leaves_nothing() {
+fn a_full_disk_is_an_error_and_leaves_no_file() {
     let folder = Folder::new();
     let path = folder.file("map.png", b"old");
     let program = std::env::current_exe().expect("the test knows its program");

@@ -20,7 +20,7 @@ pub struct ColorPlace {
 impl Default for ColorPlace {
     /// By the surface's texture coordinates, with the height map's wrap.
     fn default() -> Self {
-        Self { rows: MeshMaterial::SAME, wrap: None }
+        Self { rows: MeshMaterial::IDENTITY, wrap: None }
     }
 }
 

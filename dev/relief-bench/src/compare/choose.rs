@@ -46,7 +46,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         for goal in goals.into_iter().chain(ERRORS.map(Goal::WithinTexels)) {
             let looked = |records: &Records| -> Result<Records, String> {
                 let mut records = records.clone();
-                let again = comparison.look_again(&mut records, goal, &Watch::none());
+                let again = comparison.time_again(&mut records, goal, &Watch::none());
                 again.map_err(|error| error.to_string()).map(|_| records)
             };
             rows.add_row(row(name, goal, [&looked(&first)?, &looked(&second)?])?);
@@ -66,7 +66,7 @@ fn row(name: &str, goal: Goal, [first, second]: [&Records; 2]) -> Result<[String
         Goal::WithinTexels(texels) => format!("{texels} texels"),
     };
     let tried = choose(first, goal);
-    let Some(chosen) = tried.candidates.first().filter(|_| tried.keep > 0) else {
+    let Some(chosen) = tried.candidates.first().filter(|_| tried.meeting > 0) else {
         // The machine was slower in the second look than in the first one, after which the budget was set.
         let rest = [asked, "none keeps it".to_owned()].into_iter();
         let row: Vec<String> = std::iter::once(name.to_owned()).chain(rest).collect();
@@ -87,7 +87,7 @@ fn row(name: &str, goal: Goal, [first, second]: [&Records; 2]) -> Result<[String
         Goal::WithinTexels(_) => goal,
     };
     let spared = choose(second, spare);
-    let best_spared = spared.candidates.first().filter(|_| spared.keep > 0);
+    let best_spared = spared.candidates.first().filter(|_| spared.meeting > 0);
     let said = |of: &Candidate| format!("{:.2}, {:.4}", of.frame_ms, of.p99_texels);
     let yes = |is_so: bool| if is_so { "yes" } else { "no" }.to_owned();
     Ok([

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use relief_io::file_set::{FileSet, FileSetError, FoundManifest, ListedFile, Manifest, Part};
+use relief_io::file_set::{FileSet, FileSetError, ListedFile, Manifest, ManifestState, Part};
 use relief_io::write_atomically;
 
 use super::identity::is_baked;
@@ -33,9 +33,9 @@ impl<'a> EarlierBakes<'a> {
         let path = folder.join(&name);
         let found = Manifest::find(&path);
         let found = found.map_err(|error| Failure::Work(format!("{}: {error}", path.display())))?;
-        let is_strange = found == FoundManifest::Stranger;
+        let is_strange = found == ManifestState::OtherFile;
         let manifest =
-            if let FoundManifest::Whole(manifest) = found { manifest } else { Manifest::default() };
+            if let ManifestState::Valid(manifest) = found { manifest } else { Manifest::default() };
         Ok(Self { folder, name, manifest, is_strange })
     }
 
@@ -100,7 +100,7 @@ impl<'a> Outputs<'a> {
 
     /// Returns the folder for files without a name.
     pub fn hidden_folder(&self) -> &Path {
-        self.set.room()
+        self.set.staging_folder()
     }
 
     /// Checks that a file of that name can be written, and is not another program's.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
-use relief_compare::{Candidate, Records, Tried};
+use relief_compare::{Candidate, Ranking, Records};
 
 use crate::commands::method_set::as_json;
 use crate::failure::Failure;
@@ -14,7 +14,7 @@ use crate::failure::Failure;
 pub fn tell(
     is_json: bool,
     records: &Records,
-    chosen: Option<(&Tried, String)>,
+    chosen: Option<(&Ranking, String)>,
     files: &[PathBuf],
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
@@ -32,7 +32,7 @@ pub fn tell(
 }
 
 /// Writes what was tried, what keeps the goal first, and how to render with the best method.
-fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure> {
+fn choice(tried: &Ranking, scene: &str, out: &mut dyn Write) -> Result<(), Failure> {
     let mut table = Table::new();
     table.load_style(ASCII_MARKDOWN).set_header([
         "",
@@ -45,7 +45,7 @@ fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure
     for (place, candidate) in tried.candidates.iter().enumerate() {
         let Candidate { method, backend, sampling, p99_texels, frame_ms, frame_high_ms, .. } = candidate;
         table.add_row([
-            if place < tried.keep { "keeps it" } else { "" }.to_owned(),
+            if place < tried.meeting { "keeps it" } else { "" }.to_owned(),
             method.label(),
             format!("{backend} {sampling}"),
             format!("{frame_ms:.2}"),
@@ -55,7 +55,7 @@ fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure
     }
     writeln!(out, "{table}")?;
     if let Some(Candidate { method, backend, sampling, .. }) =
-        tried.candidates.first().filter(|_| tried.keep > 0)
+        tried.candidates.first().filter(|_| tried.meeting > 0)
     {
         let steps = method.steps_key.as_ref().zip(method.steps);
         let steps = steps.map_or(String::new(), |(key, steps)| format!(" --set {key}={steps}"));

@@ -10,8 +10,8 @@ use glam::Vec3;
 use relief_core::mesh::PositionGrid;
 use relief_core::{HeightMap, Watch};
 use relief_io::{
-    GlbLayout, GlbLevel, GlbMaterials, GlbNode, MeshCounts, MeshFormat, MeshSink, Quantization, Standing,
-    write_glb, write_mesh_standing,
+    FileFrame, GlbLayout, GlbLevel, GlbMaterials, GlbNode, MeshCounts, MeshFormat, MeshSink, Quantization,
+    write_glb, write_mesh_in_frame,
 };
 use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed, View};
 use relief_scene::Surface;
@@ -120,13 +120,13 @@ pub fn write(
 #[derive(Clone, Copy)]
 struct MeshStorage {
     quantization: Option<Quantization>,
-    standing: Standing,
+    frame: FileFrame,
 }
 
 impl MeshStorage {
     /// Returns the storage in a GLB.
     fn of(quantization: Option<Quantization>) -> Self {
-        Self { quantization, standing: Standing::usual(MeshFormat::Gltf) }
+        Self { quantization, frame: FileFrame::usual(MeshFormat::Gltf) }
     }
 }
 
@@ -221,8 +221,8 @@ impl MeshWriter<'_> {
         staged: &mut Staged,
         [expected, size]: [f64; 2],
     ) -> Result<Vec<WrittenPart>, Failure> {
-        let usual = Standing::usual(self.format);
-        let mut standing = Standing { up: self.arguments.up.unwrap_or(usual.up), ..usual };
+        let usual = FileFrame::usual(self.format);
+        let mut frame = FileFrame { up: self.arguments.up.unwrap_or(usual.up), ..usual };
         let is_print = self.arguments.print_size.is_some() || self.arguments.solid.is_some();
         let mut counted = None;
         if self.format == MeshFormat::Stl && is_print {
@@ -233,9 +233,9 @@ impl MeshWriter<'_> {
                 base_m = base_m.min(self.bounds(&meshers, size)?.positions_m[0].y.into());
                 counted = (files.len() == 1).then_some(meshers);
             }
-            standing.base_m = base_m;
+            frame.base_m = base_m;
         }
-        let how = MeshStorage { quantization: None, standing };
+        let how = MeshStorage { quantization: None, frame };
         if let (Some(meshers), [file]) = (counted, files) {
             return Ok(vec![self.written(file, &meshers, how, staged, size)?]);
         }
@@ -250,7 +250,7 @@ impl MeshWriter<'_> {
         &self,
         file: &PartFile,
         meshers: &[Mesher],
-        MeshStorage { quantization, standing }: MeshStorage,
+        MeshStorage { quantization, frame }: MeshStorage,
         staged: &mut Staged,
         size: f64,
     ) -> Result<WrittenPart, Failure> {
@@ -267,7 +267,7 @@ impl MeshWriter<'_> {
         };
         is_storable.map_err(|problem| Failure::Work(format!("{name}: {problem} ({COARSER})")))?;
         let aside = staged.aside(&file.path)?;
-        let (streamed, indices) = self.stream(meshers, (&name, &aside), (&layout, &standing), size)?;
+        let (streamed, indices) = self.stream(meshers, (&name, &aside), (&layout, &frame), size)?;
         let bytes = std::fs::metadata(&aside).map_err(Failure::work)?.len();
         let of_levels = meshers.iter().zip(&layout.levels).zip(streamed).enumerate();
         let mut levels = of_levels.map(|(at, ((mesher, level), streamed))| {
@@ -289,7 +289,7 @@ impl MeshWriter<'_> {
     /// Returns the materials, with the triangles of each level that have them.
     fn materials(&self, meshers: &[Mesher]) -> Result<Option<GlbMaterials>, Failure> {
         let Some(mut materials) = self.source.materials.clone() else { return Ok(None) };
-        if !materials.are_several() {
+        if !materials.has_several() {
             return Ok(Some(materials));
         }
         let name = self.arguments.output.display().to_string();
@@ -332,7 +332,7 @@ impl MeshWriter<'_> {
         &self,
         meshers: &[Mesher],
         (name, aside): (&str, &Path),
-        (layout, standing): (&GlbLayout, &Standing),
+        (layout, frame): (&GlbLayout, &FileFrame),
         size: f64,
     ) -> Result<(Vec<Streamed>, Vec<u64>), Failure> {
         let bar = Progress::bar("meshing", self.arguments.json);
@@ -366,9 +366,7 @@ impl MeshWriter<'_> {
         };
         let written = match self.format {
             MeshFormat::Gltf => write_glb(aside, layout, blocks),
-            format => {
-                write_mesh_standing(aside, format, standing, layout.counts(), blocks).map(|()| Vec::new())
-            }
+            format => write_mesh_in_frame(aside, format, frame, layout.counts(), blocks).map(|()| Vec::new()),
         };
         if self.cancel.load(Ordering::Relaxed) {
             return Err(cancelled());

@@ -1,4 +1,4 @@
-//! Manifests that come back, and files that are none.
+//! Manifests that survive a round trip, and files that are not manifests.
 
 use super::*;
 
@@ -11,7 +11,7 @@ fn part(name: &str, files: &[&str]) -> Part {
     }
 }
 
-fn found(text: &[u8]) -> FoundManifest {
+fn found(text: &[u8]) -> ManifestState {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("m");
     fs::write(&path, text).expect("writable");
@@ -19,13 +19,13 @@ fn found(text: &[u8]) -> FoundManifest {
 }
 
 #[test]
-fn a_manifest_comes_back_as_it_was() {
+fn manifests_are_read_back_unchanged() {
     let mut manifest = Manifest::default();
-    assert_eq!(found(manifest.to_text().as_bytes()), FoundManifest::Whole(manifest.clone()));
+    assert_eq!(found(manifest.to_text().as_bytes()), ManifestState::Valid(manifest.clone()));
     manifest.set(part("b", &["plain", "with space", " outer ", "line\nbreak %0a", "ä\u{85}\r"]));
     manifest.set(part("a", &[]));
     manifest.set(part("b b\n", &["other"]));
-    assert_eq!(found(manifest.to_text().as_bytes()), FoundManifest::Whole(manifest.clone()));
+    assert_eq!(found(manifest.to_text().as_bytes()), ManifestState::Valid(manifest.clone()));
     assert!(manifest.lists("line\nbreak %0a") && !manifest.lists("line"));
     manifest.set(part("b", &["new"]));
     let names: Vec<&str> = manifest.parts().iter().map(|part| part.name.as_str()).collect();
@@ -34,32 +34,32 @@ fn a_manifest_comes_back_as_it_was() {
 }
 
 #[test]
-fn what_is_cut_or_changed_is_no_manifest() {
+fn truncated_or_changed_manifests_are_refused() {
     let mut manifest = Manifest::default();
     manifest.set(part("cone", &["a", "b"]));
     let text = manifest.to_text();
     for length in 0..text.len() {
-        let expected = if length < 17 { FoundManifest::Stranger } else { FoundManifest::Damaged };
+        let expected = if length < 17 { ManifestState::OtherFile } else { ManifestState::Damaged };
         assert_eq!(found(&text.as_bytes()[..length]), expected, "{length}");
     }
     for at in 0..text.len() {
         let mut bytes = text.clone().into_bytes();
         bytes[at] ^= 1;
-        assert!(!matches!(found(&bytes), FoundManifest::Whole(_)), "{at}");
+        assert!(!matches!(found(&bytes), ManifestState::Valid(_)), "{at}");
     }
-    assert_eq!(found(b"relief manifest 1\nend \xff\n"), FoundManifest::Damaged);
+    assert_eq!(found(b"relief manifest 1\nend \xff\n"), ManifestState::Damaged);
     for path in ["../a", "/a", "..", ".", "", "a/"] {
         let mut manifest = Manifest::default();
         manifest.set(part("cone", &[path]));
-        assert_eq!(found(manifest.to_text().as_bytes()), FoundManifest::Damaged, "{path}");
+        assert_eq!(found(manifest.to_text().as_bytes()), ManifestState::Damaged, "{path}");
     }
     let folder = tempfile::tempdir().expect("a temporary folder");
-    assert_eq!(Manifest::find(folder.path()).expect("a folder"), FoundManifest::Stranger);
-    assert_eq!(Manifest::find(&folder.path().join("m")).expect("nothing"), FoundManifest::Nothing);
+    assert_eq!(Manifest::find(folder.path()).expect("a folder"), ManifestState::OtherFile);
+    assert_eq!(Manifest::find(&folder.path().join("m")).expect("nothing"), ManifestState::Missing);
 }
 
 #[test]
-fn a_part_is_whole_when_its_files_are_as_listed() {
+fn parts_are_valid_if_their_files_match_the_list() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let folder = folder.path();
     let mut part = part("cone", &[]);

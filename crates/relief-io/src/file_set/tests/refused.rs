@@ -1,4 +1,4 @@
-//! What is no place for a file, and folders that somebody else has prepared.
+//! Paths that cannot be written, and folders that somebody else has prepared.
 
 use super::*;
 
@@ -10,7 +10,7 @@ fn root() -> tempfile::TempDir {
 }
 
 #[test]
-fn places_that_cannot_be_written_are_said_before_the_work() {
+fn unwritable_targets_are_errors_before_the_work() {
     let root = root();
     let at = |name: &str| root.path().join(name);
     let mut set = open(&Disk::default(), root.path()).expect("writable");
@@ -78,18 +78,18 @@ fn names_of_any_bytes_are_written() {
     assert_eq!(fs::read(&place).expect("it was written"), b"text");
 }
 
-/// The room of the tests' set, with a file to lock.
-fn room_in(folder: &Path) -> PathBuf {
+/// Creates the staging folder of the tests' set, with a file to lock.
+fn staging_in(folder: &Path) -> PathBuf {
     let set = open(&Disk::default(), folder).expect("writable");
-    let room = set.room.path.clone();
+    let staging = set.staging.path.clone();
     drop(set);
-    fs::create_dir(&room).expect("writable");
-    fs::write(room.join("lock"), "").expect("writable");
-    room
+    fs::create_dir(&staging).expect("writable");
+    fs::write(staging.join("lock"), "").expect("writable");
+    staging
 }
 
 #[test]
-fn a_journal_that_makes_no_sense_is_said() {
+fn damaged_journals_are_reported() {
     for text in [
         "",
         "relief journal 1",
@@ -102,13 +102,13 @@ fn a_journal_that_makes_no_sense_is_said() {
     ] {
         for name in ["journal", "undo"] {
             let root = root();
-            let room = room_in(root.path());
-            fs::write(room.join(name), text).expect("writable");
+            let staging = staging_in(root.path());
+            fs::write(staging.join(name), text).expect("writable");
             let error = open(&Disk::default(), root.path()).expect_err("it is no journal");
             assert!(matches!(&error, FileSetError::Stuck { .. }), "{text:?}: {error}");
             // The set of another name leaves it alone.
             drop(FileSet::open(root.path(), "another", &mut |_| false).expect("it is another one's"));
-            assert!(room.join(name).exists());
+            assert!(staging.join(name).exists());
         }
     }
 }
@@ -119,10 +119,10 @@ fn a_journal_from_elsewhere_changes_no_other_folder() {
     let out = root.path().join("out");
     fs::create_dir(&out).expect("writable");
     for action in ["replace", "add", "remove"] {
-        let room = room_in(&out);
-        fs::write(room.join("new.0"), "evil").expect("writable");
+        let staging = staging_in(&out);
+        fs::write(staging.join("new.0"), "evil").expect("writable");
         let text = format!("relief journal 1\0{action}\0{}\0a\0end\0", root.path().display());
-        fs::write(room.join("journal"), text).expect("writable");
+        fs::write(staging.join("journal"), text).expect("writable");
         drop(open(&Disk::default(), &out).expect("there is nothing to do"));
         assert_eq!(fs::read(root.path().join("a")).expect("it is there"), b"a", "{action}");
         assert_eq!(fs::read_dir(&out).expect("a folder").count(), 0, "{action}");

@@ -1,8 +1,8 @@
-//! After a stop before any operation there is the old state or the new one, and nothing else.
+//! A stop before any operation leaves the old state or the new one.
 
 use super::*;
 
-/// A folder with two files and, where the system has them, a link to a third in another folder.
+/// Folder with files and, if the system supports them, a link to a file in another folder.
 fn old() -> tempfile::TempDir {
     let root = tempfile::tempdir().expect("a temporary folder");
     for (name, text) in
@@ -30,7 +30,7 @@ fn change(disk: &Disk, root: &Path) -> Result<(), FileSetError> {
     set.commit()
 }
 
-/// The states before and after, undisturbed.
+/// States before and after an undisturbed change.
 fn both() -> [State; 2] {
     let root = old();
     let before = state(root.path());
@@ -80,7 +80,7 @@ fn a_killed_process_leaves_the_old_files_or_the_new_ones() {
 }
 
 #[test]
-fn a_next_run_that_is_killed_as_well_leaves_no_less() {
+fn a_second_killed_run_loses_no_files() {
     let [before, after] = both();
     for stop in 0.. {
         let mut is_stopped = false;
@@ -133,7 +133,7 @@ fn an_operation_that_fails_is_undone() {
 }
 
 #[test]
-fn a_killed_process_that_was_undoing_is_undone() {
+fn killed_rollbacks_are_completed() {
     let [before, after] = both();
     let mut undoing = 0;
     for stop in 0.. {
@@ -154,7 +154,7 @@ fn a_killed_process_that_was_undoing_is_undone() {
         assert!(result.is_err(), "stop {stop}");
         let _ = fs::remove_dir_all(folder.join("d"));
         let mut left = next_run(root.path());
-        // A process that died before it found out is finished: the folder is no longer in the way.
+        // A process that died before it found the folder in the way is finished by the next run.
         let is_after = left.remove("out/d").is_some();
         assert!(if is_after { left == after } else { left == before }, "stop {stop}: {left:?}");
         undoing += usize::from(!is_after);
@@ -166,7 +166,7 @@ fn a_killed_process_that_was_undoing_is_undone() {
 }
 
 #[test]
-fn what_another_set_has_left_is_cleared_away() {
+fn leftovers_of_other_sets_are_removed() {
     let [before, _] = both();
     let root = old();
     let _ = change(&disk(14, true, true), root.path());
@@ -176,7 +176,7 @@ fn what_another_set_has_left_is_cleared_away() {
 }
 
 #[test]
-fn dropped_sets_leave_nothing_and_no_folder_that_was_missing() {
+fn dropped_sets_leave_no_files_or_new_folders() {
     let root = old();
     let before = state(root.path());
     let folder = root.path().join("new/folder");
@@ -206,7 +206,7 @@ fn one_process_at_a_time_works_on_a_set() {
         drop(set);
         waiting.join().expect("it ends").expect("it is free");
     });
-    // Who waits for a set whose folder goes makes it again.
+    // A process that waits for a set whose folder is removed creates it again.
     let made = root.path().join("made/folder");
     let set = open(&Disk::default(), &made).expect("the folder can be made");
     std::thread::scope(|scope| {

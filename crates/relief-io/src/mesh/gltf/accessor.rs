@@ -1,4 +1,4 @@
-//! Numbers in buffers.
+//! Reader of accessors: numbers in buffers.
 
 use ::gltf::Accessor;
 use ::gltf::accessor::sparse::IndexType;
@@ -11,7 +11,7 @@ use crate::ReadProblem;
 use crate::input::zeros;
 use crate::mesh::builder::Builder;
 
-/// Elements in a buffer: where each begins, and that none reaches beyond.
+/// Elements in a buffer, all within its bounds.
 struct Elements<'a> {
     bytes: &'a [u8],
     stride: usize,
@@ -19,7 +19,7 @@ struct Elements<'a> {
 }
 
 impl<'a> Elements<'a> {
-    /// So many elements of that size, so many bytes from the beginning of a view.
+    /// Locates `count` elements of `size` bytes, `offset` bytes from the beginning of a view.
     fn new(
         view: &buffer::View<'_>,
         [offset, count, size]: [usize; 3],
@@ -35,13 +35,14 @@ impl<'a> Elements<'a> {
         Ok(Self { bytes, stride, size })
     }
 
-    /// An element that there is.
+    /// Returns the bytes of an element, which must exist.
     fn at(&self, element: usize) -> &'a [u8] {
         &self.bytes[element * self.stride..][..self.size]
     }
 }
 
-/// Vectors of `N` numbers; integers as they are, or as fractions of their type's maximum.
+/// Reads vectors of `N` numbers. Integers are read as they are or, if normalised, as fractions of
+/// their type's maximum.
 pub(super) fn floats<const N: usize>(
     accessor: &Accessor<'_>,
     buffers: &mut Buffers<'_>,
@@ -56,10 +57,10 @@ where
         4 => Dimensions::Vec4,
         _ => Dimensions::Mat4,
     };
-    // Columns of matrices of short numbers are padded, and no file has them so.
+    // Columns of matrices of short numbers are padded; no known file has them.
     let is_padded = wanted == Dimensions::Mat4 && accessor.data_type() != DataType::F32;
     if accessor.dimensions() != wanted || accessor.data_type() == DataType::U32 || is_padded {
-        let what = format!("accessor {} has the wrong type for what it is used for", accessor.index());
+        let what = format!("accessor {} has the wrong type for its use", accessor.index());
         return Err(damaged(what));
     }
     let (kind, normalized) = (accessor.data_type(), accessor.normalized());
@@ -81,7 +82,7 @@ where
             *vector = element(stored.at(at));
         }
     }
-    // Where nothing is stored all is 0, but for what a sparse accessor replaces.
+    // If nothing is stored, all is 0, except for the elements that a sparse accessor replaces.
     if list.is_empty() {
         list = zeros::<[f32; N]>(count)?;
     }
@@ -108,7 +109,7 @@ where
     Ok(list)
 }
 
-/// Indices of vertices, of which there are so many.
+/// Reads indices of vertices, each below `vertices`.
 pub(super) fn indices(
     accessor: &Accessor<'_>,
     vertices: usize,
@@ -142,12 +143,12 @@ const fn bytes_of(kind: DataType) -> usize {
     }
 }
 
-/// An unsigned number of up to four bytes, the lowest first.
+/// Decodes an unsigned number of up to four bytes, the lowest first.
 fn whole(bytes: &[u8]) -> u32 {
     bytes.iter().rev().fold(0, |number, &byte| number << 8 | u32::from(byte))
 }
 
-/// A number; of integers, where they are normalised, from -1 or 0 to 1.
+/// Decodes a number. A normalised integer goes from -1 or 0 to 1.
 fn float(kind: DataType, normalized: bool, bytes: &[u8]) -> f32 {
     let bits = whole(bytes);
     let (number, most) = match kind {

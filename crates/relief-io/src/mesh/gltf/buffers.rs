@@ -1,4 +1,4 @@
-//! The buffers of a glTF: inside of it, or files in its folder.
+//! Buffers of a glTF: in the file itself, or in files of its folder.
 
 use std::borrow::Cow;
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ use crate::mesh::builder::Builder;
 use crate::mesh::folder::{inside, stays};
 use crate::{ReadProblem, Source};
 
-/// The buffers, each read when it is first needed.
+/// Buffers, each read when it is first needed.
 pub(super) struct Buffers<'a> {
     source: Source<'a>,
     binary: Option<&'a [u8]>,
@@ -24,7 +24,7 @@ impl<'a> Buffers<'a> {
         Self { source, binary, read: vec![None; count] }
     }
 
-    /// The bytes of a view.
+    /// Returns the bytes of a view.
     pub fn view(&mut self, view: &buffer::View<'_>, builder: &mut Builder) -> Result<&[u8], ReadProblem> {
         let buffer = view.buffer();
         let place = buffer.index();
@@ -45,7 +45,8 @@ impl<'a> Buffers<'a> {
             buffer::Source::Uri(uri) => self.named(&format!("buffer {number}"), uri, builder)?,
         };
         if bytes.len() < length {
-            let what = format!("buffer {number} has {} bytes, of {length} that are promised", bytes.len());
+            let what =
+                format!("buffer {number} has {} bytes, but its description says {length}", bytes.len());
             return Err(damaged(what));
         }
         Ok(match bytes {
@@ -57,7 +58,7 @@ impl<'a> Buffers<'a> {
         })
     }
 
-    /// The bytes that a URI holds or names, for what goes by that name.
+    /// Reads the bytes that a URI contains or refers to. Errors call them `name`.
     pub fn named(&self, name: &str, uri: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
         match uri.strip_prefix("data:") {
             Some(data) => decoded(name, data, builder),
@@ -65,12 +66,12 @@ impl<'a> Buffers<'a> {
         }
     }
 
-    /// A file in the folder of the glTF, or below.
+    /// Reads a file in the folder of the glTF, or below.
     fn beside(&self, uri: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
         let outside = || ReadProblem::OutsideFolder { file: uri.chars().take(200).collect() };
         let path = relative(uri).ok_or_else(outside)?;
         let Some(folder) = self.source.folder() else {
-            let what = "another file, and bytes in memory have none beside them".to_owned();
+            let what = "another file, which bytes in memory cannot refer to".to_owned();
             return Err(ReadProblem::Unsupported { what, advice: "give its path, or a GLB" });
         };
         let file = inside(folder, &path, uri)?;
@@ -80,7 +81,7 @@ impl<'a> Buffers<'a> {
     }
 }
 
-/// The bytes inside of the JSON.
+/// Decodes bytes inside the JSON.
 fn decoded<'a>(name: &str, data: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
     let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
     let encoded = encoded.ok_or_else(|| damaged(format!("{name} holds no base64")))?;
@@ -89,13 +90,13 @@ fn decoded<'a>(name: &str, data: &str, builder: &mut Builder) -> Result<Cow<'a, 
     bytes.map(Cow::Owned).map_err(|error| damaged(format!("the base64 of {name}: {error}")))
 }
 
-/// A path that stays in its folder, of a URI that is one.
+/// Converts a URI to a path, if it is one that stays in its folder.
 pub(in crate::mesh) fn relative(uri: &str) -> Option<PathBuf> {
     let path = PathBuf::from(percent_decoded(uri)?);
     (!uri.contains([':', '\\']) && stays(&path)).then_some(path)
 }
 
-/// A URI with the bytes that are written as `%20`, if they make a text.
+/// Decodes bytes that are written as `%20`, if the result is valid text.
 fn percent_decoded(uri: &str) -> Option<String> {
     let mut bytes = Vec::with_capacity(uri.len());
     let mut rest = uri.as_bytes();

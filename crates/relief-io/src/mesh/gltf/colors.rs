@@ -1,4 +1,4 @@
-//! The materials of a glTF's triangles.
+//! Reader of materials and colours of a glTF's triangles.
 
 use std::sync::Arc;
 
@@ -13,40 +13,42 @@ use super::{accessor, damaged};
 use crate::mesh::builder::Builder;
 use crate::{MeshColors, MeshMaterial, Picture, ReadProblem, Remark, omissions};
 
-/// The cut-off of materials that are blended, which nothing here does.
+/// Cut-off of blended materials, since blending is not supported.
 const BLENDED: f32 = 0.5;
 
-/// Memory that a triangle's colours take at most: its material, and coordinates and colours of its corners.
+/// Greatest memory of a triangle's colours: its material, and coordinates and colours of its
+/// corners.
 const BYTES_PER_TRIANGLE: u64 = 2 * (4 + 24 + 48);
 
-/// The most notes on materials of one kind.
+/// Greatest number of notes on materials of one kind.
 const MOST_NAMED: usize = 3;
 
-/// Collects what the triangles of a file look like.
+/// Collects the materials and colours of a file's triangles.
 pub struct Colors {
-    /// Numbers of the file's materials, none for triangles without, in the order in which they come.
+    /// Numbers of the file's materials in the order of their use; none for triangles without a
+    /// material.
     materials: Vec<Option<usize>>,
-    /// The place of each of the file's materials in the list; last, the place of no material.
+    /// Index in `materials` of each of the file's materials; last, the index of no material.
     places: Vec<Option<u32>>,
     of_triangles: Vec<u32>,
     uvs: Vec<[[f32; 2]; 3]>,
     tints: Vec<[[f32; 4]; 3]>,
-    /// Whether the file's coordinates are kept beside the mesh's in any case.
+    /// Whether the file's coordinates are stored even if the mesh's are the same.
     keeps_uvs: bool,
-    /// Materials whose picture lies by coordinates that a primitive has not.
+    /// Whether a material's picture uses coordinates that a primitive lacks.
     without_uvs: bool,
 }
 
-/// What a primitive's triangles look like.
+/// Material and colours of a primitive's triangles.
 pub struct OfPrimitive {
     material: u32,
-    /// Coordinates of the picture; none where they are the mesh's own.
+    /// Texture coordinates of the picture; none if they are the mesh's own.
     uvs: Option<Vec<[f32; 2]>>,
     tints: Option<Vec<[f32; 4]>>,
 }
 
 impl OfPrimitive {
-    /// The memory of its lists, in bytes.
+    /// Memory of the lists in bytes.
     pub fn bytes(&self) -> u64 {
         let of_uvs = self.uvs.as_ref().map_or(0, |list| size_of_val(&list[..]));
         let of_tints = self.tints.as_ref().map_or(0, |list| size_of_val(&list[..]));
@@ -54,7 +56,7 @@ impl OfPrimitive {
     }
 }
 
-/// Which texture coordinates a material's picture lies by.
+/// Number of the texture coordinates that a material's picture uses.
 fn set_of(material: &Material<'_>) -> Option<u32> {
     let texture = material.pbr_metallic_roughness().base_color_texture()?;
     let of_transform = texture.texture_transform().and_then(|transform| transform.tex_coord());
@@ -62,7 +64,8 @@ fn set_of(material: &Material<'_>) -> Option<u32> {
 }
 
 impl Colors {
-    /// Of nothing yet. `keeps_uvs` where the mesh's own texture coordinates will be others.
+    /// Creates an empty collection. `keeps_uvs` is set if the mesh's own texture coordinates will
+    /// be replaced.
     pub fn new(document: &Document, keeps_uvs: bool) -> Self {
         Self {
             materials: Vec::new(),
@@ -75,7 +78,7 @@ impl Colors {
         }
     }
 
-    /// What a primitive with `count` vertices looks like.
+    /// Reads the material and colours of a primitive with `count` vertices.
     pub fn of_primitive(
         &mut self,
         primitive: &Primitive<'_>,
@@ -86,7 +89,7 @@ impl Colors {
         let material = primitive.material();
         let slot = material.index().unwrap_or(self.places.len() - 1);
         let place = self.places.get(slot).copied();
-        let place = place.ok_or_else(|| damaged(format!("material {slot} is not there")))?;
+        let place = place.ok_or_else(|| damaged(format!("material {slot} does not exist")))?;
         let place = place.unwrap_or_else(|| {
             let place = self.materials.len() as u32;
             self.materials.push(material.index());
@@ -101,7 +104,7 @@ impl Colors {
                     Some(accessor::floats::<2>(&accessor, buffers, builder)?)
                 }
                 Some(_) => {
-                    return Err(damaged(format!("TEXCOORD_{set} has another length than the positions")));
+                    return Err(damaged(format!("TEXCOORD_{set} and the positions differ in length")));
                 }
                 None => {
                     self.without_uvs = true;
@@ -112,7 +115,7 @@ impl Colors {
         let tints = match primitive.get(&Semantic::Colors(0)) {
             None => None,
             Some(accessor) if accessor.count() != count => {
-                return Err(damaged("COLOR_0 has another length than the positions"));
+                return Err(damaged("COLOR_0 and the positions differ in length"));
             }
             Some(accessor) => {
                 let is_opaque = accessor.dimensions() == ::gltf::accessor::Dimensions::Vec3;
@@ -129,12 +132,12 @@ impl Colors {
             }
         };
         if tints.iter().flatten().flatten().any(|part| !part.is_finite()) {
-            return Err(damaged("a colour of a vertex is no number"));
+            return Err(damaged("a colour of a vertex is not a finite number"));
         }
         Ok(OfPrimitive { material: place, uvs, tints })
     }
 
-    /// Adds a triangle with those corners of its primitive.
+    /// Adds a triangle with the given corners of its primitive.
     pub fn triangle(
         &mut self,
         of: &OfPrimitive,
@@ -143,7 +146,7 @@ impl Colors {
     ) -> Result<(), ReadProblem> {
         builder.take(BYTES_PER_TRIANGLE)?;
         let before = self.of_triangles.len();
-        // What is no number stands for the mesh's own, which are filled in when these are known.
+        // NaN stands for the mesh's own coordinates, which are filled in later.
         if of.uvs.is_some() || !self.uvs.is_empty() {
             self.uvs.resize(before, [[f32::NAN; 2]; 3]);
             self.uvs.push(match &of.uvs {
@@ -162,7 +165,8 @@ impl Colors {
         Ok(())
     }
 
-    /// The colours of all triangles, with their pictures; none where no material and no vertex has any.
+    /// Returns the colours of all triangles, with their pictures; none if no material and no vertex
+    /// has any.
     pub fn finish(
         mut self,
         document: &Document,
@@ -184,7 +188,7 @@ impl Colors {
             });
         }
         if self.without_uvs {
-            let what = "a picture lies by texture coordinates that are not there: others are taken";
+            let what = "a picture needs texture coordinates that the mesh lacks: other ones are used";
             notes.push(Remark::new(&omissions::ABSENT_COORDINATES, what));
         }
         let Reading { left_out, blended, has_others, .. } = reading;
@@ -218,12 +222,12 @@ impl Colors {
 /// Pictures and materials while they are read.
 struct Reading<'a> {
     document: &'a Document,
-    /// Images that were read, by their numbers.
+    /// Images that were read, with their numbers.
     images: Vec<(usize, Arc<Picture>)>,
-    /// Why pictures were left out, each reason once.
+    /// Reasons why pictures were left out, each once.
     left_out: Vec<String>,
     blended: u64,
-    /// Whether a material has other pictures than its colours.
+    /// Whether a material has pictures other than its colours.
     has_others: bool,
 }
 
@@ -242,7 +246,7 @@ impl Reading<'_> {
             AlphaMode::Mask => {
                 let cutoff = material.alpha_cutoff().unwrap_or(0.5);
                 if !(cutoff >= 0.0 && cutoff.is_finite()) {
-                    return Err(damaged(format!("an alphaCutoff is {cutoff}")));
+                    return Err(damaged(format!("an alphaCutoff is {cutoff}, not a number from 0")));
                 }
                 Some(cutoff)
             }
@@ -270,12 +274,12 @@ impl Reading<'_> {
                 });
                 let transform = match info.texture_transform() {
                     Some(given) => transform(given.offset(), given.rotation(), given.scale())?,
-                    None => MeshMaterial::SAME,
+                    None => MeshMaterial::IDENTITY,
                 };
                 return Ok(MeshMaterial { picture: Some(picture), wrap, transform, ..plain });
             }
             Image::LeftOut(format) => {
-                format!("{format} is not read (`gltf-transform ktxdecompress` makes PNG of Basis)")
+                format!("{format} is not read (`gltf-transform ktxdecompress` converts Basis to PNG)")
             }
             Image::None => "its texture names no image".to_owned(),
         };
@@ -285,7 +289,7 @@ impl Reading<'_> {
         Ok(plain)
     }
 
-    /// An image, read once.
+    /// Returns an image, which is read only once.
     fn picture(
         &mut self,
         number: usize,
@@ -301,8 +305,8 @@ impl Reading<'_> {
     }
 }
 
-/// The rows of a transform: scaled, then turned counter-clockwise as `v` runs down, then moved
-/// (KHR_texture_transform).
+/// Builds the rows of a texture transform: scaled, then turned counter-clockwise as `v` runs down,
+/// then moved (KHR_texture_transform).
 fn transform([x, y]: [f32; 2], turn: f32, scale: [f32; 2]) -> Result<[[f32; 3]; 2], ReadProblem> {
     let (sin, cos) = f64::from(turn).sin_cos();
     let [along_u, along_v] = scale.map(f64::from);

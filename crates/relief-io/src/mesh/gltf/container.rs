@@ -1,4 +1,4 @@
-//! GLB: the JSON and a buffer in one file.
+//! Container of GLB: the JSON and a buffer in one file.
 
 use super::damaged;
 use crate::ReadProblem;
@@ -7,7 +7,7 @@ use crate::text::without_mark;
 const HEADER: usize = 12;
 const CHUNK_HEADER: usize = 8;
 
-/// The JSON of a file, and the buffer inside of a GLB.
+/// Returns the JSON of a file, and the buffer inside a GLB.
 pub(super) fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), ReadProblem> {
     if !bytes.starts_with(b"glTF") {
         return Ok((without_mark(bytes)?, None));
@@ -20,21 +20,21 @@ pub(super) fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), ReadProblem>
     let len = word(bytes, 8)? as usize;
     let file = bytes
         .get(..len)
-        .ok_or_else(|| damaged(format!("its header promises {len} bytes, the file has {}", bytes.len())))?;
+        .ok_or_else(|| damaged(format!("its header says {len} bytes, but the file has {}", bytes.len())))?;
     let (json, next) = chunk(file, HEADER, b"JSON")?.ok_or_else(|| damaged("it has no JSON"))?;
     let binary = chunk(file, next, b"BIN\0")?.map(|(binary, _)| binary);
     Ok((json, binary))
 }
 
-/// How long the JSON is of a GLB that begins so, if it follows at once.
+/// Returns the length of the JSON of a GLB from its first bytes, if the JSON follows directly.
 pub(in crate::mesh) fn json_len(beginning: &[u8]) -> Option<u64> {
     let is_glb = beginning.starts_with(b"glTF") && word(beginning, 4).ok()? == 2;
     let is_json = beginning.get(HEADER + 4..HEADER + CHUNK_HEADER)? == b"JSON";
     (is_glb && is_json).then_some(u64::from(word(beginning, HEADER).ok()?))
 }
 
-/// The chunk at a place and where the next one starts; none at the end of the file, or where the chunk is of
-/// another kind.
+/// Returns the chunk at an offset and the offset of the next one; none at the end of the file, or
+/// if the chunk is of another kind.
 fn chunk<'a>(file: &'a [u8], at: usize, kind: &[u8; 4]) -> Result<Option<(&'a [u8], usize)>, ReadProblem> {
     if at >= file.len() {
         return Ok(None);
@@ -49,7 +49,7 @@ fn chunk<'a>(file: &'a [u8], at: usize, kind: &[u8; 4]) -> Result<Option<(&'a [u
     Ok((file[at + 4..start] == *kind).then_some((content, next)))
 }
 
-/// The 32-bit number at a place.
+/// Returns the 32-bit number at an offset.
 fn word(bytes: &[u8], at: usize) -> Result<u32, ReadProblem> {
     let word = bytes.get(at..).and_then(|rest| rest.first_chunk());
     word.map(|word| u32::from_le_bytes(*word)).ok_or_else(|| damaged("it ends too early"))

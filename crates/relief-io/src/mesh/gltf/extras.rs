@@ -1,4 +1,4 @@
-//! What a program's own keys in the materials say.
+//! Reader of program-specific keys (`extras`) of materials.
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -11,10 +11,10 @@ use super::{container, damaged, document, nodes, take_json};
 use crate::mesh::builder::Builder;
 use crate::{ReadProblem, Source};
 
-/// Bytes of a GLB before the text of its JSON, with the length of that and what it is.
+/// Bytes of a GLB before the text of its JSON, including the JSON's length and type.
 pub(in crate::mesh) const BEFORE_JSON: usize = 20;
 
-/// The JSON under a name in the extras of the triangles' materials, as a text.
+/// Returns the JSON under `name` in the extras of the triangles' materials, as text.
 pub(in crate::mesh) fn read(
     source: Source<'_>,
     name: &str,
@@ -24,7 +24,7 @@ pub(in crate::mesh) fn read(
     take_json(&text, builder)?;
     let document = document(&text)?;
     let mut of_materials = BTreeMap::new();
-    for (node, _) in nodes::placed(&document)? {
+    for (node, _) in nodes::in_scene(&document)? {
         for primitive in node.mesh().into_iter().flat_map(|mesh| mesh.primitives()) {
             let is_of_triangles =
                 matches!(primitive.mode(), Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan);
@@ -37,20 +37,20 @@ pub(in crate::mesh) fn read(
     let mut values = of_materials.into_values();
     let Some(first) = values.next() else { return Ok(None) };
     if values.any(|value| value != first) {
-        let what = format!("a mesh of several materials with other extras.{name} each");
-        return Err(ReadProblem::Unsupported { what, advice: "export a file of each" });
+        let what = format!("a mesh of several materials with different extras.{name}");
+        return Err(ReadProblem::Unsupported { what, advice: "export a file for each material" });
     }
     first.map(|value| serialize::to_string(&value).map_err(damaged)).transpose()
 }
 
-/// What a material's extras hold under a name.
+/// Returns the value under `name` in a material's extras.
 fn value(material: &Material<'_>, name: &str) -> Result<Option<Value>, ReadProblem> {
     let Some(extras) = material.extras() else { return Ok(None) };
     let mut extras: Value = deserialize::from_str(extras.get()).map_err(damaged)?;
     Ok(extras.get_mut(name).map(Value::take))
 }
 
-/// The text of the JSON: of a GLB that is as it should be, nothing else of it.
+/// Reads the text of the JSON. Of a valid GLB nothing else is read.
 fn text_of(source: Source<'_>, builder: &mut Builder) -> Result<Vec<u8>, ReadProblem> {
     let (mut reader, len) = source.open()?;
     let mut head = Vec::new();

@@ -1,4 +1,4 @@
-//! The pictures of a glTF.
+//! Pictures of a glTF.
 
 use ::gltf::{Document, Texture};
 
@@ -9,7 +9,8 @@ use crate::omissions::ORIENTATION_IN_GLTF;
 use crate::picture::read_gltf_picture;
 use crate::{Picture, ReadProblem, Remark, Source};
 
-/// Extensions by which a texture names a picture in a format of its own, and whether that is read.
+/// Extensions by which a texture refers to a picture in another format, and whether that is
+/// supported.
 const SOURCES: [(&str, bool); 4] = [
     ("EXT_texture_webp", true),
     ("KHR_texture_basisu", false),
@@ -17,18 +18,19 @@ const SOURCES: [(&str, bool); 4] = [
     ("MSFT_texture_dds", false),
 ];
 
-/// Where the picture of a texture is.
+/// Source of a texture's picture.
 pub enum Image {
-    /// The number of an image that is read.
+    /// Number of an image in a supported format.
     Read(usize),
-    /// It is in a format that is not read, which the extension names.
+    /// The image is in an unsupported format, which the extension names.
     LeftOut(&'static str),
-    /// There is none, which glTF allows.
+    /// There is no image, which glTF allows.
     None,
 }
 
 impl Image {
-    /// The image of a texture: an extension's, where its format is read, else the plain one.
+    /// Finds the image of a texture: an extension's if its format is supported, otherwise the plain
+    /// one.
     pub fn of(texture: &Texture<'_>) -> Image {
         let by_extension = |name: &str| texture.extension_value(name)?.get("source")?.as_u64();
         let known = SOURCES.iter().filter(|(_, is_read)| *is_read);
@@ -43,7 +45,7 @@ impl Image {
     }
 }
 
-/// Reads the image of that number.
+/// Reads the image with the given number.
 pub fn read(
     document: &Document,
     number: usize,
@@ -51,7 +53,7 @@ pub fn read(
     builder: &mut Builder,
 ) -> Result<Picture, ReadProblem> {
     let image = document.as_json().images.get(number);
-    let image = image.ok_or_else(|| damaged(format!("image {number} is not there")))?;
+    let image = image.ok_or_else(|| damaged(format!("image {number} does not exist")))?;
     let name = format!("image {number}");
     let view = image.buffer_view.and_then(|view| document.views().nth(view.value()));
     let bytes = match (view, &image.uri) {

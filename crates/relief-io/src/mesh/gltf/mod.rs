@@ -1,7 +1,7 @@
-//! glTF 2.0: JSON with buffers beside it or inside, and GLB.
+//! Reader of glTF 2.0: JSON with buffers beside it or inside, and GLB.
 //!
-//! The crate `gltf` reads and checks the JSON. Buffers, accessors and nodes are resolved here, since a file
-//! may claim any size, name any path and tie its nodes to any knot.
+//! The crate `gltf` parses and checks the JSON. Buffers, accessors and nodes are resolved here,
+//! since a file may claim any size, name any path and link its nodes in any way.
 
 mod accessor;
 pub(super) mod buffers;
@@ -25,10 +25,10 @@ use crate::{MeshColors, MeshOptions, ReadProblem, Remark, Source, omissions};
 
 const FORMAT: &str = "glTF";
 
-/// Memory that an object, a list and what a comma parts take at most when the JSON is read.
+/// Greatest memory for an object, a list and an item after a comma while the JSON is read.
 const BYTES_OF_JSON: [(u8, u64); 3] = [(b'{', 1024), (b'[', 320), (b',', 96)];
 
-/// Beginnings of the names of extensions that say nothing of where triangles are, or that are read.
+/// Prefixes of extensions that do not affect positions of triangles, or that are supported.
 const HARMLESS: [&str; 8] = [
     "KHR_materials_",
     "KHR_texture_",
@@ -58,7 +58,7 @@ pub(super) fn read(
     let mut poses = Poses::new();
     let mut colors = options.colors.then(|| Colors::new(&document, options.projection.is_some()));
     let (mut triangles, mut others) = (0, false);
-    for (node, transform) in nodes::placed(&document)? {
+    for (node, transform) in nodes::in_scene(&document)? {
         for primitive in node.mesh().into_iter().flat_map(|mesh| mesh.primitives()) {
             match primitive.mode() {
                 Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan => {
@@ -72,7 +72,7 @@ pub(super) fn read(
     }
     if triangles == 0 {
         let but =
-            if others { "it has no triangles, only points and lines" } else { "its scene shows no mesh" };
+            if others { "it has no triangles, only points and lines" } else { "its scene contains no mesh" };
         return Err(damaged(but));
     }
     builder.give_back(for_json);
@@ -87,7 +87,7 @@ pub(super) fn read(
     }
 }
 
-/// Takes the memory that reading the JSON takes, and says how much.
+/// Counts the memory for reading the JSON, and returns it.
 fn take_json(text: &[u8], builder: &mut Builder) -> Result<u64, ReadProblem> {
     let count = |wanted: u8| text.iter().filter(|&&byte| byte == wanted).count() as u64;
     let parts = BYTES_OF_JSON.map(|(byte, bytes)| bytes * count(byte));
@@ -96,7 +96,7 @@ fn take_json(text: &[u8], builder: &mut Builder) -> Result<u64, ReadProblem> {
     Ok(for_json)
 }
 
-/// The checked JSON.
+/// Parses and checks the JSON.
 fn document(text: &[u8]) -> Result<Document, ReadProblem> {
     let mut root: json::Root = json::deserialize::from_slice(text).map_err(damaged)?;
     let is_harmless = |name: &&String| HARMLESS.iter().any(|beginning| name.starts_with(beginning));
@@ -106,11 +106,11 @@ fn document(text: &[u8]) -> Result<Document, ReadProblem> {
         return Err(ReadProblem::Unsupported { what: format!("the extension {name}"), advice });
     }
     root.extensions_required.clear();
-    // The check looks at the accessors of positions before it knows that they are there.
+    // The check accesses the accessors of positions before it knows that they exist.
     let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
     let mut accessors = primitives.flat_map(|primitive| primitive.attributes.values());
     if accessors.any(|accessor| accessor.value() >= root.accessors.len()) {
-        return Err(damaged("a primitive names an accessor that is not there"));
+        return Err(damaged("a primitive refers to an accessor that does not exist"));
     }
     Document::from_json(root).map_err(|error| match error {
         Error::Validation(errors) => {
@@ -121,7 +121,7 @@ fn document(text: &[u8]) -> Result<Document, ReadProblem> {
     })
 }
 
-/// What to do about a file that needs an extension which is not read.
+/// Advice for a file that needs an unsupported extension.
 fn unpacked_by(extension: &str) -> &'static str {
     if extension.contains("draco") || extension.contains("meshopt") {
         "unpack it, with `gltf-transform copy in.glb out.glb`, or export it again without compression"
@@ -130,7 +130,7 @@ fn unpacked_by(extension: &str) -> &'static str {
     }
 }
 
-/// Adds the triangles of a primitive of a node in its place, and says how many they are.
+/// Adds the triangles of a primitive of a node, transformed to the world, and returns their number.
 fn add(
     (document, node, transform): (&Document, &Node<'_>, DMat4),
     primitive: &Primitive<'_>,
@@ -162,10 +162,10 @@ fn add(
         Some(colors) => Some(colors.of_primitive(primitive, count, buffers, builder)?),
         None => None,
     };
-    let placing = poses.placing(document, (node, transform), (primitive, count), buffers, builder)?;
+    let transforms = poses.transforms(document, (node, transform), (primitive, count), buffers, builder)?;
     let mut first = None;
     for (at, position) in positions.iter().enumerate() {
-        let turned = placing.of(at);
+        let turned = transforms.of(at);
         let position = builder.position(turned.position(*position).as_vec3())?;
         let normal = match &normals {
             Some(normals) => builder.normal(unit(turned.normal(normals[at])))?,
@@ -198,12 +198,12 @@ fn add(
             _ => [triangle, triangle + 1, triangle + 2],
         };
         let [a, b, c] = [a, b, c].map(index);
-        // An index that a strip names twice joins what is beside it.
+        // A repeated index in a strip makes a triangle without an area, which joins its neighbours.
         if primitive.mode() == Mode::TriangleStrip && (a == b || b == c || c == a) {
             continue;
         }
         added += 1;
-        let [a, b, c] = if placing.of(a).is_mirrored { [a, c, b] } else { [a, b, c] };
+        let [a, b, c] = if transforms.of(a).is_mirrored { [a, c, b] } else { [a, b, c] };
         if let (Some(colors), Some(of)) = (&mut colors, &of_primitive) {
             colors.triangle(of, [a, b, c], builder)?;
         }
@@ -212,13 +212,14 @@ fn add(
     let lists =
         [Some(3 * count), normals.map(|_| 3 * count), uvs.map(|_| 2 * count), indices.map(|list| list.len())];
     builder.give_back(of_primitive.map_or(0, |of| of.bytes()));
-    builder.give_back(placing.bytes());
+    builder.give_back(transforms.bytes());
     builder
         .give_back(lists.into_iter().flatten().map(|numbers| size_of::<f32>() as u64 * numbers as u64).sum());
     Ok(added)
 }
 
-/// The unit vector; of no direction as it is, which says that a normal is missing or no number.
+/// Returns the unit vector. A vector without direction stays as it is, which marks the normal as
+/// missing or invalid.
 fn unit(vector: DVec3) -> Vec3 {
     vector.try_normalize().unwrap_or(vector).as_vec3()
 }

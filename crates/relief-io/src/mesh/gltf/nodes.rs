@@ -1,4 +1,4 @@
-//! The nodes of a scene in their places.
+//! Nodes of a scene with their transforms to the world.
 
 use ::gltf::{Document, Node};
 use glam::{DMat4, Mat4};
@@ -6,9 +6,9 @@ use glam::{DMat4, Mat4};
 use super::damaged;
 use crate::ReadProblem;
 
-/// All nodes that the scene shows, parents before their children, each with its transformation to the world.
-/// The scene is the default one, else the first, else all nodes that are nobody's child.
-pub(super) fn placed(document: &Document) -> Result<Vec<(Node<'_>, DMat4)>, ReadProblem> {
+/// Returns all nodes of the scene, parents before their children, each with its transform to the
+/// world. The scene is the default one, else the first; without any, all root nodes are taken.
+pub(super) fn in_scene(document: &Document) -> Result<Vec<(Node<'_>, DMat4)>, ReadProblem> {
     let scene = document.default_scene().or_else(|| document.scenes().next());
     let roots: Vec<Node<'_>> = match scene {
         Some(scene) => scene.nodes().collect(),
@@ -17,8 +17,8 @@ pub(super) fn placed(document: &Document) -> Result<Vec<(Node<'_>, DMat4)>, Read
     below(document, roots)
 }
 
-/// The transformations of all nodes to the world, by their numbers, whatever the scene shows: joints of skins
-/// need not be in it. None of a node that is its own parent.
+/// Returns the transforms of all nodes to the world, by their numbers, whether or not the scene
+/// contains them: joints of skins may lie outside it. None for a node that is its own ancestor.
 pub(super) fn transforms(document: &Document) -> Result<Vec<Option<DMat4>>, ReadProblem> {
     let mut transforms = vec![None; document.nodes().len()];
     for (node, transform) in below(document, roots(document))? {
@@ -27,7 +27,7 @@ pub(super) fn transforms(document: &Document) -> Result<Vec<Option<DMat4>>, Read
     Ok(transforms)
 }
 
-/// The nodes that are nobody's child.
+/// Nodes that are not a child of any other.
 fn roots(document: &Document) -> Vec<Node<'_>> {
     let mut is_child = vec![false; document.nodes().len()];
     for child in document.nodes().flat_map(|node| node.children()) {
@@ -36,22 +36,22 @@ fn roots(document: &Document) -> Vec<Node<'_>> {
     document.nodes().filter(|node| !is_child[node.index()]).collect()
 }
 
-/// Those nodes and all below them.
+/// Given nodes and all their descendants, with transforms.
 fn below<'a>(document: &'a Document, roots: Vec<Node<'a>>) -> Result<Vec<(Node<'a>, DMat4)>, ReadProblem> {
-    let mut seen = vec![false; document.nodes().len()];
-    let mut placed = Vec::new();
-    // Chains may be deeper than a program's stack.
-    let mut waiting: Vec<(Node<'_>, DMat4)> = Vec::new();
-    waiting.extend(roots.into_iter().rev().map(|root| (root, DMat4::IDENTITY)));
-    while let Some((node, parent)) = waiting.pop() {
+    let mut visited = vec![false; document.nodes().len()];
+    let mut nodes = Vec::new();
+    // Recursion could overflow the stack: chains may be long.
+    let mut pending: Vec<(Node<'_>, DMat4)> = Vec::new();
+    pending.extend(roots.into_iter().rev().map(|root| (root, DMat4::IDENTITY)));
+    while let Some((node, parent)) = pending.pop() {
         let index = node.index();
-        if std::mem::replace(&mut seen[index], true) {
+        if std::mem::replace(&mut visited[index], true) {
             return Err(damaged(format!("node {index} is reached twice: nodes must form trees")));
         }
         let own = Mat4::from_cols_array_2d(&node.transform().matrix());
         let transform = parent * own.as_dmat4();
-        waiting.extend(node.children().map(|child| (child, transform)));
-        placed.push((node, transform));
+        pending.extend(node.children().map(|child| (child, transform)));
+        nodes.push((node, transform));
     }
-    Ok(placed)
+    Ok(nodes)
 }

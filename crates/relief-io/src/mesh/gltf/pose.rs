@@ -1,4 +1,4 @@
-//! The pose of a file: where its morph targets and skins put vertices.
+//! Pose of a file: positions of vertices by morph targets and skins.
 //!
 //! glTF 2.0, 3.7.2.2 (morph targets) and 3.7.3.3 (skins). Animations are not played.
 
@@ -10,22 +10,22 @@ use super::{accessor, damaged, nodes};
 use crate::ReadProblem;
 use crate::mesh::builder::Builder;
 
-/// Bytes of a vertex's matrix while a primitive is placed.
-const MATRIX_BYTES: u64 = size_of::<Turned>() as u64;
+/// Bytes of a vertex's matrix while a primitive is transformed.
+const MATRIX_BYTES: u64 = size_of::<VertexTransform>() as u64;
 
-/// How positions are transformed, and how normals are.
+/// Transform of positions and normals.
 #[derive(Clone, Copy)]
-pub struct Turned {
+pub struct VertexTransform {
     transform: DMat4,
     of_normals: DMat3,
-    /// Whether it turns triangles over.
+    /// Whether the transform flips triangles.
     pub is_mirrored: bool,
 }
 
-impl Turned {
+impl VertexTransform {
     pub fn new(transform: DMat4) -> Self {
         let linear = DMat3::from_mat4(transform);
-        // The transposed inverse but for a factor, which is finite where there is no inverse.
+        // The transposed inverse up to a factor, which is finite even if there is no inverse.
         let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];
         let is_mirrored = linear.determinant() < 0.0;
         let sign = if is_mirrored { -1.0 } else { 1.0 };
@@ -42,24 +42,24 @@ impl Turned {
     }
 }
 
-/// Where the vertices of a primitive go.
-pub enum Placing {
-    /// All of them by the node's transformation.
-    Node(Turned),
-    /// Each by its joints.
-    Joints(Vec<Turned>),
+/// Transforms of a primitive's vertices.
+pub enum VertexTransforms {
+    /// The node's transform for all vertices.
+    Node(VertexTransform),
+    /// A transform for each vertex, from its joints.
+    Joints(Vec<VertexTransform>),
 }
 
-impl Placing {
-    /// The transformation of a vertex.
-    pub fn of(&self, vertex: usize) -> &Turned {
+impl VertexTransforms {
+    /// Returns the transform of a vertex.
+    pub fn of(&self, vertex: usize) -> &VertexTransform {
         match self {
             Self::Node(turned) => turned,
             Self::Joints(each) => &each[vertex],
         }
     }
 
-    /// The memory that it holds, in bytes.
+    /// Memory in bytes.
     pub fn bytes(&self) -> u64 {
         match self {
             Self::Node(_) => 0,
@@ -68,11 +68,11 @@ impl Placing {
     }
 }
 
-/// The joints of the skins of a file, and what was assumed of them.
+/// Joints of a file's skins, with a count of assumptions.
 pub struct Poses {
-    /// The transformations of all nodes, once they are needed.
+    /// Transforms of all nodes, computed when first needed.
     transforms: Option<Vec<Option<DMat4>>>,
-    /// Vertices of skins that no joint moves.
+    /// Number of vertices of skins that no joint moves.
     pub unweighted: u64,
 }
 
@@ -81,16 +81,19 @@ impl Poses {
         Self { transforms: None, unweighted: 0 }
     }
 
-    /// Where the `count` vertices of a primitive go, on a node in its place.
-    pub fn placing(
+    /// Computes the transforms of the `count` vertices of a primitive, on a node with the given
+    /// transform.
+    pub fn transforms(
         &mut self,
         document: &Document,
         (node, transform): (&Node<'_>, DMat4),
         (primitive, count): (&Primitive<'_>, usize),
         buffers: &mut Buffers<'_>,
         builder: &mut Builder,
-    ) -> Result<Placing, ReadProblem> {
-        let Some(skin) = node.skin() else { return Ok(Placing::Node(Turned::new(transform))) };
+    ) -> Result<VertexTransforms, ReadProblem> {
+        let Some(skin) = node.skin() else {
+            return Ok(VertexTransforms::Node(VertexTransform::new(transform)));
+        };
         let number = skin.index();
         if self.transforms.is_none() {
             self.transforms = Some(nodes::transforms(document)?);
@@ -122,10 +125,10 @@ impl Poses {
             let (of_joints, of_weights) = match pair {
                 (Some(joints), Some(weights)) => (joints, weights),
                 (None, None) => break,
-                _ => return Err(damaged(format!("joints and weights {set} of a skin are not both there"))),
+                _ => return Err(damaged(format!("a skin has only one of joints {set} and weights {set}"))),
             };
             if of_joints.count() != count || of_weights.count() != count {
-                return Err(damaged(format!("joints or weights {set} are not as many as the positions")));
+                return Err(damaged(format!("joints or weights {set} and the positions differ in number")));
             }
             let places = accessor::floats::<4>(&of_joints, buffers, builder)?;
             let weights = accessor::floats::<4>(&of_weights, buffers, builder)?;
@@ -142,15 +145,16 @@ impl Poses {
         for (sum, weight, first) in sums {
             let is_unweighted = weight <= 0.0;
             self.unweighted += u64::from(is_unweighted);
-            // Weights are to add up to 1.
+            // Weights should add up to 1; they are normalised here.
             let transform = if is_unweighted { joints[first] } else { sum * (1.0 / weight) };
-            each.push(Turned::new(transform));
+            each.push(VertexTransform::new(transform));
         }
-        Ok(Placing::Joints(each))
+        Ok(VertexTransforms::Joints(each))
     }
 }
 
-/// Adds four joints of a vertex to its sums: of their matrices, of their weights, and which joint came first.
+/// Adds four joints of a vertex to its sums: the sum of their matrices, the sum of their weights,
+/// and the first joint.
 fn add_joints(
     (sum, all, first): &mut (DMat4, f64, usize),
     joints: &[DMat4],
@@ -180,7 +184,7 @@ fn add_joints(
     Ok(())
 }
 
-/// Moves positions and normals by the morph targets of a primitive, as far as they weigh.
+/// Moves positions and normals by the weighted morph targets of a primitive.
 pub fn morph(
     node: &Node<'_>,
     primitive: &Primitive<'_>,
@@ -193,7 +197,7 @@ pub fn morph(
     let weights = node.weights().or(of_mesh).unwrap_or_default();
     for (target, weight) in primitive.morph_targets().zip(weights.iter().copied()) {
         if !weight.is_finite() {
-            return Err(damaged(format!("a morph target weighs {weight}")));
+            return Err(damaged(format!("a morph target has the weight {weight}")));
         }
         if weight == 0.0 {
             continue;

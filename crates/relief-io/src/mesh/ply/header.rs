@@ -1,14 +1,14 @@
-//! The header of a PLY: its encoding, and which elements follow with which properties.
+//! Header of a PLY: its encoding, and the elements with their properties.
 
 use super::damaged;
 use crate::ReadProblem;
 use crate::mesh::text::shown;
 use crate::text::line_len;
 
-/// The most elements of a header, and properties of an element. Files have a few.
+/// Greatest number of elements of a header, and of properties of an element. Files have a few.
 const MOST: usize = 256;
 
-/// How values are stored.
+/// Encoding of values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Text,
@@ -16,7 +16,7 @@ pub(super) enum Encoding {
     BigEndian,
 }
 
-/// The type of a stored number.
+/// Type of a stored number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
     I8,
@@ -44,7 +44,7 @@ impl Scalar {
         })
     }
 
-    /// Bytes of such a number in a binary file.
+    /// Bytes of a number in a binary file.
     pub const fn bytes(self) -> usize {
         match self {
             Scalar::I8 | Scalar::U8 => 1,
@@ -55,17 +55,17 @@ impl Scalar {
     }
 }
 
-/// A number of an element, or a list of numbers.
+/// Property of an element: a number or a list of numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Property {
     pub name: Vec<u8>,
-    /// The type of the numbers.
+    /// Type of the numbers.
     pub scalar: Scalar,
-    /// Of a list the type of its length.
+    /// Type of a list's length; none for a single number.
     pub list: Option<Scalar>,
 }
 
-/// What follows the header so many times.
+/// Element, which is repeated `count` times after the header.
 #[derive(Clone, Debug)]
 pub(super) struct Element {
     pub name: Vec<u8>,
@@ -77,7 +77,7 @@ pub(super) struct Element {
 pub(super) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
-    /// Bytes of the header, and its lines.
+    /// Bytes and lines of the header.
     pub len: usize,
     pub lines: usize,
 }
@@ -86,7 +86,8 @@ impl Header {
     pub fn read(bytes: &[u8]) -> Result<Self, ReadProblem> {
         let (mut encoding, mut elements) = (None, Vec::<Element>::new());
         let (mut at, mut lines) = (0, 0);
-        // The first line says how all end: behind the last one binary numbers may begin with any byte.
+        // The first line shows how all lines end; binary numbers after the header may begin with
+        // any byte.
         let line_end = match bytes[..line_len(bytes)] {
             [.., b'\r'] => b'\r',
             _ => b'\n',
@@ -111,13 +112,14 @@ impl Header {
                 [b"format", name, ..] => encoding = Some(encoding_of(name)?),
                 [b"element", name, count] if elements.len() < MOST => {
                     let count = std::str::from_utf8(count).ok().and_then(|count| count.parse().ok());
-                    let count = count.ok_or_else(|| damaged("its header has a count that is no number"))?;
+                    let count =
+                        count.ok_or_else(|| damaged("its header has a count that is not a number"))?;
                     elements.push(Element { name: name.to_vec(), count, properties: Vec::new() });
                 }
                 [b"property", of_type @ ..] => {
                     let element = elements.last_mut().filter(|element| element.properties.len() < MOST);
                     let element =
-                        element.ok_or_else(|| damaged("its header has a property of no element"))?;
+                        element.ok_or_else(|| damaged("its header has a property without an element"))?;
                     element.properties.push(property(of_type)?);
                 }
                 [b"end_header"] => break,

@@ -1,11 +1,11 @@
-//! The numbers behind the header of a PLY, one after the other.
+//! Reader of the numbers after the header of a PLY.
 
 use super::damaged;
 use super::header::{Element, Encoding, Header, Property, Scalar};
 use crate::ReadProblem;
 use crate::mesh::text::{Words, shown};
 
-/// The numbers that are left.
+/// Numbers that remain to be read.
 #[derive(Clone)]
 pub(super) enum Values<'a> {
     Text(Words<'a>),
@@ -22,14 +22,13 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Refuses an element that claims more than can follow.
+    /// Refuses an element that claims more than the rest of the file can hold.
     pub fn check_element(&self, element: &Element) -> Result<(), ReadProblem> {
         let least = element.properties.iter().map(|property| self.least_bytes(property)).sum::<u64>();
-        // The last number of a text needs nothing behind it.
+        // The last number of a text file needs no separator.
         if element.count.saturating_mul(least) > self.left().saturating_add(1) {
             let name = shown(&element.name);
-            let what =
-                format!("its header promises {} of '{name}', which the file cannot hold", element.count);
+            let what = format!("its header says {} of '{name}', more than the file can hold", element.count);
             return Err(damaged(what));
         }
         Ok(())
@@ -37,7 +36,7 @@ impl<'a> Values<'a> {
 
     fn least_bytes(&self, property: &Property) -> u64 {
         match self {
-            // A digit, and what parts it from the next.
+            // A digit and a separator.
             Values::Text(_) => 2,
             Values::Binary { .. } => property.list.unwrap_or(property.scalar).bytes() as u64,
         }
@@ -50,7 +49,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Reads a property and gives each of its numbers.
+    /// Reads a property and passes each of its numbers to `each`.
     pub fn property(
         &mut self,
         property: &Property,
@@ -63,7 +62,7 @@ impl<'a> Values<'a> {
         if !(length >= 0.0 && length.fract() == 0.0) {
             return Err(damaged(format!("a list has the length {length}")));
         }
-        // More than the file holds ends it early.
+        // A list longer than the file ends in an error.
         for _ in 0..length as u64 {
             each(self.number(property.scalar)?)?;
         }
@@ -75,14 +74,15 @@ impl<'a> Values<'a> {
             Values::Text(words) => {
                 let word = words.next().ok_or_else(|| damaged("it ends too early"))?;
                 let text = std::str::from_utf8(word).ok();
-                text.and_then(|text| text.parse().ok())
-                    .ok_or_else(|| damaged(format!("line {}: '{}' is no number", words.line(), shown(word))))
+                text.and_then(|text| text.parse().ok()).ok_or_else(|| {
+                    damaged(format!("line {}: '{}' is not a number", words.line(), shown(word)))
+                })
             }
             Values::Binary { rest, big_endian } => {
                 let (bytes, after) =
                     rest.split_at_checked(scalar.bytes()).ok_or_else(|| damaged("it ends too early"))?;
                 *rest = after;
-                // Numbers lie at the end of these eight bytes, the highest byte first.
+                // Numbers are stored at the end of these eight bytes, the highest byte first.
                 let mut wide = [0; 8];
                 let place = &mut wide[8 - bytes.len()..];
                 place.copy_from_slice(bytes);
@@ -95,7 +95,7 @@ impl<'a> Values<'a> {
     }
 }
 
-/// The number that the last bytes of eight are, the highest byte first.
+/// Decodes the number in the last bytes of eight, the highest byte first.
 fn decoded(scalar: Scalar, wide: [u8; 8]) -> f64 {
     let bits = u64::from_be_bytes(wide);
     match scalar {

@@ -1,4 +1,4 @@
-//! Meshes to files, block by block, one file a format.
+//! Writers of meshes, block by block, one module for each format.
 
 mod glb;
 mod obj;
@@ -21,23 +21,23 @@ use super::up::{Up, comment};
 use crate::write_whole::write_file;
 use crate::{WriteError, WriteProblem};
 
-/// How large a mesh is.
+/// Size of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MeshCounts {
-    /// Vertices.
+    /// Number of vertices.
     pub vertices: u64,
-    /// Triangles.
+    /// Number of triangles.
     pub triangles: u64,
 }
 
-/// Takes the next block of a mesh.
+/// Receiver of the next block of a mesh.
 pub type MeshSink<'a> = dyn FnMut(&MeshBlock) -> io::Result<()> + 'a;
 
-/// What a writer does with each block.
+/// Encoder of a block.
 type Encode<'a> = dyn FnMut(&MeshBlock, &mut Regions<'_, '_>) -> io::Result<()> + 'a;
 
 impl MeshFormat {
-    /// The bytes of a mesh's file in this format: exactly, but of OBJ, which is text, at least.
+    /// Bytes of a mesh's file in this format: exact, but a lower bound for OBJ, which is text.
     pub fn bytes(self, counts: MeshCounts) -> u64 {
         match self {
             MeshFormat::Gltf => GlbLayout::of(counts).bytes(),
@@ -47,11 +47,11 @@ impl MeshFormat {
         }
     }
 
-    /// Whether this format can hold so large a mesh.
+    /// Checks whether this format can hold a mesh of this size.
     ///
     /// # Errors
     ///
-    /// When it cannot, with what holds it.
+    /// When it cannot; the error says what can.
     pub fn check(self, counts: MeshCounts) -> Result<(), WriteProblem> {
         if self == MeshFormat::Gltf {
             return GlbLayout::of(counts).check();
@@ -60,35 +60,35 @@ impl MeshFormat {
     }
 }
 
-/// Whether so many vertices and triangles can be numbered, and are any.
+/// Checks that there are vertices and triangles, and that 32-bit numbers can index them.
 fn check_counts(MeshCounts { vertices, triangles }: MeshCounts) -> Result<(), WriteProblem> {
     let cannot = |what: &str| {
         let of = format!("a mesh of {vertices} vertices and {triangles} triangles");
         Err(WriteProblem::NotStorable(format!("{of} {what}")))
     };
     if vertices == 0 || triangles == 0 {
-        return cannot("shows nothing");
+        return cannot("is empty: give it vertices and triangles");
     }
     if vertices >= u64::from(u32::MAX) || triangles > u64::from(u32::MAX) {
-        return cannot("has more than 32-bit numbers count: make it coarser");
+        return cannot("exceeds 32-bit indices: make it coarser");
     }
     Ok(())
 }
 
-/// Writes a mesh whose blocks `blocks` hands over: as binary glTF (GLB), as binary PLY, as OBJ, or as binary
-/// STL.
+/// Writes a mesh as binary glTF (GLB), binary PLY, OBJ or binary STL. `blocks` passes the blocks of
+/// the mesh to its argument; `counts` are their totals.
 ///
 /// | format | lengths | what is written |
 /// | --- | --- | --- |
 /// | GLB | metres | positions, normals, tangents, texture coordinates |
 /// | PLY | metres | positions, normals, texture coordinates `s` and `t`, `t` upward |
-/// | OBJ | metres | the same; a block's faces follow its vertices |
+/// | OBJ | metres | as PLY; a block's faces follow its vertices |
 /// | STL | millimetres | triangles with their normals |
 ///
-/// In an STL `z` is up, in the others `y`, as in memory; [`write_mesh_standing`] has it otherwise.
+/// In an STL `z` is up, in the others `y`, as in memory. [`write_mesh_in_frame`] sets another axis.
 ///
-/// A tangent's `w` is such that the green of glTF's normal maps points up in the picture. Nothing but a block
-/// is held. The same blocks give the same bytes.
+/// A tangent's `w` has the sign with which the green of glTF's normal maps points up in the
+/// picture. Only one block is held in memory. The same blocks give the same bytes.
 ///
 /// ```
 /// use relief_core::mesh::{MeshBlock, cube};
@@ -111,33 +111,33 @@ fn check_counts(MeshCounts { vertices, triangles }: MeshCounts) -> Result<(), Wr
 ///
 /// # Errors
 ///
-/// When the format [cannot hold](MeshFormat::check) the mesh, when `blocks` fails or hands over other counts
-/// than it promised, or when the file cannot be written. Nothing is left behind then.
+/// When the format [cannot hold](MeshFormat::check) the mesh, when `blocks` fails or its blocks do
+/// not match `counts`, or when the file cannot be written. Nothing is left behind then.
 pub fn write_mesh(
     path: &Path,
     format: MeshFormat,
     counts: MeshCounts,
     blocks: impl FnOnce(&mut MeshSink) -> io::Result<()>,
 ) -> Result<(), WriteError> {
-    write_mesh_standing(path, format, &Standing::usual(format), counts, blocks)
+    write_mesh_in_frame(path, format, &FileFrame::usual(format), counts, blocks)
 }
 
-/// How a mesh stands in its file.
+/// Coordinate frame of a mesh's file.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Standing {
-    /// The axis that points up.
+pub struct FileFrame {
+    /// Axis that points up.
     pub up: Up,
-    /// The height that becomes 0, in metres.
+    /// Height in metres that is stored as 0. Default: 0.
     pub base_m: f64,
 }
 
-impl Standing {
-    /// As is usual in a format, with heights as they are.
+impl FileFrame {
+    /// Returns the usual frame of a format, with unchanged heights.
     pub const fn usual(format: MeshFormat) -> Self {
         Self { up: Up::usual(format), base_m: 0.0 }
     }
 
-    /// A position as the file has it. `units` is how many of its units are a metre.
+    /// Converts a position to the file's frame. `units` is the number of its units in a metre.
     fn point(&self, position: Vec3, units: f64) -> Vec3 {
         let position = if self.base_m == 0.0 && units == 1.0 {
             position
@@ -148,24 +148,27 @@ impl Standing {
     }
 }
 
-/// Writes a mesh as [`write_mesh`] does, standing as `standing` says. A GLB always has `y` up.
+/// Writes a mesh like [`write_mesh`], in the given frame. A GLB always has `y` up and unchanged
+/// heights.
 ///
 /// # Errors
 ///
-/// As [`write_mesh`]; and when a GLB is to stand otherwise than is usual.
-pub fn write_mesh_standing(
+/// See [`write_mesh`]. Also when a GLB is to have another frame than the usual one.
+pub fn write_mesh_in_frame(
     path: &Path,
     format: MeshFormat,
-    standing: &Standing,
+    frame: &FileFrame,
     counts: MeshCounts,
     blocks: impl FnOnce(&mut MeshSink) -> io::Result<()>,
 ) -> Result<(), WriteError> {
     format.check(counts).map_err(|problem| problem.at(path))?;
-    if format == MeshFormat::Gltf && *standing != Standing::usual(format) {
-        let problem = WriteProblem::NotStorable("a GLB has y up, and heights as they are".to_owned());
+    if format == MeshFormat::Gltf && *frame != FileFrame::usual(format) {
+        let problem = WriteProblem::NotStorable(
+            "a GLB always has y up and unchanged heights: choose another format".to_owned(),
+        );
         return Err(problem.at(path));
     }
-    let comment = comment(format, standing.up);
+    let comment = comment(format, frame.up);
     write_file(path, |out| {
         let mut regions = Regions::new(out);
         match format {
@@ -174,35 +177,36 @@ pub fn write_mesh_standing(
             }
             MeshFormat::Ply => {
                 ply::begin(counts, &comment, &mut regions)?;
-                counted(counts, &mut regions, &mut |block, to| ply::block(block, standing, to), blocks)?;
+                counted(counts, &mut regions, &mut |block, to| ply::block(block, frame, to), blocks)?;
             }
             MeshFormat::Obj => {
                 regions.write(0, format!("# {comment}\n").as_bytes())?;
-                counted(counts, &mut regions, &mut |block, to| obj::block(block, standing, to), blocks)?;
+                counted(counts, &mut regions, &mut |block, to| obj::block(block, frame, to), blocks)?;
             }
             MeshFormat::Stl => {
                 stl::begin(counts, &comment, &mut regions)?;
-                counted(counts, &mut regions, &mut |block, to| stl::block(block, standing, to), blocks)?;
+                counted(counts, &mut regions, &mut |block, to| stl::block(block, frame, to), blocks)?;
             }
         }
         Ok(())
     })
 }
 
-/// Writes a GLB of one mesh or several levels of detail, in floats or integers, whose blocks `blocks` hands
-/// over: those of the finest level first, and each level whole before the next. Vertices are numbered from 0
-/// in each. Nothing but a block is held. The same blocks give the same bytes. Gives the number of indices of
-/// each level: three a triangle, or as many as its [strip](GlbLayout::strips) takes.
+/// Writes a GLB of one mesh or several levels of detail, in floats or integers. `blocks` passes the
+/// blocks to its argument: the finest level first, each level complete before the next. Vertices
+/// are numbered from 0 in each block's level. Only one block is held in memory. The same blocks
+/// give the same bytes. Returns the number of indices of each level: three a triangle, or the
+/// length of its [strip](GlbLayout::strips).
 ///
-/// In integers, positions are rounded to the nearest points of the lattice; a mesh that was rounded already
-/// stays as it is. See [`Quantization`] for what is stored.
+/// In integers, positions are rounded to the nearest points of the lattice; a mesh that was rounded
+/// before stays unchanged. See [`Quantization`] for the stored types.
 ///
 /// # Errors
 ///
-/// When a GLB [cannot hold](GlbLayout::check) it, when `blocks` fails or hands over other counts than it
-/// promised, when a position lies beyond the lattice or texture coordinates beyond 0 and 1 that were promised
-/// to lie between, when strips are longer than 4 GiB or have no triangle, or when the file cannot be written.
-/// Nothing is left behind then.
+/// When a GLB [cannot hold](GlbLayout::check) the levels; when `blocks` fails or its blocks do not
+/// match the counts; when a position lies outside the lattice, or texture coordinates outside the
+/// promised range of 0 to 1; when strips are longer than 4 GiB or have no triangle; or when the
+/// file cannot be written. Nothing is left behind then.
 pub fn write_glb(
     path: &Path,
     layout: &GlbLayout,
@@ -227,7 +231,7 @@ fn glb_blocks(
     Ok(glb.finish(regions)?)
 }
 
-/// Hands blocks on, and finds out whether they are as many as was promised.
+/// Passes blocks on, and checks that their totals match the counts.
 fn counted(
     counts: MeshCounts,
     regions: &mut Regions<'_, '_>,
@@ -239,7 +243,7 @@ fn counted(
         found.vertices += block.vertices.len() as u64;
         found.triangles += block.triangles.len() as u64;
         if found.vertices > counts.vertices || found.triangles > counts.triangles {
-            return Err(io::Error::other("there is more of the mesh than was promised"));
+            return Err(io::Error::other("the mesh has more vertices or triangles than its counts say"));
         }
         encode(block, regions)
     })?;
@@ -248,18 +252,18 @@ fn counted(
     }
     let MeshCounts { vertices, triangles } = counts;
     let what = format!(
-        "the mesh has {} vertices and {} triangles where {vertices} and {triangles} were promised",
+        "the mesh has {} vertices and {} triangles, but its counts say {vertices} and {triangles}",
         found.vertices, found.triangles
     );
     Err(WriteProblem::NotStorable(what))
 }
 
-/// A file that is written in several places: vertices, and what follows all of them.
+/// File that is written in several regions: vertices, and the data after them.
 struct Regions<'a, 'b> {
     out: &'a mut BufWriter<&'b File>,
-    /// Where each goes on.
+    /// Offset at which each region continues.
     next: Vec<u64>,
-    /// Where the file is written.
+    /// Current offset in the file.
     at: u64,
 }
 
@@ -268,29 +272,29 @@ impl<'a, 'b> Regions<'a, 'b> {
         Self { out, next: vec![0; 2], at: 0 }
     }
 
-    /// Goes on with a region.
+    /// Appends to a region.
     fn write(&mut self, region: usize, bytes: &[u8]) -> io::Result<()> {
         self.write_at(self.next[region], bytes)?;
         self.next[region] += bytes.len() as u64;
         Ok(())
     }
 
-    fn write_at(&mut self, place: u64, bytes: &[u8]) -> io::Result<()> {
-        if place != self.at {
-            self.out.seek(SeekFrom::Start(place))?;
+    fn write_at(&mut self, offset: u64, bytes: &[u8]) -> io::Result<()> {
+        if offset != self.at {
+            self.out.seek(SeekFrom::Start(offset))?;
         }
         self.out.write_all(bytes)?;
-        self.at = place + bytes.len() as u64;
+        self.at = offset + bytes.len() as u64;
         Ok(())
     }
 }
 
-/// The bytes of floats, the least first.
+/// Appends floats as bytes, the lowest first.
 fn floats(bytes: &mut Vec<u8>, numbers: impl IntoIterator<Item = f32>) {
     bytes.extend(numbers.into_iter().flat_map(f32::to_le_bytes));
 }
 
-/// `v` as it is stored where it runs up.
+/// Converts `v` for formats in which it runs upward.
 fn turned_over(v: f32) -> f32 {
     (1.0 - f64::from(v)) as f32
 }

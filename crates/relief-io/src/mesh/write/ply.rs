@@ -1,4 +1,4 @@
-//! Binary PLY, the least byte of a number first.
+//! Writer of binary PLY, little-endian.
 
 use std::io;
 
@@ -6,12 +6,12 @@ use relief_core::mesh::MeshBlock;
 
 use super::super::MeshFormat;
 use super::super::up::{Up, comment};
-use super::{MeshCounts, Regions, Standing, floats, turned_over};
+use super::{FileFrame, MeshCounts, Regions, floats, turned_over};
 
 /// Bytes of a vertex: position, normal, `s` and `t`.
 const VERTEX: u64 = 32;
 
-/// Bytes of a face: how many corners, and which.
+/// Bytes of a face: the number of corners, and their indices.
 const FACE: u64 = 13;
 
 fn header(MeshCounts { vertices, triangles }: MeshCounts, comment: &str) -> String {
@@ -36,11 +36,11 @@ pub fn begin(counts: MeshCounts, comment: &str, regions: &mut Regions<'_, '_>) -
     Ok(())
 }
 
-pub fn block(block: &MeshBlock, standing: &Standing, regions: &mut Regions<'_, '_>) -> io::Result<()> {
+pub fn block(block: &MeshBlock, frame: &FileFrame, regions: &mut Regions<'_, '_>) -> io::Result<()> {
     let mut bytes = Vec::with_capacity(VERTEX as usize * block.vertices.len());
     for vertex in &block.vertices {
-        floats(&mut bytes, standing.point(vertex.position, 1.0).to_array());
-        floats(&mut bytes, standing.up.stored(vertex.normal).to_array());
+        floats(&mut bytes, frame.point(vertex.position, 1.0).to_array());
+        floats(&mut bytes, frame.up.stored(vertex.normal).to_array());
         floats(&mut bytes, [vertex.uv.x, turned_over(vertex.uv.y)]);
     }
     regions.write(0, &bytes)?;

@@ -1,5 +1,6 @@
-//! Shells over a mesh as binary glTF: the mesh several times, ever farther out along its normals, of which an
-//! alpha test keeps what is high enough. Any viewer shows a displaced surface by them, without a shader.
+//! Writer of shells over a mesh as binary glTF: copies of the mesh at increasing distances along
+//! its normals. An alpha test removes texels of a shell above the surface. Any viewer can show a
+//! displaced surface this way, without a shader.
 //!
 //! Source: Kautz and Seidel 2001, section 3.1.
 
@@ -18,70 +19,70 @@ use super::{MeshCounts, check_counts, floats};
 use crate::write_whole::write_file;
 use crate::{MeshMaterial, WriteError, WriteProblem, linear_to_srgb};
 
-/// Bytes of the file's header, and before the JSON and the buffer.
+/// Bytes of the file's and the JSON's headers, and of the buffer's header.
 const HEADERS: [u64; 2] = [20, 8];
 
-/// The most shells of a file, each of which viewers draw by itself.
+/// Greatest number of shells in a file. Viewers draw each separately.
 pub const MAX_SHELLS: u32 = 4096;
 
-/// The codes of heights.
+/// Greatest code of a height.
 const LEVELS: f64 = 255.0;
 
-/// Shells over a mesh, and what lies on it.
+/// Shells over a mesh, with heights and colours.
 ///
-/// Of `count` shells the first lies at height 0, the last one below height 1 by as much as they are apart.
-/// Where a picture of colours is finer than the height map, heights are interpolated to its texels.
+/// Of `count` shells the first is at height 0, and the last is one spacing below height 1. If a
+/// picture of colours is finer than the height map, heights are interpolated to its texels.
 #[derive(Clone, Copy, Debug)]
 pub struct Shells<'a> {
-    /// The mesh.
+    /// Base mesh.
     pub base: &'a Mesh,
-    /// The heights, and how far out they are.
+    /// Height map, with scale and bias.
     pub map: &'a HeightMap,
-    /// Whether nothing is drawn where the map has holes.
+    /// Whether the map's holes are open.
     pub has_holes: bool,
-    /// Colours in linear light, and a mask; white without them.
+    /// Colours in linear light, and a mask; white if none.
     pub color: Option<&'a MeshMaterial>,
-    /// What colours are multiplied by, in linear light.
+    /// Factor of the colours in linear light.
     pub factor: [f32; 3],
-    /// How many shells there are: 1 to [`MAX_SHELLS`].
+    /// Number of shells, from 1 to [`MAX_SHELLS`].
     pub count: u32,
 }
 
-/// A shell.
+/// Single shell.
 #[derive(Clone, Copy, Debug)]
 struct Shell {
-    /// The least opacity that is drawn; none where all is.
+    /// Least opacity that is drawn; none if everything is drawn.
     cutoff: Option<f64>,
-    /// Metres along the normals.
+    /// Offset along the normals in metres.
     offset_m: f64,
 }
 
-/// Where something lies in the buffer: its first byte, and how many there are.
-type Place = [u64; 2];
+/// Range in the buffer: offset of the first byte, and number of bytes.
+type ByteRange = [u64; 2];
 
-/// Where everything lies.
+/// Layout of the buffer.
 struct Layout {
-    normals: Place,
-    tangents: Place,
-    uvs: Place,
-    indices: Place,
-    /// Those of the first shell; others follow.
-    positions: Place,
-    picture: Place,
-    /// The picture of normals.
-    relief: Place,
+    normals: ByteRange,
+    tangents: ByteRange,
+    uvs: ByteRange,
+    indices: ByteRange,
+    /// Positions of the first shell; the other shells follow.
+    positions: ByteRange,
+    picture: ByteRange,
+    /// Normal map of the relief.
+    normal_map: ByteRange,
     bytes: u64,
 }
 
 impl Shells<'_> {
-    /// Vertices and triangles of all shells.
+    /// Returns the numbers of vertices and triangles of all shells.
     pub fn counts(&self) -> MeshCounts {
         let all = |count: usize| (count as u64).saturating_mul(u64::from(self.count));
         let base = self.base;
         MeshCounts { vertices: all(base.vertices().len()), triangles: all(base.triangles().len()) }
     }
 
-    /// Columns and rows of the picture on them.
+    /// Returns the columns and rows of the picture on the shells.
     pub fn picture_size(&self) -> [u32; 2] {
         let picture = self.color.and_then(|color| color.picture.as_ref());
         let color = picture.map_or([1, 1], |picture| [picture.width, picture.height]);
@@ -99,12 +100,12 @@ impl Shells<'_> {
         })
     }
 
-    /// The opacity below which nothing is drawn.
+    /// Opacity of the colours below which nothing is drawn.
     fn mask(&self) -> Option<f32> {
         self.color.and_then(|color| color.cutoff)
     }
 
-    /// Whether there are places at which nothing is drawn.
+    /// Whether the surface has openings.
     fn shows_through(&self) -> bool {
         self.holes().is_some() || self.mask().is_some()
     }
@@ -113,7 +114,8 @@ impl Shells<'_> {
         self.map.holes().filter(|_| self.has_holes).map(Arc::as_ref)
     }
 
-    /// The picture: colours in sRGB, and the heights, which are 0 in holes alone where there are any.
+    /// Picture of colours in sRGB, with heights as opacity. If there are openings, only they have
+    /// opacity 0.
     fn texels(&self) -> Vec<u8> {
         let [columns, rows] = self.picture_size();
         let is_same = [columns, rows] == [self.map.width(), self.map.height()];
@@ -142,41 +144,41 @@ impl Shells<'_> {
     fn layout(&self, pictures: [u64; 2]) -> Layout {
         let (vertices, triangles) = (self.base.vertices().len() as u64, self.base.triangles().len() as u64);
         let mut next = 0;
-        let mut place = |bytes: u64, times: u64| {
+        let mut range = |bytes: u64, times: u64| {
             let first = next;
             next += bytes.saturating_mul(times).next_multiple_of(4);
             [first, bytes]
         };
-        let (normals, tangents) = (place(12 * vertices, 1), place(16 * vertices, 1));
-        let (uvs, indices) = (place(8 * vertices, 1), place(12 * triangles, 1));
-        let positions = place(12 * vertices, u64::from(self.count));
-        let [picture, relief] = pictures.map(|bytes| place(bytes, 1));
-        Layout { normals, tangents, uvs, indices, positions, picture, relief, bytes: next }
+        let (normals, tangents) = (range(12 * vertices, 1), range(16 * vertices, 1));
+        let (uvs, indices) = (range(8 * vertices, 1), range(12 * triangles, 1));
+        let positions = range(12 * vertices, u64::from(self.count));
+        let [picture, normal_map] = pictures.map(|bytes| range(bytes, 1));
+        Layout { normals, tangents, uvs, indices, positions, picture, normal_map, bytes: next }
     }
 
-    /// Whether there may be so many shells, and a file may hold them.
+    /// Checks the number of shells, and whether a file can hold them.
     fn check(&self) -> Result<(), WriteProblem> {
         let (vertices, triangles) = (self.base.vertices().len() as u64, self.base.triangles().len() as u64);
         check_counts(MeshCounts { vertices, triangles })?;
         if !(1..=MAX_SHELLS).contains(&self.count) {
-            let what = format!("{} shells: there are 1 to {MAX_SHELLS}", self.count);
+            let what = format!("{} shells cannot be written: choose 1 to {MAX_SHELLS}", self.count);
             return Err(WriteProblem::NotStorable(what));
         }
         self.checked(self.layout([0; 2]).bytes).map(drop)
     }
 
-    /// So many bytes, if a GLB may be as long.
+    /// Checks that a GLB can have `bytes` bytes.
     fn checked(&self, bytes: u64) -> Result<u32, WriteProblem> {
         u32::try_from(bytes).map_err(|_| {
             let (count, MeshCounts { triangles, .. }) = (self.count, self.counts());
             WriteProblem::NotStorable(format!(
-                "{count} shells of {triangles} triangles in all take {bytes} bytes as GLB, which ends at \
-                 4 GiB: choose fewer, or a coarser mesh"
+                "{count} shells of {triangles} triangles in all need {bytes} bytes, but a GLB has at most \
+                 4 GiB: choose fewer shells, or a coarser mesh"
             ))
         })
     }
 
-    /// The mesh so far out.
+    /// Positions of the mesh, moved along its normals.
     fn positions(&self, offset_m: f64) -> impl Iterator<Item = Vec3> + '_ {
         let moved = move |vertex: &Vertex| {
             let out: DVec3 = vertex.normal.as_dvec3() * offset_m;
@@ -193,7 +195,7 @@ impl Shells<'_> {
             view(layout.uvs, Some(34962)),
             view(layout.indices, Some(34963)),
             view(layout.picture, None),
-            view(layout.relief, None),
+            view(layout.normal_map, None),
         ];
         let mut accessors = vec![
             format!(r#"{{"bufferView":0,"componentType":5126,"count":{vertices},"type":"VEC3"}}"#),
@@ -209,7 +211,7 @@ impl Shells<'_> {
             let [least, most] =
                 self.positions(offset_m).fold(nothing, |[least, most], at| [least.min(at), most.max(at)]);
             if !(least.is_finite() && most.is_finite()) {
-                let what = "a shell lies beyond what 32-bit numbers hold: choose a smaller displacement";
+                let what = "a shell lies outside the range of 32-bit floats: choose a smaller displacement";
                 return Err(WriteProblem::NotStorable(what.to_owned()));
             }
             let [least, most] =
@@ -255,8 +257,9 @@ impl Shells<'_> {
             + &format!(r#""bufferViews":[{}],"accessors":[{}]}}"#, views.join(","), accessors.join(",")))
     }
 
-    /// The normals of the relief in tangent space, green upward, by central differences over two texels.
-    fn relief(&self) -> Vec<u8> {
+    /// Normal map of the relief in tangent space, green upward, by central differences over two
+    /// texels.
+    fn normal_map(&self) -> Vec<u8> {
         let (map, [tile_u, tile_v]) = (self.map, self.base.tile_m());
         let size = [map.width(), map.height()].map(f64::from);
         let per_m = |texels: f64, tile_m: f64| if tile_m > 0.0 { 0.5 * texels / tile_m } else { 0.0 };
@@ -271,12 +274,12 @@ impl Shells<'_> {
         texels
     }
 
-    /// The picture that lies on the shells, and that of normals, as PNG.
+    /// Picture on the shells and normal map, as PNG.
     fn pictures(&self) -> Result<[Vec<u8>; 2], WriteProblem> {
         let [columns, rows] = self.picture_size();
         Ok([
             png(columns, rows, ColorType::Rgba, &self.texels())?,
-            png(self.map.width(), self.map.height(), ColorType::Rgb, &self.relief())?,
+            png(self.map.width(), self.map.height(), ColorType::Rgb, &self.normal_map())?,
         ])
     }
 
@@ -321,23 +324,23 @@ fn png(columns: u32, rows: u32, color: ColorType, texels: &[u8]) -> Result<Vec<u
     Ok(bytes)
 }
 
-fn view([first, bytes]: Place, target: Option<u32>) -> String {
+fn view([first, bytes]: ByteRange, target: Option<u32>) -> String {
     let target = target.map_or(String::new(), |target| format!(r#","target":{target}"#));
     format!(r#"{{"buffer":0,"byteOffset":{first},"byteLength":{bytes}{target}}}"#)
 }
 
-/// Writes shells over a mesh as a GLB: one mesh with a primitive and a material for each shell, which share
-/// normals, texture coordinates, triangles and the picture. Heights are the picture's opacity, in 8 bits, and
-/// the material's `alphaCutoff` is the shell's height; the shell at height 0 is opaque but for holes. Normals
-/// are those of the mesh, and a normal map has the relief's.
+/// Writes shells over a mesh as a GLB: one mesh with a primitive and a material for each shell. The
+/// shells share normals, texture coordinates, triangles and the picture. Heights are the picture's
+/// opacity, in 8 bits, and a material's `alphaCutoff` is its shell's height. The shell at height 0
+/// is opaque except for openings. Vertex normals are the mesh's; a normal map holds the relief's.
 ///
-/// The same input gives the same bytes. Besides the pictures a shell is held at once.
+/// The same input gives the same bytes. Memory holds the pictures and one shell.
 ///
 /// # Errors
 ///
-/// When there is no shell, or more than [`MAX_SHELLS`], when the file would be longer than the 4 GiB at which
-/// a GLB ends, when a shell lies farther out than 32-bit numbers hold, when it cannot be written, or when it
-/// is cancelled. Nothing is left behind then.
+/// When there is no shell, or more than [`MAX_SHELLS`]; when the file would be longer than a GLB's
+/// 4 GiB; when a shell lies outside the range of 32-bit floats; when the file cannot be written; or
+/// when writing is cancelled. Nothing is left behind then.
 pub fn write_shells(path: &Path, shells: &Shells, watch: &Watch) -> Result<(), WriteError> {
     shells.check().map_err(|problem| problem.at(path))?;
     write_file(path, |out| {

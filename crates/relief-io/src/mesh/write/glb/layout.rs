@@ -1,4 +1,4 @@
-//! What a GLB holds, and where.
+//! Layout of a GLB: its contents and their offsets.
 
 use std::collections::BTreeMap;
 
@@ -10,70 +10,73 @@ use super::vertex::{Quantization, attributes};
 use super::{HEADERS, INDEX};
 use crate::WriteProblem;
 
-/// Room for the least and the greatest position of a level, which are known last: six numbers and their
-/// punctuation.
-const ROOM: usize = 160;
+/// Bytes reserved for the least and the greatest position of a level, which are known last: six
+/// numbers and their punctuation.
+const BOUNDS_BYTES: usize = 160;
 
-/// What stands for them until then.
-const PLACE: &str = "@";
+/// Placeholder for the least and the greatest position.
+const PLACEHOLDER: &str = "@";
 
-/// The material of a mesh without any.
+/// Material of a mesh without any.
 const GREY: &str = r#"{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}}"#;
 
-/// A GLB that is written: its levels of detail, the finest first, and how their vertices are stored.
+/// Description of a GLB to write: its levels of detail, the finest first, and the storage of their
+/// vertices.
 ///
-/// One level is a mesh. Further ones are named by the extension `MSFT_lod` of the first one's node, with the
-/// part of the picture's area down to which each is to be shown (`MSFT_screencoverage`, in the node's
-/// extras). Programs that know nothing of the extension show the first.
+/// One level is a mesh. The extension `MSFT_lod` of the first level's node names the other ones.
+/// `MSFT_screencoverage` in the node's extras gives the part of the picture's area down to which
+/// each is shown. Programs that do not support the extension show the first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GlbLayout {
-    /// The levels, at least one.
+    /// Levels of detail, at least one.
     pub levels: Vec<GlbLevel>,
-    /// How vertices are stored in integers; in 32-bit floats without it.
+    /// Storage of vertices in integers; none for 32-bit floats.
     pub quantization: Option<Quantization>,
-    /// Whether triangles are stored as one strip a level, in fewer indices.
+    /// Whether triangles are stored as one strip a level, which needs fewer indices.
     ///
-    /// What touches follows each other, as far as it goes in a block; an index that is named twice turns the
-    /// strip or joins two, so that readers find triangles without an area between them. A strip decodes to
-    /// the triangles of the blocks, each as it turns, without those that name a vertex twice.
+    /// Triangles of a block that touch follow each other, where possible. A repeated index turns
+    /// the strip or joins two parts; readers find triangles without an area there. A strip decodes
+    /// to the triangles of the blocks, with their orientation, but without those that name a vertex
+    /// twice.
     pub strips: bool,
-    /// What is said of the mesh as a whole.
+    /// Node of the mesh.
     pub node: GlbNode,
-    /// The materials; a grey one where there are none.
+    /// Materials; none for a single grey one.
     pub materials: Option<GlbMaterials>,
 }
 
-/// Where the mesh of a GLB lies, and what else is said of it.
+/// Position of a GLB's mesh, and its extras.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GlbNode {
-    /// Metres by which the node moves it.
+    /// Translation of the mesh by the node, in metres.
     pub translation_m: [f64; 3],
-    /// Extras of the node by their names, each a text of JSON.
+    /// Extras of the node by name, each as JSON text.
     pub extras: BTreeMap<&'static str, String>,
 }
 
-/// The most indices that a strip takes for a triangle: three, and two to join it to what is before.
+/// Greatest number of indices of a strip per triangle: three, and two to join it to the strip
+/// before.
 const MOST_OF_STRIP: u64 = 5;
 
-/// A level of detail.
+/// Level of detail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GlbLevel {
-    /// How large its mesh is.
+    /// Numbers of vertices and triangles.
     pub counts: MeshCounts,
-    /// The part of the picture's area, from 0 to 1, down to which it is to be shown.
+    /// Part of the picture's area, from 0 to 1, down to which the level is shown.
     pub coverage: f64,
 }
 
-/// Pixels of a picture for which levels are chosen, 1920 x 1080.
+/// Pixels of the picture for which levels are chosen, 1920 x 1080.
 const PIXELS: f64 = 1920.0 * 1080.0;
 
-/// Pixels that a triangle of a level may cover, on the mean, before the next finer one is shown.
+/// Mean number of pixels that a triangle of a level may cover before the next finer level is shown.
 const PIXELS_PER_TRIANGLE: f64 = 4.0;
 
 impl GlbLevel {
-    /// Levels of so many vertices and triangles, the finest first: each is shown down to where the triangles
-    /// of the next cover four pixels of a picture of 1920 x 1080 on the mean, and to no more than half of the
-    /// part of the one before; the last one always.
+    /// Creates levels with the given counts, the finest first. Each level is shown down to the
+    /// coverage at which the triangles of the next one cover four pixels on average, in a picture
+    /// of 1920 x 1080. Each coverage is at most half of the one before; the last is 0.
     pub fn of(counts: &[MeshCounts]) -> Vec<Self> {
         let mut before = 1.0_f64;
         let next = counts.iter().skip(1).map(Some).chain([None]);
@@ -87,13 +90,13 @@ impl GlbLevel {
 }
 
 impl GlbLayout {
-    /// One mesh, in floats.
+    /// Creates a layout of one mesh, stored in floats.
     pub fn of(counts: MeshCounts) -> Self {
         let levels = vec![GlbLevel { counts, coverage: 0.0 }];
         Self { levels, quantization: None, strips: false, node: GlbNode::default(), materials: None }
     }
 
-    /// The bytes of the file: exactly, but of strips at most.
+    /// Bytes of the file: exact, but an upper bound for strips.
     pub fn bytes(&self) -> u64 {
         self.before() + self.buffer(&self.indices(MOST_OF_STRIP))
     }
@@ -103,24 +106,25 @@ impl GlbLayout {
         HEADERS[0] + self.json_bytes() + HEADERS[1]
     }
 
-    /// The indices of each level, of strips as many for each triangle.
+    /// Number of indices of each level, with `of_strip` for each triangle of a strip.
     fn indices(&self, of_strip: u64) -> Vec<u64> {
         let of_triangle = if self.strips { of_strip } else { 3 };
         self.levels.iter().map(|level| of_triangle * level.counts.triangles).collect()
     }
 
-    /// Vertices and triangles of all levels.
+    /// Numbers of vertices and triangles of all levels.
     pub fn counts(&self) -> MeshCounts {
         let sum = |of: fn(&MeshCounts) -> u64| self.levels.iter().map(|level| of(&level.counts)).sum();
         MeshCounts { vertices: sum(|counts| counts.vertices), triangles: sum(|counts| counts.triangles) }
     }
 
-    /// Whether a file can hold so much.
+    /// Checks whether a file can hold the levels.
     ///
     /// # Errors
     ///
-    /// When there is no level, one shows nothing or counts beyond 32 bits, a coverage is not from 0 to 1 and
-    /// less than the one before, or the file would be longer than 4 GiB.
+    /// When there is no level; when one has no triangles, or counts beyond 32 bits; when a coverage
+    /// is not from 0 to 1 or not less than the one before; or when the file would be longer than 4
+    /// GiB.
     pub fn check(&self) -> Result<(), WriteProblem> {
         for level in &self.levels {
             check_counts(level.counts)?;
@@ -131,10 +135,11 @@ impl GlbLayout {
         let coverages: Vec<f64> = self.levels.iter().map(|level| level.coverage).collect();
         let in_range = coverages.iter().all(|coverage| (0.0..=1.0).contains(coverage));
         if self.levels.is_empty() || !in_range || coverages.windows(2).any(|pair| pair[1] >= pair[0]) {
-            let what = "levels of detail must be there, and be shown down to less and less of the picture";
+            let what =
+                "there must be a level of detail, and each must have a smaller coverage than the one before";
             return Err(WriteProblem::NotStorable(what.to_owned()));
         }
-        // How long strips are is known when they are made.
+        // The length of strips is not known yet: one index a triangle is the least.
         let bytes = self.before() + self.buffer(&self.indices(1));
         if bytes > u64::from(u32::MAX) {
             let MeshCounts { vertices, triangles } = self.counts();
@@ -146,22 +151,22 @@ impl GlbLayout {
         Ok(())
     }
 
-    /// Bytes of the vertices and the indices of a level, of which there are so many.
+    /// Bytes of a level's vertices and of its `indices` indices.
     fn sizes(&self, counts: MeshCounts, indices: u64) -> [u64; 2] {
         [attributes(self.quantization.as_ref()).1 * counts.vertices, INDEX * indices]
     }
 
-    /// Bytes of the buffer, with so many indices of each level.
+    /// Bytes of the buffer, given the number of indices of each level.
     pub(super) fn buffer(&self, indices: &[u64]) -> u64 {
         self.pictures_at(indices) + self.materials.as_ref().map_or(0, GlbMaterials::bytes)
     }
 
-    /// Where the pictures begin in the buffer, by the number of indices of each level.
+    /// Offset of the pictures in the buffer, given the number of indices of each level.
     pub(super) fn pictures_at(&self, indices: &[u64]) -> u64 {
-        self.places(self.levels.len(), indices)[0]
+        self.offsets(self.levels.len(), indices)[0]
     }
 
-    /// How many triangles of a level each primitive has, by its material: those that have any.
+    /// Primitives of a level: each material that is used, with its number of triangles.
     pub(super) fn parts(&self, level: usize) -> Vec<(usize, u64)> {
         let counts = self.materials.as_ref().and_then(|materials| materials.counts.get(level));
         match counts {
@@ -170,9 +175,9 @@ impl GlbLayout {
         }
     }
 
-    /// Where vertices and indices of a level begin in the buffer, with so many indices of those before; both
-    /// are the end after the last one.
-    pub(super) fn places(&self, level: usize, indices: &[u64]) -> [u64; 2] {
+    /// Offsets of a level's vertices and indices in the buffer, given the number of indices of the
+    /// levels before it. After the last level both are the end.
+    pub(super) fn offsets(&self, level: usize, indices: &[u64]) -> [u64; 2] {
         let all = || self.levels.iter().zip(indices);
         let before = all().take(level).flat_map(|(level, indices)| self.sizes(level.counts, *indices)).sum();
         let of_vertices = self.levels.get(level).map_or(0, |level| self.sizes(level.counts, 0)[0]);
@@ -181,37 +186,38 @@ impl GlbLayout {
 
     /// Bytes of the JSON in the file.
     pub(super) fn json_bytes(&self) -> u64 {
-        let room = self.levels.len() * (ROOM - PLACE.len());
-        ((self.json(&self.indices(MOST_OF_STRIP)).len() + room) as u64).next_multiple_of(4)
+        let bounds = self.levels.len() * (BOUNDS_BYTES - PLACEHOLDER.len());
+        ((self.json(&self.indices(MOST_OF_STRIP)).len() + bounds) as u64).next_multiple_of(4)
     }
 
-    /// The JSON with the least and the greatest positions and the indices of the levels, as long as it is in
-    /// the file.
+    /// The JSON with the least and the greatest positions and the indices of the levels, padded to
+    /// its length in the file.
     pub(super) fn json_with(&self, bounds: &[[Vec3; 2]], indices: &[u64]) -> Vec<u8> {
         let mut json = self.json(indices);
         for corners in bounds {
             let [least, greatest] = corners.map(|corner| {
-                // Codes are whole numbers, and are written as such.
+                // Codes are written as integers.
                 let is_whole = self.quantization.is_some();
                 let numbers = corner
                     .to_array()
                     .map(|number| if is_whole { format!("{number}") } else { format!("{number:e}") });
                 numbers.join(",")
             });
-            json = json.replacen(PLACE, &format!(r#","min":[{least}],"max":[{greatest}]"#), 1);
+            json = json.replacen(PLACEHOLDER, &format!(r#","min":[{least}],"max":[{greatest}]"#), 1);
         }
         let mut json = json.into_bytes();
         json.resize(self.json_bytes() as usize, b' ');
         json
     }
 
-    /// The JSON for so many indices of each level, with places for the least and the greatest positions.
+    /// The JSON for the given number of indices of each level, with placeholders for the least and
+    /// the greatest positions.
     fn json(&self, indices: &[u64]) -> String {
         let (lists, vertex_bytes) = attributes(self.quantization.as_ref());
         let (mut meshes, mut views, mut accessors) = (Vec::new(), Vec::new(), Vec::new());
         for (at, GlbLevel { counts, .. }) in self.levels.iter().enumerate() {
             let MeshCounts { vertices, .. } = *counts;
-            let ([vertices_at, indices_at], count) = (self.places(at, indices), indices[at]);
+            let ([vertices_at, indices_at], count) = (self.offsets(at, indices), indices[at]);
             let sizes = self.sizes(*counts, count);
             let mode = if self.strips { r#","mode":5"# } else { "" };
             let first = accessors.len();
@@ -232,7 +238,7 @@ impl GlbLayout {
                     + r#""target":34963}"#,
             );
             for (k, list) in lists.iter().enumerate() {
-                let place = if k == 0 { PLACE } else { "" };
+                let place = if k == 0 { PLACEHOLDER } else { "" };
                 accessors.push(list.accessor(2 * at, vertices) + place + "}");
             }
             let mut from = 0;
@@ -264,7 +270,7 @@ impl GlbLayout {
             + &format!(r#""bufferViews":[{}],"accessors":[{}]}}"#, views.join(","), accessors.join(","))
     }
 
-    /// The extensions that are used, and that one has to know to read the file.
+    /// Extensions that are used, and those that are required to read the file.
     fn extensions(&self) -> String {
         let quantization = self.quantization.map(|_| r#""KHR_mesh_quantization""#);
         let lods = (self.levels.len() > 1).then_some(r#""MSFT_lod""#);
@@ -278,7 +284,7 @@ impl GlbLayout {
         format!(r#""extensionsUsed":[{}],{}"#, used.join(","), required.unwrap_or_default())
     }
 
-    /// A node for each level.
+    /// Nodes, one for each level.
     fn nodes(&self) -> String {
         let moved = self.node.translation_m;
         let is_moved = moved != [0.0; 3];
@@ -300,11 +306,10 @@ impl GlbLayout {
         (0..self.levels.len()).map(node).collect::<Vec<_>>().join(",")
     }
 
-    /// The extras of a level's node: what is said of the mesh, and down to which part of the picture each
-    /// level is shown.
+    /// Extras of a level's node: the extras of the mesh, and the coverage of each level.
     fn extras(&self, level: usize) -> String {
-        // What stands for numbers that are known later must not be in them.
-        let clean = |text: &String| text.replace(PLACE, "\\u0040");
+        // The placeholder must not occur in them.
+        let clean = |text: &String| text.replace(PLACEHOLDER, "\\u0040");
         let said = self.node.extras.iter().map(|(name, text)| format!(r#""{name}":{}"#, clean(text)));
         let coverages = || {
             let each: Vec<String> = self.levels.iter().map(|level| format!("{:e}", level.coverage)).collect();
@@ -315,7 +320,7 @@ impl GlbLayout {
         if all.is_empty() { String::new() } else { format!(r#","extras":{{{}}}"#, all.join(",")) }
     }
 
-    /// What names the other levels.
+    /// Extension that names the other levels.
     fn lods(&self) -> String {
         let ids: Vec<String> = (1..self.levels.len()).map(|level| level.to_string()).collect();
         format!(r#","extensions":{{"MSFT_lod":{{"ids":[{}]}}}}"#, ids.join(","))

@@ -1,4 +1,4 @@
-//! The materials of a GLB, with their pictures.
+//! Materials of a GLB, with their pictures.
 
 use std::sync::Arc;
 
@@ -10,39 +10,41 @@ use serde_json::{Value, json};
 use super::layout::GlbLayout;
 use crate::{MeshMaterial, Picture, WriteProblem, linear_to_srgb};
 
-/// How far a transform may be from one that turns and scales, in each of its numbers.
+/// Greatest deviation, in each number, of a transform from one that only rotates and scales.
 const NEAR: f64 = 1e-4;
 
-/// Materials of a mesh that is written as GLB: their names, base colours, masks and pictures, as PNG of 8
-/// bits a channel.
+/// Materials of a mesh to write as GLB: their names, base colours, masks and pictures, which are
+/// stored as PNG of 8 bits a channel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GlbMaterials {
     materials: Vec<MeshMaterial>,
-    /// The material of each triangle of the base. Empty: all have the first one.
+    /// Material of each triangle of the base mesh. Empty if all have the first one.
     of_base: Vec<u32>,
-    /// How many triangles of each level have each material.
+    /// Number of triangles of each level with each material.
     pub(super) counts: Vec<Vec<u64>>,
-    /// The pictures, each as often as materials see the same one, with those as PNG.
+    /// Pictures, each once, with their PNG files.
     pictures: Vec<(Arc<Picture>, Vec<u8>)>,
 }
 
 impl GlbMaterials {
-    /// Those materials, with the number of each triangle's of the base: none where all have the first one.
+    /// Creates a set of materials. `of_base` holds the material's index for each base triangle;
+    /// empty if all have the first one.
     ///
     /// # Errors
     ///
-    /// When there is no material, a triangle has one that is not there, the picture of one lies in a way that
-    /// glTF has no words for, or a picture has not as many texels as its sides say.
+    /// When there is no material; when a triangle's material does not exist; when a picture's
+    /// transform cannot be expressed in glTF; or when a picture's number of texels does not match
+    /// its sides.
     pub fn new(materials: Vec<MeshMaterial>, of_base: Vec<u32>) -> Result<Self, WriteProblem> {
         let problem = |what: &str| Err(WriteProblem::NotStorable(what.to_owned()));
         if materials.is_empty() || of_base.iter().any(|number| *number as usize >= materials.len()) {
-            return problem("a triangle has a material that is not there");
+            return problem("a triangle has a material that does not exist");
         }
         let mut pictures: Vec<(Arc<Picture>, Vec<u8>)> = Vec::new();
         for material in &materials {
             let Some(picture) = &material.picture else { continue };
             if transform_of(material).is_none() {
-                return problem("the picture of a material is slanted, which glTF has no words for");
+                return problem("the picture of a material is slanted, which glTF cannot express");
             }
             if !pictures.iter().any(|(known, _)| Arc::ptr_eq(known, picture)) {
                 pictures.push((Arc::clone(picture), encoded(picture)?));
@@ -51,12 +53,12 @@ impl GlbMaterials {
         Ok(Self { materials, of_base, counts: Vec::new(), pictures })
     }
 
-    /// Whether triangles have several.
-    pub fn are_several(&self) -> bool {
+    /// Whether triangles have different materials.
+    pub fn has_several(&self) -> bool {
         !self.of_base.is_empty()
     }
 
-    /// Counts the triangles of a block of a level; level 0 is the finest.
+    /// Counts the triangles of a block of a level by material; level 0 is the finest.
     pub fn count(&mut self, level: usize, block: &MeshBlock) {
         if self.counts.len() <= level {
             self.counts.resize(level + 1, vec![0; self.materials.len()]);
@@ -67,21 +69,23 @@ impl GlbMaterials {
         }
     }
 
-    /// The material of a triangle of a block. What lies on none of the base's has the first one.
+    /// Material of a triangle of a block. Triangles that belong to no base triangle have the first
+    /// one.
     pub(super) fn of_triangle(&self, block: &MeshBlock, at: usize) -> usize {
         let owner = block.owners.get(at).copied().unwrap_or(MeshBlock::NO_OWNER);
         self.of_base.get(owner as usize).map_or(0, |number| *number as usize)
     }
 
-    /// Whether the triangles of all levels are counted where they have several, and lie in lists.
+    /// Checks that the triangles of all levels have been counted if they have several materials,
+    /// and are not stored as strips.
     pub(super) fn check(&self, layout: &GlbLayout) -> Result<(), WriteProblem> {
-        if !self.are_several() {
+        if !self.has_several() {
             return Ok(());
         }
         let counted: Vec<u64> = self.counts.iter().map(|counts| counts.iter().sum()).collect();
         let wanted: Vec<u64> = layout.levels.iter().map(|level| level.counts.triangles).collect();
         if layout.strips || counted != wanted {
-            let what = "triangles of several materials are to be counted, and are not stored as strips";
+            let what = "triangles of several materials must be counted, and cannot be stored as strips";
             return Err(WriteProblem::NotStorable(what.to_owned()));
         }
         Ok(())
@@ -92,29 +96,29 @@ impl GlbMaterials {
         self.pictures.iter().map(|(_, png)| png.len() as u64).sum()
     }
 
-    /// The pictures, as PNG of a length that 4 divides.
+    /// Pictures as PNG, padded to a multiple of 4 bytes.
     pub(super) fn pictures(&self) -> impl Iterator<Item = &Vec<u8>> {
         self.pictures.iter().map(|(_, png)| png)
     }
 
-    /// Whether a picture lies by other coordinates than the mesh has.
+    /// Whether a picture has coordinates other than the mesh's.
     pub(super) fn has_transforms(&self) -> bool {
-        self.materials.iter().any(|of| of.picture.is_some() && of.transform != MeshMaterial::SAME)
+        self.materials.iter().any(|of| of.picture.is_some() && of.transform != MeshMaterial::IDENTITY)
     }
 
-    /// The texture of a material.
+    /// Number of a material's texture.
     fn texture(&self, at: usize) -> usize {
         self.materials[..at].iter().filter(|before| before.picture.is_some()).count()
     }
 
-    /// The materials, between commas.
+    /// Materials as JSON, separated by commas.
     pub(super) fn json(&self) -> String {
         let each = self.materials.iter().enumerate().map(|(at, material)| {
             let mut base = json!({ "baseColorFactor": material.factor, "metallicFactor": 0 });
             if material.picture.is_some() {
                 let mut info = json!({ "index": self.texture(at) });
                 if let Some(moved) =
-                    transform_of(material).filter(|_| material.transform != MeshMaterial::SAME)
+                    transform_of(material).filter(|_| material.transform != MeshMaterial::IDENTITY)
                 {
                     info["extensions"] = json!({ "KHR_texture_transform": moved });
                 }
@@ -133,7 +137,7 @@ impl GlbMaterials {
         each.collect::<Vec<String>>().join(",")
     }
 
-    /// The textures, samplers and images, whose buffer views have numbers from `first` on.
+    /// Textures, samplers and images as JSON. Buffer views of images are numbered from `first`.
     pub(super) fn json_of_pictures(&self, first: usize) -> String {
         let with_picture = || self.materials.iter().filter_map(|of| Some((of, of.picture.as_ref()?)));
         if with_picture().next().is_none() {
@@ -163,7 +167,7 @@ impl GlbMaterials {
         format!(r#""textures":{textures},"samplers":{samplers},"images":{images},"#)
     }
 
-    /// The buffer views of the pictures; the first one begins there.
+    /// Buffer views of the pictures; the first one begins at offset `at`.
     pub(super) fn views(&self, mut at: u64) -> Vec<String> {
         let view = |png: &Vec<u8>| {
             let first = at;
@@ -174,12 +178,13 @@ impl GlbMaterials {
     }
 }
 
-/// A text of JSON without what stands for numbers that are known later.
+/// JSON text in which the placeholder does not occur.
 fn clean(value: &Value) -> String {
     value.to_string().replace('@', "\\u0040")
 }
 
-/// How a material's picture is moved, turned and scaled (KHR_texture_transform); none where it is slanted.
+/// Translation, rotation and scale of a material's picture (KHR_texture_transform); none if it is
+/// slanted.
 fn transform_of(material: &MeshMaterial) -> Option<Value> {
     let [[a, b, x], [c, d, y]] = material.transform.map(|row| row.map(f64::from));
     let along_u = a.hypot(c);
@@ -192,8 +197,8 @@ fn transform_of(material: &MeshMaterial) -> Option<Value> {
         .then(|| json!({ "offset": [x, y], "rotation": turn, "scale": [along_u, along_v] }))
 }
 
-/// A picture of 8 bits a channel, with zeros behind it to a length that 4 divides. Opaque ones have no
-/// opacity.
+/// Encodes a picture as PNG of 8 bits a channel, padded with zeros to a multiple of 4 bytes. Opaque
+/// ones have no alpha channel.
 fn encoded(picture: &Picture) -> Result<Vec<u8>, WriteProblem> {
     let problem = |error: png::EncodingError| WriteProblem::NotStorable(error.to_string());
     let code = |part: f32| (255.0 * part.clamp(0.0, 1.0)).round() as u8;

@@ -1,5 +1,5 @@
-//! Binary glTF 2.0: meshes of one or several levels of detail. Of each level the vertices lie side by side,
-//! its indices behind them, material by material; pictures lie behind all.
+//! Writer of binary glTF 2.0: meshes of one or several levels of detail. The buffer holds, level by
+//! level, interleaved vertices followed by indices, material by material; pictures are at the end.
 
 mod layout;
 mod materials;
@@ -21,23 +21,24 @@ pub use vertex::{Quantization, tangent};
 /// Bytes of an index.
 const INDEX: u64 = 4;
 
-/// Bytes before the JSON, and between it and the buffer: the file's header and both chunks'.
+/// Bytes before the JSON, and between it and the buffer: the headers of the file and of both
+/// chunks.
 const HEADERS: [u64; 2] = [20, 8];
 
-/// A file that is being written.
+/// GLB file that is being written.
 pub struct Glb<'a> {
     layout: &'a GlbLayout,
-    /// Bytes of a vertex, and before the buffer.
+    /// Bytes of a vertex, and bytes before the buffer.
     vertex: u64,
     before: u64,
-    /// The level that comes, and what there is of it.
+    /// Current level, and the counts written of it.
     level: usize,
-    found: MeshCounts,
-    /// The indices of each level that were written.
+    written: MeshCounts,
+    /// Number of indices written of each level.
     indices: Vec<u64>,
-    /// The strip of the level that comes.
+    /// Strip of the current level.
     strip: Strip,
-    /// The least and the greatest numbers of the positions of each level, as they are stored.
+    /// Least and greatest coordinates of the positions of each level, as they are stored.
     bounds: Vec<[Vec3; 2]>,
 }
 
@@ -48,14 +49,14 @@ impl<'a> Glb<'a> {
         let nothing = MeshCounts { vertices: 0, triangles: 0 };
         let (indices, strip) = (vec![0; layout.levels.len()], Strip::default());
         let before = layout.before();
-        let glb = Self { layout, vertex, before, level: 0, found: nothing, indices, strip, bounds };
+        let glb = Self { layout, vertex, before, level: 0, written: nothing, indices, strip, bounds };
         glb.go_to(0, regions);
         glb
     }
 
-    /// Goes on at the beginning of a level.
+    /// Moves the regions to the beginning of a level.
     fn go_to(&self, level: usize, regions: &mut Regions<'_, '_>) {
-        let [vertices, mut indices] = self.layout.places(level, &self.indices).map(|at| self.before + at);
+        let [vertices, mut indices] = self.layout.offsets(level, &self.indices).map(|at| self.before + at);
         regions.next = vec![vertices];
         for (_, triangles) in self.layout.parts(level) {
             regions.next.push(indices);
@@ -64,17 +65,20 @@ impl<'a> Glb<'a> {
     }
 
     pub fn block(&mut self, block: &MeshBlock, regions: &mut Regions<'_, '_>) -> io::Result<()> {
-        if self.found == self.layout.levels[self.level].counts && self.level + 1 < self.layout.levels.len() {
+        if self.written == self.layout.levels[self.level].counts && self.level + 1 < self.layout.levels.len()
+        {
             self.level += 1;
-            self.found = MeshCounts { vertices: 0, triangles: 0 };
+            self.written = MeshCounts { vertices: 0, triangles: 0 };
             self.strip = Strip::default();
             self.go_to(self.level, regions);
         }
-        self.found.vertices += block.vertices.len() as u64;
-        self.found.triangles += block.triangles.len() as u64;
+        self.written.vertices += block.vertices.len() as u64;
+        self.written.triangles += block.triangles.len() as u64;
         let MeshCounts { vertices, triangles } = self.layout.levels[self.level].counts;
-        if self.found.vertices > vertices || self.found.triangles > triangles {
-            return Err(io::Error::other("there is more of a level of detail than was promised"));
+        if self.written.vertices > vertices || self.written.triangles > triangles {
+            return Err(io::Error::other(
+                "a level of detail has more vertices or triangles than its counts say",
+            ));
         }
         let mut bytes = Vec::with_capacity(self.vertex as usize * block.vertices.len());
         let [mut least, mut greatest] = self.bounds[self.level];
@@ -107,20 +111,20 @@ impl<'a> Glb<'a> {
         let indices = of_strip.as_deref().unwrap_or(block.triangles.as_flattened());
         self.indices[self.level] += indices.len() as u64;
         if self.before + self.layout.buffer(&self.indices) > u64::from(u32::MAX) {
-            return Err(io::Error::other("the strips take more than the 4 GiB at which a GLB ends"));
+            return Err(io::Error::other("the strips need more than the 4 GiB that a GLB can hold"));
         }
         bytes.extend(indices.iter().flat_map(|corner| corner.to_le_bytes()));
         regions.write(1, &bytes)
     }
 
-    /// Writes what stands before the lists, when the least and the greatest position and the indices are
-    /// known, and gives the indices of each level.
+    /// Writes everything before the lists, since the least and the greatest positions and the
+    /// indices are now known. Returns the number of indices of each level.
     pub fn finish(self, regions: &mut Regions<'_, '_>) -> io::Result<Vec<u64>> {
         let Self { layout, before, indices, bounds, .. } = self;
         if indices.contains(&0) {
-            return Err(io::Error::other("no triangle has three corners"));
+            return Err(io::Error::other("no triangle has three different corners"));
         }
-        // It was checked that these fit into 32 bits.
+        // It was checked that both numbers fit into 32 bits.
         let bytes = |number: u64| (number as u32).to_le_bytes();
         let (json, buffer) = (layout.json_with(&bounds, &indices), layout.buffer(&indices));
         let mut head = b"glTF\x02\0\0\0".to_vec();

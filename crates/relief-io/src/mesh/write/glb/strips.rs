@@ -1,70 +1,73 @@
-//! Triangles as one strip.
+//! Conversion of triangles to one strip.
 //!
-//! Source: Gumhold and Hüttner 1999, section 2.2, the stripping unit: a strip that is sequential, in which a
-//! vertex that is at hand is named again to turn (`ref`), and which begins anew (`init`) where it ends. Which
-//! triangle comes next is theirs to know from the sweep; here it is found by how many others a triangle still
-//! touches, after Akeley, Haeberli and Burns 1990 (tomesh).
+//! Source: Gumhold and Hüttner 1999, section 2.2, the stripping unit: a sequential strip that
+//! repeats a recent vertex to turn (`ref`), and starts again (`init`) where it ends. There the
+//! sweep gives the next triangle. Here it is chosen by the number of other triangles that a
+//! triangle still touches, after Akeley, Haeberli and Burns 1990 (tomesh).
 
-/// No triangle.
+/// Marks a side without a neighbour.
 const NONE: u32 = u32::MAX;
 
-/// The indices of a strip as it grows. Three in a row are a triangle, every second one turned over; one that
-/// has an index twice is none, and joins what is beside it.
+/// State of a growing strip. Three indices in a row are a triangle, every second one reversed. A
+/// triangle with a repeated index is degenerate, and joins its neighbours.
 #[derive(Debug, Default)]
 pub struct Strip {
-    /// How many indices there are so far, and the last of them.
+    /// Number of indices so far, and the last of them.
     count: u64,
     last: Option<u32>,
 }
 
-/// Triangles, and which of them touch.
+/// Triangles with their adjacency.
 struct Triangles {
     corners: Vec<[u32; 3]>,
-    /// For each side, which goes from a corner to the next, the side of the other triangle there, as
-    /// `3 * triangle + side`.
+    /// For each side, from a corner to the next, the side of the neighbouring triangle as `3 *
+    /// triangle + side`.
     beside: Vec<u32>,
     is_done: Vec<bool>,
-    /// How many that are not done each touches.
+    /// Number of neighbours of each triangle that are not done.
     free: Vec<u8>,
 }
 
-/// A way through triangles that touch.
+/// Sequence of adjacent triangles, with the indices of its strip.
 #[derive(Default)]
-struct Way {
+struct Walk {
     triangles: Vec<u32>,
     indices: Vec<u32>,
 }
 
 impl Strip {
-    /// The indices that go on with those triangles: all that have three corners, each as it turns.
+    /// Returns the indices that extend the strip by all given triangles with three different
+    /// corners, with their orientation.
     pub fn extended(&mut self, triangles: &[[u32; 3]]) -> Vec<u32> {
         let mut all = Triangles::new(triangles);
-        let mut waiting = Waiting::new(&all.free);
+        let mut queue = StartQueue::new(&all.free);
         let mut indices = Vec::with_capacity(2 * triangles.len());
-        let mut ways = [(); 3].map(|()| Way::default());
+        let mut walks = [(); 3].map(|()| Walk::default());
         let mut is_taken = vec![false; all.corners.len()];
-        while let Some(start) = waiting.next(&all) {
+        while let Some(start) = queue.next(&all) {
             let is_odd = (self.count + indices.len() as u64) % 2 == 1;
             let last = indices.last().copied().or(self.last);
-            for (corner, way) in ways.iter_mut().enumerate() {
-                all.walk(start, corner, is_odd, way, &mut is_taken);
+            for (corner, walk) in walks.iter_mut().enumerate() {
+                all.walk(start, corner, is_odd, walk, &mut is_taken);
             }
-            // The longest; of these that which names fewest, and of these that which is at hand.
-            let rank = |way: &Way| {
-                let is_far = way.indices.first().copied() != last;
-                (way.triangles.len(), usize::MAX - way.indices.len(), !is_far)
+            // The longest walk is best; then the one with the fewest indices; then one that begins
+            // at the last index.
+            let rank = |walk: &Walk| {
+                let is_far = walk.indices.first().copied() != last;
+                (walk.triangles.len(), usize::MAX - walk.indices.len(), !is_far)
             };
-            let best = (0..3).rev().max_by_key(|&corner| rank(&ways[corner])).unwrap_or(0);
-            let way = &ways[best];
-            // Two indices more part what follows from what is before, one where they have the last in common;
-            // then every second triangle is turned over as the way has it.
-            if let (Some(last), Some(&first)) = (last, way.indices.first())
+            let best = (0..3).rev().max_by_key(|&corner| rank(&walks[corner])).unwrap_or(0);
+            let walk = &walks[best];
+            // Two more indices separate the walk from the strip before it. If that strip ends with
+            // the walk's first index, its repetition is enough; then every second triangle is
+            // reversed as the walk has it.
+            if let (Some(last), Some(&first)) = (last, walk.indices.first())
                 && last != first
             {
                 indices.extend([last, first]);
             }
-            indices.extend(&way.indices);
-            all.finish(&way.triangles, &mut waiting);
+            indices.extend(&walk.indices);
+            all.finish(&walk.triangles, &mut queue);
         }
         self.count += indices.len() as u64;
         self.last = indices.last().copied().or(self.last);
@@ -76,7 +79,7 @@ impl Triangles {
     fn new(triangles: &[[u32; 3]]) -> Self {
         let has_corners = |[a, b, c]: &&[u32; 3]| a != b && b != c && c != a;
         let corners: Vec<[u32; 3]> = triangles.iter().filter(has_corners).copied().collect();
-        // Sides by their ends, the lesser first, and whether they run that way.
+        // Sides by their ends, the lesser first, and whether they run the other way.
         let side = |number: u32| {
             let of = corners[number as usize / 3];
             let (from, to) = (of[number as usize % 3], of[(number as usize + 1) % 3]);
@@ -96,10 +99,10 @@ impl Triangles {
         Self { is_done: vec![false; corners.len()], corners, beside, free }
     }
 
-    /// The way from a triangle across the side that faces one of its corners, up to where no triangle is
-    /// left. `is_odd` says whether the first one is turned over.
-    fn walk(&self, start: u32, corner: usize, is_odd: bool, way: &mut Way, is_taken: &mut [bool]) {
-        let Way { triangles, indices } = way;
+    /// Walks from a triangle across the side that faces one of its corners, until no triangle is
+    /// left. `is_odd` says whether the first one is reversed.
+    fn walk(&self, start: u32, corner: usize, is_odd: bool, walk: &mut Walk, is_taken: &mut [bool]) {
+        let Walk { triangles, indices } = walk;
         triangles.clear();
         indices.clear();
         let of = self.corners[start as usize];
@@ -113,7 +116,7 @@ impl Triangles {
             let ahead = self.across(at, first, is_taken);
             let aside = self.across(at, second, is_taken).filter(|_| at != start);
             let free = |side: u32| self.free[side as usize / 3];
-            // Where both are left, to that which has less to go on to.
+            // If both neighbours are left, the walk goes to the one with fewer free neighbours.
             let turns = match (ahead, aside) {
                 (Some(ahead), Some(aside)) => free(aside) < free(ahead),
                 (None, Some(_)) => true,
@@ -121,7 +124,8 @@ impl Triangles {
             };
             let Some(side) = (if turns { aside } else { ahead }) else { break };
             if turns {
-                // The first corner once more, before the last: the triangle is the same, turned over twice.
+                // The first corner is repeated before the last one: the triangle stays the same,
+                // reversed twice.
                 indices.pop();
                 indices.extend([first, third]);
                 second = first;
@@ -136,7 +140,7 @@ impl Triangles {
         }
     }
 
-    /// The side of the triangle that is left beside another one, across from one of its corners.
+    /// Returns the side of the remaining triangle that lies across from a triangle's corner.
     fn across(&self, triangle: u32, corner: u32, is_taken: &[bool]) -> Option<u32> {
         let place = self.corners[triangle as usize].iter().position(|of| *of == corner)?;
         let side = self.beside[3 * triangle as usize + (place + 1) % 3];
@@ -147,8 +151,8 @@ impl Triangles {
         Some(side).filter(is_left)
     }
 
-    /// Takes triangles out.
-    fn finish(&mut self, triangles: &[u32], waiting: &mut Waiting) {
+    /// Marks triangles as done.
+    fn finish(&mut self, triangles: &[u32], queue: &mut StartQueue) {
         for &triangle in triangles {
             self.is_done[triangle as usize] = true;
         }
@@ -157,34 +161,35 @@ impl Triangles {
                 let other = side as usize / 3;
                 if side != NONE && !self.is_done[other] {
                     self.free[other] -= 1;
-                    waiting.add(side / 3, self.free[other]);
+                    queue.add(side / 3, self.free[other]);
                 }
             }
         }
     }
 }
 
-/// Triangles that are left, by how many others they touch.
-struct Waiting([Vec<u32>; 4]);
+/// Remaining triangles, by the number of others that they touch.
+struct StartQueue([Vec<u32>; 4]);
 
-impl Waiting {
+impl StartQueue {
     fn new(free: &[u8]) -> Self {
-        let mut waiting = Self(Default::default());
+        let mut queue = Self(Default::default());
         for (triangle, &free) in free.iter().enumerate().rev() {
-            waiting.add(triangle as u32, free);
+            queue.add(triangle as u32, free);
         }
-        waiting
+        queue
     }
 
     fn add(&mut self, triangle: u32, free: u8) {
         self.0[usize::from(free)].push(triangle);
     }
 
-    /// One that touches fewest others: of these that which came last.
+    /// Returns the triangle that touches the fewest others; of several, the one that was added
+    /// last.
     fn next(&mut self, all: &Triangles) -> Option<u32> {
         for (free, triangles) in self.0.iter_mut().enumerate() {
             while let Some(triangle) = triangles.pop() {
-                // It may have been taken since, or touch fewer.
+                // It may have been done since, or touch fewer now.
                 let at = triangle as usize;
                 if !all.is_done[at] && usize::from(all.free[at]) == free {
                     return Some(triangle);
@@ -201,7 +206,7 @@ mod tests {
 
     use super::*;
 
-    /// The triangles of a strip, each with its least corner first, in order.
+    /// Triangles of a strip, each with its least corner first, in order.
     fn decoded(indices: &[u32]) -> Vec<[u32; 3]> {
         let triangles = indices.windows(3).enumerate().filter_map(|(at, window)| {
             let [a, b, c] = [window[0], window[1 + at % 2], window[2 - at % 2]];
@@ -217,19 +222,19 @@ mod tests {
         all
     }
 
-    /// Rows of so many cells.
+    /// Grid with `cells` cells a side.
     fn grid(cells: u32) -> Vec<[u32; 3]> {
         square(cells).expect("a mesh").triangles().to_vec()
     }
 
     #[test]
-    fn a_strip_has_the_very_triangles() {
+    fn strips_have_the_same_triangles() {
         let mut fan: Vec<[u32; 3]> = (1..9).map(|k| [0, k, k + 1]).collect();
         fan.push([0, 9, 1]);
         let lists = [
             grid(35),
             fan,
-            // Pieces apart, one twice, sides that run the same way, and three at an edge.
+            // Separate pieces, one twice, sides that run the same way, and three at an edge.
             vec![[9, 7, 8], [1, 2, 3], [1, 2, 3], [2, 3, 5], [3, 2, 6], [3, 2, 4], [10, 11, 12]],
             vec![[0, 1, 2]],
             Vec::new(),
@@ -243,7 +248,7 @@ mod tests {
                     assert_eq!(strip.count, indices.len() as u64);
                 }
                 assert_eq!(decoded(&indices), sorted(triangles), "{size}");
-                // One index less, and all that follow are turned over.
+                // Without one index all later triangles are reversed.
                 if triangles.len() > 1 {
                     assert_ne!(decoded(&indices[1..]), sorted(triangles), "{size}");
                 }

@@ -1,4 +1,4 @@
-//! The numbers of a vertex as they are stored.
+//! Storage of vertices.
 
 use std::io;
 
@@ -7,36 +7,37 @@ use relief_core::mesh::{PositionGrid, Vertex};
 
 use super::super::floats;
 
-/// What glTF calls the types of numbers.
+/// Codes of number types in glTF.
 const BYTE: u32 = 5120;
 const UNSIGNED_BYTE: u32 = 5121;
 const SHORT: u32 = 5122;
 const UNSIGNED_SHORT: u32 = 5123;
 const FLOAT: u32 = 5126;
 
-/// Bits of positions from which on normals and tangents have 16.
+/// Least number of bits of positions at which normals and tangents have 16.
 const FINE: u32 = 13;
 
-/// How a GLB stores its vertices in integers, as `KHR_mesh_quantization` has it.
+/// Storage of a GLB's vertices in integers, by the extension `KHR_mesh_quantization`.
 ///
-/// Positions are the codes of a lattice, in 8 bits where these are enough, else in 16; scale and translation
-/// of the node make metres of them, exactly. They are not normalised: readers that know nothing of that give
-/// the same. Normals and tangents have 8 bits up to 12 of the positions (0.4° off at most), else 16. Texture
-/// coordinates have 16 (off by a part in 131,070 of the texture) where all of them lie in it, else they stay
-/// floats: a transformation of coordinates belongs to a texture, and there is none.
+/// Positions are codes of a lattice, in 8 bits if these suffice, otherwise in 16. Scale and
+/// translation of the node convert them to metres, exactly. Positions are not normalised, so
+/// readers that ignore that flag give the same result. Normals and tangents have 8 bits if
+/// positions have up to 12 (0.4° off at most), otherwise 16. Texture coordinates have 16 bits (off
+/// by a part in 131,070 of the texture) if all lie in the texture. Otherwise they stay floats: a
+/// transform of coordinates belongs to a texture, and there is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantization {
-    /// The lattice that positions are rounded to.
+    /// Lattice that positions are rounded to.
     pub grid: PositionGrid,
     /// Whether all texture coordinates are from 0 to 1, and stored in integers.
     pub uvs: bool,
 }
 
-/// One of the four lists of a vertex.
+/// One of the four attributes of a vertex.
 #[derive(Clone, Copy, Debug)]
 pub struct Attribute {
     pub name: &'static str,
-    /// Bytes before it in the vertex.
+    /// Offset in the vertex in bytes.
     pub offset: u64,
     component: u32,
     is_normalized: bool,
@@ -44,7 +45,7 @@ pub struct Attribute {
 }
 
 impl Attribute {
-    /// The beginning of its accessor, without the closing brace.
+    /// Beginning of the accessor's JSON, without the closing brace.
     pub fn accessor(&self, view: usize, count: u64) -> String {
         let Self { offset, component, form, .. } = self;
         let normalized = if self.is_normalized { r#""normalized":true,"# } else { "" };
@@ -53,7 +54,7 @@ impl Attribute {
     }
 }
 
-/// The lists of a vertex, and the bytes of all of them. Each begins at a multiple of four bytes.
+/// Attributes of a vertex, and bytes of a vertex. Each begins at a multiple of four bytes.
 pub fn attributes(quantization: Option<&Quantization>) -> ([Attribute; 4], u64) {
     let types = match quantization {
         None => [(FLOAT, 12), (FLOAT, 12), (FLOAT, 16), (FLOAT, 8)],
@@ -90,9 +91,10 @@ pub fn plain(bytes: &mut Vec<u8>, vertex: &Vertex) {
     floats(bytes, vertex.uv.to_array());
 }
 
-/// Writes a vertex in integers, and gives the codes of its position.
+/// Writes a vertex in integers, and returns the codes of its position.
 pub fn quantized(bytes: &mut Vec<u8>, vertex: &Vertex, how: &Quantization) -> io::Result<[u16; 3]> {
-    let beyond = |what: &str| io::Error::other(format!("{what} of a vertex lies beyond what was promised"));
+    let beyond =
+        |what: &str| io::Error::other(format!("{what} of a vertex lies outside the range of the layout"));
     let codes = how.grid.code(vertex.position).ok_or_else(|| beyond("the position"))?;
     let [x, y, z] = codes;
     for code in [x, y, z, 0] {
@@ -104,7 +106,7 @@ pub fn quantized(bytes: &mut Vec<u8>, vertex: &Vertex, how: &Quantization) -> io
     }
     let [nx, ny, nz] = vertex.normal.to_array();
     for number in [nx, ny, nz, 0.0].into_iter().chain(tangent(vertex)) {
-        // Numbers beyond, which only rounding makes, become the greatest.
+        // Numbers slightly out of range by rounding are clamped.
         if is_fine(&how.grid) {
             bytes.extend(((number * 32767.0).round() as i16).max(-i16::MAX).to_le_bytes());
         } else {
@@ -124,8 +126,8 @@ pub fn quantized(bytes: &mut Vec<u8>, vertex: &Vertex, how: &Quantization) -> io
     Ok(codes)
 }
 
-/// The unit tangent at right angles to the normal, and the sign by which `normal x tangent` points up in the
-/// picture, against growing `v`: that of the bitangent of glTF's normal maps.
+/// Returns the unit tangent perpendicular to the normal, and a sign. With it `normal x tangent`
+/// points up in the picture, against growing `v`, as the bitangent of glTF's normal maps does.
 pub fn tangent(vertex: &Vertex) -> [f32; 4] {
     let [normal, tangent, bitangent]: [DVec3; 3] =
         [vertex.normal, vertex.tangent, vertex.bitangent].map(|vector| vector.as_dvec3());

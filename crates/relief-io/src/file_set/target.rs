@@ -1,4 +1,4 @@
-//! Where the content of an output goes: links are followed, so that they stay.
+//! Final path of an output. Links are followed, so that they stay.
 
 use std::ffi::{OsStr, OsString};
 use std::io;
@@ -6,18 +6,18 @@ use std::path::{Path, PathBuf};
 
 use super::FileSetError;
 
-/// How many links may lead from one to the next.
+/// Greatest length of a chain of links.
 const MOST_LINKS: usize = 40;
 
-/// A file's place: a folder without links, and the name in it.
+/// Path of a file, resolved to a folder without links and a name in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct Target {
     pub(super) folder: PathBuf,
     pub(super) name: OsString,
 }
 
-impl Place {
-    /// Of a file that need not be there. Its folder must be.
+impl Target {
+    /// Resolves a path. The file need not exist; its folder must.
     pub(super) fn of(path: &Path) -> Result<Self, FileSetError> {
         let mut next = path.to_owned();
         for _ in 0..MOST_LINKS {
@@ -48,42 +48,42 @@ impl Place {
     }
 }
 
-/// Whether two paths lead to one file: the same name, a link, or a second name of the same content. The files
-/// need not be there.
+/// Whether two paths lead to one file: by the same name, a link, or a hard link. The files need not
+/// exist.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     let is_file = |path: &Path| std::fs::metadata(path).is_ok_and(|about| about.is_file());
-    // Only files are opened: a pipe would wait for somebody who writes.
+    // Only regular files are opened: opening a pipe would block.
     let is_same = is_file(a) && is_file(b) && same_file::is_same_file(a, b).unwrap_or(false);
-    is_same || matches!((Place::of(a), Place::of(b)), (Ok(a), Ok(b)) if a == b)
+    is_same || matches!((Target::of(a), Target::of(b)), (Ok(a), Ok(b)) if a == b)
 }
 
-/// The folder that a file is in.
+/// Folder that contains a file.
 fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// The bytes of a name.
+/// Bytes of a name.
 #[cfg(unix)]
 #[expect(clippy::unnecessary_wraps, reason = "elsewhere names may have no bytes")]
 pub(super) fn to_bytes(name: &OsStr) -> io::Result<&[u8]> {
     Ok(std::os::unix::ffi::OsStrExt::as_bytes(name))
 }
 
-/// The name of those bytes.
+/// Name from its bytes.
 #[cfg(unix)]
 #[expect(clippy::unnecessary_wraps, reason = "elsewhere bytes may be no name")]
 pub(super) fn from_bytes(bytes: &[u8]) -> io::Result<&OsStr> {
     Ok(std::os::unix::ffi::OsStrExt::from_bytes(bytes))
 }
 
-/// The bytes of a name.
+/// Bytes of a name.
 #[cfg(not(unix))]
 pub(super) fn to_bytes(name: &OsStr) -> io::Result<&[u8]> {
     let text = name.to_str().ok_or_else(|| io::Error::other("a name is not Unicode: rename it"))?;
     Ok(text.as_bytes())
 }
 
-/// The name of those bytes.
+/// Name from its bytes.
 #[cfg(not(unix))]
 pub(super) fn from_bytes(bytes: &[u8]) -> io::Result<&OsStr> {
     Ok(OsStr::new(std::str::from_utf8(bytes).map_err(io::Error::other)?))

@@ -1,8 +1,8 @@
-//! The hidden folder in which a set is prepared, and the lock in it.
+//! Hidden folder in which a set is staged, and the lock in it.
 //!
-//! It lies beside the outputs, so that files only need a new name to get to their places. An output that a
-//! link leads elsewhere, or that is meant for another folder, has a *room away* there for the same reason.
-//! The room lists its rooms away before they are made.
+//! The staging folder lies beside the outputs, so that files only need to be renamed. An output in
+//! another folder, or behind a link to another folder, has a *remote staging folder* there for the
+//! same reason. The staging folder lists its remote ones before they are created.
 
 use std::ffi::OsStr;
 use std::fs::{self, File, TryLockError};
@@ -14,39 +14,40 @@ use std::time::{Duration, Instant};
 use same_file::Handle;
 
 use super::disk::{Disk, is_there};
-use super::place::{from_bytes, to_bytes};
+use super::target::{from_bytes, to_bytes};
 
-/// How the names of rooms begin; 16 hexadecimal digits follow.
-const ROOM: &str = ".relief-";
+/// Prefix of staging folders' names; 16 hexadecimal digits follow.
+const PREFIX: &str = ".relief-";
 
-/// How the names of rooms away begin.
-const AWAY: &str = ".relief-away-";
+/// Prefix of remote staging folders' names.
+const REMOTE_PREFIX: &str = ".relief-away-";
 
-/// The file that the process at work holds a lock on.
+/// File that the working process holds a lock on.
 const LOCK: &str = "lock";
 
-/// The file that lists the folders of the rooms away.
+/// File that lists the folders with remote staging folders.
 const LIST: &str = "away";
 
-/// How long a process sleeps that waits for another.
+/// Sleep between two attempts to take the lock.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// A room that this process holds.
+/// Staging folder that this process has locked.
 #[derive(Debug)]
-pub(super) struct Room {
+pub(super) struct StagingFolder {
     pub(super) path: PathBuf,
     _lock: File,
 }
 
-impl Room {
-    /// Makes the room of that name, and locks it. None when the caller does not wait for who holds it.
+impl StagingFolder {
+    /// Creates the staging folder for `name` and locks it. None if another process holds it and
+    /// `wait` returns false.
     pub(super) fn take(
         disk: &Disk,
         folder: &Path,
         name: &OsStr,
         wait: &mut dyn FnMut(Duration) -> bool,
     ) -> io::Result<Option<Self>> {
-        let path = folder.join(format!("{ROOM}{}", digits(to_bytes(name)?)));
+        let path = folder.join(format!("{PREFIX}{}", digits(to_bytes(name)?)));
         let started = Instant::now();
         loop {
             match disk.make_folder(&path) {
@@ -58,7 +59,7 @@ impl Room {
             }
             let lock = match disk.open_lock(&path.join(LOCK)) {
                 Ok(lock) => lock,
-                // Who held it has just removed it.
+                // The process that held it has just removed it.
                 Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
                 Err(error) => return Err(error),
             };
@@ -67,7 +68,7 @@ impl Room {
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) if wait(started.elapsed()) => sleep(PAUSE),
                 Err(TryLockError::WouldBlock) => return Ok(None),
-                // Where the system has no locks there is one process at a time, or the user's care.
+                // A file system without locks relies on the user to run one process at a time.
                 Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {
                     return Ok(Some(Self { path, _lock: lock }));
                 }
@@ -76,11 +77,11 @@ impl Room {
         }
     }
 
-    /// The rooms in the folder whose processes were killed. Those are held now.
+    /// Staging folders of killed processes in `folder`, now locked by this process.
     pub(super) fn abandoned(disk: &Disk, folder: &Path) -> Vec<Self> {
         let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-        let rooms = entries.filter(|entry| entry.file_name().to_str().is_some_and(is_room));
-        rooms.filter_map(|entry| Self::take_abandoned(disk, entry.path())).collect()
+        let names = entries.filter(|entry| entry.file_name().to_str().is_some_and(is_staging_name));
+        names.filter_map(|entry| Self::take_abandoned(disk, entry.path())).collect()
     }
 
     fn take_abandoned(disk: &Disk, path: PathBuf) -> Option<Self> {
@@ -88,20 +89,20 @@ impl Room {
             return None;
         }
         let Ok(lock) = File::options().write(true).open(path.join(LOCK)) else {
-            // An empty one may go: who has just made it makes it again.
+            // An empty one may be removed: a process that has just created it creates it again.
             let _ = disk.remove_folder(&path);
             return None;
         };
         (lock.try_lock().is_ok() && is_current(&lock, &path)).then_some(Self { path, _lock: lock })
     }
 
-    /// The room away in another folder.
-    pub(super) fn away(&self, folder: &Path) -> io::Result<PathBuf> {
-        Ok(folder.join(format!("{AWAY}{}", digits(to_bytes(self.path.as_os_str())?))))
+    /// Path of the remote staging folder in another folder.
+    pub(super) fn remote_path(&self, folder: &Path) -> io::Result<PathBuf> {
+        Ok(folder.join(format!("{REMOTE_PREFIX}{}", digits(to_bytes(self.path.as_os_str())?))))
     }
 
-    /// Makes the rooms away in those folders, where they are missing.
-    pub(super) fn make_away(&self, disk: &Disk, folders: &[PathBuf]) -> io::Result<()> {
+    /// Creates the missing remote staging folders in the given folders.
+    pub(super) fn make_remote(&self, disk: &Disk, folders: &[PathBuf]) -> io::Result<()> {
         let mut list = Vec::new();
         for folder in folders {
             list.extend_from_slice(to_bytes(folder.as_os_str())?);
@@ -111,25 +112,25 @@ impl Room {
         disk.write(&new, &list)?;
         disk.rename(&new, &self.path.join(LIST))?;
         for folder in folders {
-            let room = self.away(folder)?;
-            match disk.make_folder(&room) {
+            let staging = self.remote_path(folder)?;
+            match disk.make_folder(&staging) {
                 Err(error) if error.kind() != io::ErrorKind::AlreadyExists => return Err(error),
-                _ if !is_folder(&room) => return Err(in_the_way(&room)),
+                _ if !is_folder(&staging) => return Err(in_the_way(&staging)),
                 _ => {}
             }
         }
         Ok(())
     }
 
-    /// Removes the files in the room but the lock, and the rooms away.
+    /// Removes all files in the staging folder except the lock, and the remote staging folders.
     pub(super) fn clean(&self, disk: &Disk) -> io::Result<()> {
         let list = self.path.join(LIST);
         if let Ok(folders) = fs::read(&list) {
             for folder in folders.split(|&byte| byte == 0).filter(|folder| !folder.is_empty()) {
-                let room = self.away(Path::new(from_bytes(folder)?))?;
-                if is_folder(&room) {
-                    remove_files(disk, &room, |_| true)?;
-                    disk.remove_folder(&room)?;
+                let staging = self.remote_path(Path::new(from_bytes(folder)?))?;
+                if is_folder(&staging) {
+                    remove_files(disk, &staging, |_| true)?;
+                    disk.remove_folder(&staging)?;
                 }
             }
         }
@@ -137,7 +138,7 @@ impl Room {
         if list.exists() { disk.remove_file(&list) } else { Ok(()) }
     }
 
-    /// Removes the room. What cannot be removed is left to the next run.
+    /// Removes the staging folder. Anything that cannot be removed is left to the next run.
     pub(super) fn leave(&self, disk: &Disk) {
         let _ = self
             .clean(disk)
@@ -146,14 +147,14 @@ impl Room {
     }
 }
 
-/// The lock may have been taken on a file that has been removed meanwhile: then somebody else may hold the
-/// room.
-fn is_current(lock: &File, room: &Path) -> bool {
+/// Whether the lock's file is still in the folder. If it was removed meanwhile, another process may
+/// hold the folder.
+fn is_current(lock: &File, staging: &Path) -> bool {
     let held = lock.try_clone().and_then(Handle::from_file);
-    matches!((held, Handle::from_path(room.join(LOCK))), (Ok(held), Ok(found)) if held == found)
+    matches!((held, Handle::from_path(staging.join(LOCK))), (Ok(held), Ok(found)) if held == found)
 }
 
-/// Whether it is a folder and no link to one.
+/// Whether the path is a folder and not a link to one.
 pub(super) fn is_folder(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|about| about.is_dir())
 }
@@ -162,8 +163,8 @@ fn in_the_way(path: &Path) -> io::Error {
     io::Error::other(format!("{} is in the way: remove it", path.display()))
 }
 
-fn is_room(name: &str) -> bool {
-    let digits = name.strip_prefix(ROOM);
+fn is_staging_name(name: &str) -> bool {
+    let digits = name.strip_prefix(PREFIX);
     digits.is_some_and(|digits| digits.len() == 16 && digits.bytes().all(|digit| digit.is_ascii_hexdigit()))
 }
 
@@ -177,7 +178,7 @@ fn remove_files(disk: &Disk, folder: &Path, which: impl Fn(&OsStr) -> bool) -> i
     Ok(())
 }
 
-/// Names of any length and with any characters become 16 digits.
+/// Maps a name of any length and characters to 16 hexadecimal digits.
 fn digits(name: &[u8]) -> String {
     let mut digits = blake3::hash(name).to_hex().to_string();
     digits.truncate(16);

@@ -1,4 +1,4 @@
-//! The files that a mesh's file names.
+//! Files that a mesh's file refers to.
 
 use std::fmt;
 use std::fs::File;
@@ -13,9 +13,9 @@ use super::gltf::buffers::relative;
 use super::gltf::container::json_len;
 use super::gltf::extras::BEFORE_JSON;
 
-/// The files that belong to a mesh's file because it names them: the buffers and pictures of a glTF, whether
-/// they are read or not, and whether they are there or not. A file that cannot be read, is damaged, or holds
-/// all of its parts names none.
+/// Lists the files that a mesh's file refers to: the buffers and pictures of a glTF, whether or not
+/// they are used or exist. The list is empty if the file cannot be read, is damaged, or contains
+/// all of its parts.
 ///
 /// Only the names are held in memory.
 ///
@@ -48,7 +48,7 @@ fn of_gltf(path: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(names.map(|name| folder.join(name)).collect())
 }
 
-/// What names files.
+/// Parts of a glTF that refer to files.
 #[derive(Deserialize)]
 struct Document {
     #[serde(default)]
@@ -63,7 +63,7 @@ struct Part {
     uri: Uri,
 }
 
-/// A URI, if it is no data itself.
+/// URI, unless it contains the data itself.
 #[derive(Default)]
 struct Uri(Option<String>);
 

@@ -1,4 +1,4 @@
-//! A second look at methods between which the first times decide by too little.
+//! Second timing of methods whose first times are too close to decide.
 
 use relief_core::Watch;
 
@@ -8,25 +8,26 @@ use crate::error::CompareError;
 use crate::record::{PictureRecord, Records, TimeRecord};
 use crate::{Contender, Goal};
 
-/// A second look has at least that many times the frames of the first.
+/// Least number of frames of the second timing, as a multiple of the first's.
 const FRAMES: u32 = 3;
 
-/// It has up to that many times the frames of the first where they are short.
+/// Greatest number of frames of the second timing, as a multiple of the first's, for short frames.
 const MOST_FRAMES: u32 = 15;
 
-/// Milliseconds that all frames of a second look take together, where they are short.
+/// Total milliseconds of the second timing for short frames.
 const SHORT_MS: f64 = 3000.0;
 
 impl Comparison {
-    /// Times those methods once more, with three to fifteen times the frames, between which a [`Goal`] was
-    /// decided by too little: so few methods that they stay close in time to each other. Their times become
-    /// those of this look, but that an upper end is no less than the median of the look before: so a budget
-    /// is kept whether the machine is as quick as then or as now. Says how many methods were timed.
+    /// Times those methods again whose times are too close to decide a [`Goal`], with three to
+    /// fifteen times the frames. These are few, so that they stay close in time to each other. The
+    /// new times replace the old ones, except that an upper end is at least the old median. A
+    /// budget is then met whether the machine is as fast as before or as now. Returns the number of
+    /// methods.
     ///
     /// # Errors
     ///
-    /// As [`Self::run`], whose records these must be.
-    pub fn look_again(
+    /// See [`Self::run`], which must have produced the records.
+    pub fn time_again(
         &self,
         records: &mut Records,
         goal: Goal,
@@ -42,7 +43,7 @@ impl Comparison {
         contenders.retain(|contender| labels.contains(&contender.label()));
         let again = Comparison {
             contenders,
-            // The contenders have theirs.
+            // The contenders already have their steps, formats and shadows.
             steps: Vec::new(),
             map_formats: Vec::new(),
             shadows: Vec::new(),
@@ -63,8 +64,8 @@ impl Comparison {
     }
 }
 
-/// How many frames of each of these methods the second look has, where the first one had `before`. Many, if
-/// they are short: the more there are, the better is known which of two near times is the shorter.
+/// Number of frames of each method in the second timing, after `before` frames in the first. Short
+/// frames are timed more often: more frames decide better which of two similar times is shorter.
 fn frames(before: u32, records: &Records, labels: &[String]) -> u32 {
     let looked_at = records.pictures.iter().filter(|record| labels.contains(&record.method.label()));
     let one_of_each: f64 =
@@ -73,7 +74,7 @@ fn frames(before: u32, records: &Records, labels: &[String]) -> u32 {
     short.clamp(before.saturating_mul(FRAMES), before.saturating_mul(MOST_FRAMES))
 }
 
-/// Whether two pictures show the same in the same place.
+/// Whether two pictures have the same method, map, distance and machine.
 fn is_same(a: &PictureRecord, b: &PictureRecord) -> bool {
     let of = |record: &PictureRecord| {
         let method = &record.method;
@@ -88,7 +89,7 @@ mod tests {
     use crate::record::MethodRecord;
 
     #[test]
-    fn short_frames_are_looked_at_more_often() {
+    fn short_frames_are_timed_more_often() {
         let record = |name: &str, frame_ms| PictureRecord {
             method: MethodRecord { method: name.to_owned(), ..Default::default() },
             times: Some(TimeRecord { frame_ms, ..Default::default() }),
