@@ -75,7 +75,7 @@ pub enum ReadProblem {
         limit: u64,
     },
     /// The system has no more memory.
-    #[error("needs {needed} bytes of memory, which the system does not have: make the file smaller")]
+    #[error("needs {needed} bytes of memory, which the system refuses: make the file smaller")]
     OutOfMemory {
         /// Bytes asked for.
         needed: u64,
