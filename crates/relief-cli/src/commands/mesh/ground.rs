@@ -127,7 +127,11 @@ impl Metres {
     pub fn heights(&self, arguments: &Arguments, surface: &Surface) -> Heights {
         let map = surface.height_map();
         let none = Heights { zero_m: None, exaggeration: None };
-        let (Some([zero, one]), true) = (map.physical_range(), self.is_known()) else { return none };
+        // The values of a file without metres may be anything, such as the codes of a picture.
+        let are_metres = self.source == MetresSource::File || map.stated_displacement_m().is_some();
+        let (Some([zero, one]), true) = (map.physical_range(), self.is_known() && are_metres) else {
+            return none;
+        };
         let span_m = (one - zero).abs();
         let ground_scale_m = map.scale_m() * self.factor;
         let exaggeration = if span_m > 0.0 { ground_scale_m / span_m } else { 1.0 };
