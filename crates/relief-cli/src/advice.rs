@@ -154,7 +154,7 @@ pub fn of_render(error: &RenderError) -> Option<&'static str> {
 /// Returns what would lead to another backend.
 pub fn of_reason(reason: &Reason) -> Option<&'static str> {
     match reason {
-        Reason::SoftwareOnly(_) => Some("use --backend gpu"),
+        Reason::SoftwareOnly(_) => Some("--backend gpu takes it all the same"),
         _ => None,
     }
 }
