@@ -1,4 +1,4 @@
-//! Reasons for which there is no picture.
+//! Errors of a rendering.
 
 use relief_core::Cancelled;
 use relief_maps::MapsError;
@@ -9,21 +9,21 @@ use crate::gpu::GpuError;
 use crate::job::Job;
 use crate::prepare::GeometryError;
 
-/// Why there is no picture.
+/// Reason why a scene could not be rendered.
 #[derive(Debug, thiserror::Error)]
 pub enum RenderError {
     /// A baked map that a method reads cannot be provided.
     #[error(transparent)]
     Maps(MapsError),
-    /// A surface has no displaced triangles.
+    /// The displaced triangles of a surface cannot be made.
     #[error("surface {}: {source}", surface + 1)]
     Geometry {
         /// The surface's number in the scene.
         surface: usize,
-        /// Why.
+        /// Reason.
         source: GeometryError,
     },
-    /// The CPU was asked for the sampling that only GPUs have.
+    /// The CPU was asked for [`Sampling::Fast`](relief_shaders::wgsl::Sampling::Fast).
     #[error("sampling 'fast' uses a GPU's texture sampler, which the CPU backend does not have")]
     FastOnCpu {
         /// Whether the CPU was taken because no GPU was found.
@@ -41,7 +41,7 @@ pub enum RenderError {
     /// The rendering was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// The memory for the picture cannot be had.
+    /// There is not enough memory for the picture.
     #[error("there is no memory for a picture of {width}x{height} pixels")]
     OutOfMemory {
         /// Columns.
@@ -68,7 +68,7 @@ impl From<MapsError> for RenderError {
 }
 
 impl RenderError {
-    /// The error of a CPU that renders a job.
+    /// Converts an error of the CPU backend while it renders `job`.
     pub(crate) fn of_cpu(error: CpuError, job: &Job) -> Self {
         match error {
             CpuError::OutOfMemory => Self::OutOfMemory { width: job.width, height: job.height },

@@ -1,9 +1,10 @@
-//! A cache from one frame to the next: what follows from an input is made once, as long as frames use it.
+//! Cache from one frame to the next. A value made from an input is kept as long as frames use that
+//! input.
 
 use std::sync::Arc;
 
-/// Returns the value that belongs to `of`: from this frame, else from the frame before, else a new one by
-/// `make`. Inputs are compared by their address.
+/// Returns the value that belongs to `of`: from this frame, else from the frame before, else a new
+/// one from `make`. Inputs are compared by address.
 pub fn cached<K: ?Sized, T: ?Sized>(
     now: &mut Vec<(Arc<K>, Arc<T>)>,
     before: &[(Arc<K>, Arc<T>)],
@@ -13,7 +14,7 @@ pub fn cached<K: ?Sized, T: ?Sized>(
     cached_where(now, before, of, |_| true, make)
 }
 
-/// Does what [`cached`] does, but makes the value anew unless `fits` accepts the cached one.
+/// Returns the value of [`cached`] if `fits` accepts it, else a new one from `make`.
 pub fn cached_where<K: ?Sized, T: ?Sized>(
     now: &mut Vec<(Arc<K>, Arc<T>)>,
     before: &[(Arc<K>, Arc<T>)],

@@ -1,28 +1,29 @@
-//! How long a frame takes.
+//! Times of a frame.
 
 use std::time::Duration;
 
-/// How long a frame takes, without what is done once for many: baking, compiling, uploading, making displaced
-/// triangles, reading back.
+/// Time of a frame, without what is done once for many frames: baking, compiling, uploading, making
+/// displaced triangles and reading back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameTime {
-    /// Time from its beginning until it is done, by the machine's clock. If a GPU ends a frame sooner than it
-    /// is handed over and waited for, the time of one among several in a row.
+    /// Wall-clock time from the frame's beginning to its end. Short frames of a GPU are timed
+    /// several in a row, and this is their mean.
     pub elapsed: Duration,
-    /// How long its passes took by the clock of the GPU; nothing on the CPU, and where a GPU has no such
-    /// clock, or one that stands still.
+    /// Times of the passes by the clock of the GPU. `None` on the CPU, and where a GPU's clock is
+    /// missing or stands still.
     pub passes: Option<PassTimes>,
-    /// Displaced triangles that a GPU made itself and drew, of all surfaces.
+    /// Number of displaced triangles that the GPU tessellated and drew, over all surfaces.
     pub made_triangles: u64,
 }
 
-/// How long the passes of a frame took on a GPU.
+/// Times of a frame's passes on a GPU.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PassTimes {
-    /// Making displaced triangles for the view; nothing where they were there. It is no part of the frame.
+    /// Making displaced triangles for the view; zero where they were cached. It is no part of the
+    /// frame.
     pub make: Duration,
     /// Rasterising and tracing.
     pub trace: Duration,
-    /// Shading, with rays to lights.
+    /// Shading, with shadow rays.
     pub shade: Duration,
 }

@@ -1,4 +1,4 @@
-//! A scene made ready for a backend: what the shaders bind, and nothing else.
+//! Scenes prepared for a backend: the data that the shaders bind, and nothing else.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ pub use crate::light_views::LightViews;
 use crate::mipmaps::Mipmaps;
 pub use crate::prepare::Triangles;
 
-/// What both backends are given. The same job gives the same picture on either.
+/// Input of both backends. The same job gives the same picture on either.
 #[derive(Clone, Debug)]
 pub struct Job {
     /// Columns of the picture.
@@ -21,54 +21,55 @@ pub struct Job {
     pub height: u32,
     /// Samples of a pixel's colour, at least 1.
     pub samples: u32,
-    /// What changes with the frame.
+    /// Data that changes with the frame: camera, lights and background.
     pub frame: Frame,
-    /// What lights see, where shadows are looked up there: the frame knows these views.
+    /// Views of the shadow maps, which `frame` lists too. Empty where no surface reads shadow maps.
     pub light_views: LightViews,
-    /// The surfaces. Of several the nearest is seen; of equally near ones the first.
+    /// The surfaces. Each pixel shows the nearest one; ties go to the first.
     pub surfaces: Vec<JobSurface>,
 }
 
-/// A surface of a job. Renderers keep what they have made of its parts as long as they are given the same
-/// ones again: the same by their address.
+/// A surface of a job. Renderers cache what they make from its parts as long as they get the same
+/// parts again, by address.
 #[derive(Clone, Debug)]
 pub struct JobSurface {
-    /// What is the same for all of its pixels.
+    /// Settings, the same for all pixels of the surface.
     pub settings: SurfaceSettings,
-    /// What is run.
+    /// Variant and settings of each stage.
     pub selection: Selection,
-    /// The base mesh, in the world.
+    /// Triangles to draw, in world space.
     pub triangles: Arc<Triangles>,
     /// The height map.
     pub height_map: Arc<HeightMap>,
     /// The colour map, if any.
     pub color: Option<Arc<Mipmaps>>,
-    /// The normal map, if any; or where there is none, normals derived from the height map's second level on,
-    /// if these are read.
+    /// The normal map, if any. Without one, and if a stage reads them, normals derived from the
+    /// height map, from its second level on.
     pub normal_map: Option<Arc<Mipmaps>>,
-    /// The baked maps that the selection reads, and the surroundings where they are seen. A GPU renderer
-    /// builds a pyramid of the heights itself where it is not among them.
+    /// The baked maps that the selection reads, and the environment map if it is visible. A GPU
+    /// renderer builds a missing pyramid of heights itself.
     pub maps: Vec<(MapSlot, Arc<BakedMap>)>,
-    /// Whether back faces are rendered, turned over.
+    /// Whether back faces are rendered, with the surface turned over.
     pub two_sided: bool,
 }
 
-/// Parts of the settings' `has_holes`: holes of the height map, and holes by the colour map's opacity.
+/// Flags of the settings' `has_holes`: holes of the height map, and holes by the colour map's
+/// opacity.
 pub(crate) const HOLES_OF_HEIGHTS: u32 = 1;
 pub(crate) const HOLES_OF_COLORS: u32 = 2;
 
 impl JobSurface {
-    /// The baked maps in their slots.
+    /// Returns the baked maps by slot.
     pub fn slots(&self) -> SlotMaps<'_> {
         self.maps.iter().map(|(slot, map)| (*slot, &**map)).collect()
     }
 
-    /// The holes of the height map, where they are to be seen.
+    /// Returns the holes of the height map, if they are visible.
     pub fn holes(&self) -> Option<&Arc<TexelMask>> {
         self.height_map.holes().filter(|_| self.settings.has_holes & HOLES_OF_HEIGHTS != 0)
     }
 
-    /// Whether lights see the same of it as of another one.
+    /// Whether the surface looks the same in shadow maps as `other`.
     pub(crate) fn looks_same_to_lights(&self, other: &Self) -> bool {
         let colors = [self, other].map(|of| of.color.as_ref().map(Arc::as_ptr));
         let is_masked = self.settings.has_holes & HOLES_OF_COLORS != 0;
@@ -80,13 +81,13 @@ impl JobSurface {
             && (self.settings, self.two_sided) == (other.settings, other.two_sided)
     }
 
-    /// The translated shaders over this surface in a frame, with what lights see in its views where it looks
-    /// up shadows there.
+    /// Returns the translated shaders over this surface in a frame. `light_map` holds the shadow
+    /// maps, if the surface reads them.
     pub fn program<'a>(&'a self, frame: Frame, light_map: Option<&'a BakedMap>) -> Program<'a> {
         self.program_with(self.settings, frame, light_map)
     }
 
-    /// The same with other settings.
+    /// Does the work of [`Self::program`] with other settings.
     pub(crate) fn program_with<'a>(
         &'a self,
         settings: SurfaceSettings,
@@ -96,7 +97,7 @@ impl JobSurface {
         Program::new(&self.bound(settings, frame, light_map))
     }
 
-    /// What the translated shaders are given.
+    /// Returns the data that the translated shaders bind.
     pub(crate) fn bound<'a>(
         &'a self,
         settings: SurfaceSettings,
@@ -122,11 +123,12 @@ fn of_levels(levels: &Mipmaps) -> ColorTexture<'_> {
     ColorTexture::new(levels.size(), levels.layers(), levels.finest(), levels.coarser())
 }
 
-/// The result of a job: every pixel, row by row from the top.
+/// Picture of a job: all pixels, row by row from the top.
 ///
-/// A pixel's colour is the mean of its samples in linear light, black where they show no surface; its fourth
-/// part is the part of them that do. All other numbers belong to the pixel's centre: where that shows no
-/// surface, `hit` is 0 and they are zeros.
+/// A pixel's colour is the mean of its samples in linear light; samples that show no surface count
+/// as black. The fourth channel is the share of samples that show a surface, from 0 to 1. All other
+/// numbers belong to the pixel's centre. Where that shows no surface, `hit` is 0 and they are
+/// zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rendering {
     /// Columns.
@@ -137,7 +139,7 @@ pub struct Rendering {
     pub pixels: Vec<PixelOut>,
 }
 
-/// A pixel that nothing covers.
+/// Returns a pixel that no surface covers.
 pub fn uncovered() -> PixelOut {
     PixelOut::new(
         [0.0; 4], 0u32, 0u32, [0.0; 2], 0.0, [0.0; 3], [0.0; 3], 0.0, 0.0, [0; 2], 0u32, 0u32, 0u32, 0.0,

@@ -1,8 +1,8 @@
-//! Pictures of scenes, by two backends: the CPU, which every machine has, and the GPU through wgpu.
+//! Renders pictures of scenes on the CPU, or on a GPU through wgpu.
 //!
-//! [`render()`] makes a picture of a [`Scene`](relief_scene::Scene); a [`Renderer`] makes several and keeps
-//! what they share. Both backends run the same shaders and give the same picture. [`picture`] turns it into
-//! bytes and channels.
+//! [`render()`] renders one picture of a [`Scene`](relief_scene::Scene). A [`Renderer`] renders
+//! several and caches what they share. Both backends run the same shaders and give the same
+//! picture. [`picture`] converts it to bytes and channels.
 //!
 //! ```
 //! use relief_core::{HeightMap, Watch, Wrap, mesh::square};
@@ -39,7 +39,7 @@ mod wire;
 pub use error::RenderError;
 pub use frame_time::{FrameTime, PassTimes};
 pub use prepare::GeometryError;
-pub use renderer::{Bands, Made, RENDERING, Reason, Rendered, Renderer, render};
+pub use renderer::{Bands, RENDERING, Reason, RenderInfo, Rendered, Renderer, render};
 #[cfg(feature = "gpu")]
 pub use wgpu;
 pub use wire::Wire;

@@ -1,8 +1,9 @@
-//! What lights see: from where the pictures are taken that shadows are looked up in.
+//! Views of the shadow maps.
 //!
-//! A light far away has some pictures of parallel rays. Each shows what the camera sees in a range of depths,
-//! as far as anything is there; one at a point has those faces of a cube around it that show
-//! anything. A picture of parallel rays sees all that lies between the light and what it shows.
+//! A directional light has a cascade of shadow maps with parallel rays. Each covers what the camera
+//! sees in a range of depths, as far as there are surfaces. A point light has the faces of a cube
+//! around it that show any surface. A shadow map with parallel rays covers all that lies between
+//! the light and what it shows.
 
 use std::ops::RangeInclusive;
 
@@ -17,60 +18,60 @@ use relief_scene::light::Light;
 use relief_scene::shadow_map::{filter_texels, shadow_map_side};
 use relief_scene::{Scene, Surface};
 
-/// Texels at a picture's border besides half a filter: what rounding may need.
+/// Texels at a shadow map's border besides half a filter, for rounding.
 const BORDER: f64 = 2.0;
 
-/// The least part of a picture that is left without its border.
+/// Least part of a shadow map that remains without its border.
 const LEAST_INSIDE: f64 = 0.5;
 
-/// The nearest plane of a picture of rays from a point, as a part of the farthest: nearer ones throw no
-/// shadows.
+/// Near plane of a point light's shadow map, as a part of the far plane. What is nearer casts no
+/// shadow.
 const NEAREST: f64 = 1e-4;
 
-/// The depth before which keys are ordered less finely, as a part of the farthest.
+/// Depth below which keys are ordered less finely, as a part of the greatest depth.
 const NEAR_OF_KEYS: f64 = 0.01;
 
-/// How much of the depths' logarithm is in where cascades end; the rest is the depth itself (Zhang et al.
-/// 2006, Parallel-split shadow maps, section 3.2).
+/// Weight of the logarithmic split of cascades against the even one (Zhang et al. 2006,
+/// Parallel-split shadow maps, section 3.2).
 const LOGARITHMIC: f64 = 0.5;
 
-/// The part of a pixel's width that a ray of a light stands for: next to nothing, so that all is seen in the
-/// finest level of detail.
+/// Width of a light's ray, as a part of a pixel's width. It is next to nothing, so that the finest
+/// level of detail is traced.
 const SAMPLE_WIDTH: f32 = 1e-12;
 
-/// The pictures that lights see.
+/// Views of all shadow maps of a frame.
 #[derive(Clone, Debug, Default)]
 pub struct LightViews {
-    /// Texels of a side of each.
+    /// Side of each shadow map, in texels.
     pub size: u32,
-    /// Frames of their rays, one light's after the other.
+    /// Frames that render the shadow maps, light by light.
     pub frames: Vec<Frame>,
     views: Vec<LightView>,
-    /// Which views a light has, and how many.
+    /// First view of each light, and the number of its views.
     of_lights: Vec<[u32; 2]>,
 }
 
 impl LightViews {
-    /// The views of lights in which surfaces look up their shadows; none where no surface does. They are as
-    /// fine as a frame of these columns and rows asks for. Each surface gets the width of its filter.
+    /// Creates the views of the shadow maps that surfaces read; none where no surface does. Their
+    /// resolution follows the columns and rows of `frame`. The filter width is set in each surface.
     pub(crate) fn new(
         lights: &[Light],
         camera: &Camera,
         frame: [u32; 2],
         surfaces: &mut [JobSurface],
     ) -> Self {
-        let asked = Asked::by(surfaces.iter().map(|surface| &surface.selection), frame);
+        let asked = ShadowMapNeeds::by(surfaces.iter().map(|surface| &surface.selection), frame);
         asked.map_or_else(Self::default, |asked| Self::asked(&asked, lights, camera, frame, surfaces))
     }
 
     fn asked(
-        asked: &Asked,
+        asked: &ShadowMapNeeds,
         lights: &[Light],
         camera: &Camera,
         frame: [u32; 2],
         surfaces: &mut [JobSurface],
     ) -> Self {
-        let Asked { picture, most, cascades, .. } = *asked;
+        let ShadowMapNeeds { picture, most, cascades, .. } = *asked;
         for JobSurface { settings, selection, .. } in surfaces.iter_mut() {
             if selection.light_views().is_some() {
                 let texels = selection.choices[SHADOW].params[2];
@@ -101,7 +102,7 @@ impl LightViews {
         made
     }
 
-    /// The views with shadow maps of that side, whatever the frame asks for.
+    /// Creates the views with shadow maps of the given side, whatever the frame asks for.
     #[cfg(test)]
     pub(crate) fn of_side(
         side: u32,
@@ -111,41 +112,43 @@ impl LightViews {
         surfaces: &mut [JobSurface],
     ) -> Self {
         let selections = || surfaces.iter().map(|surface| &surface.selection);
-        let Asked { most, cascades, .. } = Asked::by(selections(), frame).expect("shadows are looked up");
-        let asked = Asked::of_side(selections(), side, most, cascades);
+        let ShadowMapNeeds { most, cascades, .. } =
+            ShadowMapNeeds::by(selections(), frame).expect("shadows are looked up");
+        let asked = ShadowMapNeeds::of_side(selections(), side, most, cascades);
         Self::asked(&asked, lights, camera, frame, surfaces)
     }
 
-    /// Tells a frame of the views.
-    pub(crate) fn tell(&self, frame: &mut Frame) {
+    /// Writes the views into a frame.
+    pub(crate) fn write_into(&self, frame: &mut Frame) {
         for (light, [first, count]) in frame.lights.iter_mut().zip(&self.of_lights) {
             (light.first_view, light.views) = (*first, *count);
         }
-        for (told, view) in frame.light_views.iter_mut().zip(&self.views) {
-            *told = *view;
+        for (slot, view) in frame.light_views.iter_mut().zip(&self.views) {
+            *slot = *view;
         }
     }
 }
 
-/// What surfaces ask of the pictures that lights see.
-struct Asked {
+/// Requirements of all surfaces on the shadow maps.
+struct ShadowMapNeeds {
     picture: Picture,
-    /// The most texels of a side that they allow.
+    /// Largest allowed side of a shadow map, in texels.
     most: u32,
     cascades: u32,
-    /// Texels beside a point's own that may be looked up for it.
+    /// Texels beside a point's own that a lookup may read.
     beside: f64,
 }
 
-impl Asked {
-    /// What these ask together for a frame of these columns and rows; none where none does.
+impl ShadowMapNeeds {
+    /// Combines the requirements of surfaces for a frame of the given columns and rows; `None`
+    /// where no surface reads shadow maps.
     fn by<'a>(selections: impl Iterator<Item = &'a Selection> + Clone, frame: [u32; 2]) -> Option<Self> {
         let asked = selections.clone().filter_map(Selection::light_views);
         let [most, cascades] = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)])?;
         Some(Self::of_side(selections, shadow_map_side(most, frame), most, cascades))
     }
 
-    /// The same with maps of that side.
+    /// Combines the requirements for shadow maps of the given side.
     fn of_side<'a>(
         selections: impl Iterator<Item = &'a Selection>,
         size: u32,
@@ -162,11 +165,11 @@ impl Asked {
     }
 }
 
-/// How far from the way between what is seen and a light something may be that its shadows are looked up in,
-/// in metres; 0 where none are.
+/// Returns the distance in metres from a shadow ray within which geometry can change what a shadow
+/// map lookup finds; 0 where no surface reads shadow maps.
 pub fn beside_m(scene: &Scene) -> f64 {
     let selections = scene.surfaces().iter().map(Surface::selection);
-    let Some(Asked { picture, beside, .. }) = Asked::by(selections, scene.size()) else {
+    let Some(ShadowMapNeeds { picture, beside, .. }) = ShadowMapNeeds::by(selections, scene.size()) else {
         return 0.0;
     };
     // All of the scene, with room: directions of displacement are at most twice as long as normals.
@@ -195,7 +198,7 @@ pub fn beside_m(scene: &Scene) -> f64 {
     widest.fold(0.0, f64::max) / texels * (beside + 1.0) * 2.0_f64.sqrt()
 }
 
-/// Points around all of a surface's relief: none of it is beyond their hull by more than rounding.
+/// Returns points whose hull holds all of a surface's relief, up to rounding.
 pub fn relief_points(surface: &JobSurface) -> impl Iterator<Item = DVec3> {
     let settings = &surface.settings;
     let (bias, scale) = (settings.bias_m, settings.scale_m);
@@ -212,7 +215,7 @@ pub fn relief_points(surface: &JobSurface) -> impl Iterator<Item = DVec3> {
     };
     let under_relief = surface.triangles.iter().take(count).flat_map(move |triangle| {
         let [low, high] = match proposal {
-            // Some of them move their base out, and carve all relief into it.
+            // Some surfaces move their base out, and carve all relief into it.
             Proposal::Polygons => [bias.min(-scale), (bias + scale).max(0.0)],
             Proposal::Shells => triangle.shell.offsets_m(shell_m),
         };
@@ -229,25 +232,26 @@ fn three(v: relief_shaders::cpu::Vec3<f32>) -> DVec3 {
     DVec3::new(v.x.into(), v.y.into(), v.z.into())
 }
 
-/// Where a corner is.
+/// Returns the position of a corner, in metres.
 pub fn corner_position(corner: &Corner) -> DVec3 {
     three(corner.position)
 }
 
-/// The least and the greatest of a measure.
+/// Returns the least and the greatest value of a measure over points.
 fn extent(points: &[DVec3], measure: impl Fn(DVec3) -> f64) -> [f64; 2] {
     let nothing = [f64::INFINITY, f64::NEG_INFINITY];
     let values = points.iter().map(|point| measure(*point));
     values.fold(nothing, |[low, high], value| [low.min(value), high.max(value)])
 }
 
-/// The range of depths in which the camera may see points.
+/// Returns the range of depths in which the camera may see points.
 fn depths_seen(camera: &Camera, points: &[DVec3]) -> RangeInclusive<f64> {
     let [near, far] = extent(points, |point| camera.forward().dot(point - camera.eye()));
     near.max(if camera.is_orthographic() { 0.0 } else { NEAREST * far })..=far
 }
 
-/// Where cascades begin and end, from near to far; nothing where the camera sees nothing.
+/// Returns the depths at which cascades begin and end, from near to far; empty where the camera
+/// sees nothing.
 fn cascade_ends(camera: &Camera, seen: RangeInclusive<f64>, count: u32) -> Vec<f64> {
     let (near, far) = seen.into_inner();
     if !(far > 0.0 && near <= far) {
@@ -264,7 +268,7 @@ fn cascade_ends(camera: &Camera, seen: RangeInclusive<f64>, count: u32) -> Vec<f
     (0..=count).map(end).collect()
 }
 
-/// The corners of what a camera sees between two depths.
+/// Returns the corners of the camera's frustum between two depths.
 fn corners(camera: &Camera, aspect: f64, depths: [f64; 2]) -> Vec<DVec3> {
     let (tall, wide) = (camera.up() * camera.half_height(), camera.right() * camera.half_height() * aspect);
     let aside = [wide + tall, wide - tall, -wide + tall, -wide - tall];
@@ -275,23 +279,24 @@ fn corners(camera: &Camera, aspect: f64, depths: [f64; 2]) -> Vec<DVec3> {
     depths.into_iter().flat_map(at).collect()
 }
 
-/// Axes of a picture that looks along a unit vector: right and up.
+/// Returns the axes of a view along a unit vector: right and up.
 fn axes(forward: DVec3) -> [DVec3; 2] {
     let upward = if forward.y.abs() < 0.9 { DVec3::Y } else { DVec3::Z };
     let right = forward.cross(upward).normalize();
     [right, right.cross(forward)]
 }
 
-/// How pictures are made.
+/// Size and border of shadow maps.
 #[derive(Clone, Copy)]
 struct Picture {
     size: u32,
-    /// The part of a side that is not border.
+    /// Part of a side that is not border.
     inside: f64,
 }
 
 impl Picture {
-    /// The picture of a light far away of what is shown, among all points; none where nothing of them is.
+    /// Creates the view of a directional light over the points `shown`. Its depths span all of
+    /// `points`. Returns `None` where no point lies within its sides.
     fn parallel(&self, toward: DVec3, points: &[DVec3], shown: &[DVec3]) -> Option<View> {
         let forward = -toward;
         let [right, up] = axes(forward);
@@ -327,7 +332,7 @@ impl Picture {
         })
     }
 
-    /// The faces of a cube around a light that show any of the points.
+    /// Creates the faces of a cube around a light that show any of the points.
     fn cube(&self, eye: DVec3, points: &[DVec3]) -> Vec<View> {
         let far = points.iter().map(|point| (*point - eye).abs().max_element()).fold(0.0, f64::max);
         if !(far > 0.0 && far.is_finite()) {
@@ -367,22 +372,22 @@ impl Picture {
     }
 }
 
-/// A picture that a light sees.
+/// View of one shadow map.
 struct View {
     size: u32,
     from_point: bool,
-    /// Where rays begin: all of them, or the one through the upper left corner.
+    /// Origin of rays: of all of them, or of the one through the upper left corner.
     eye: DVec3,
-    /// The direction of that ray, with a component of 1 along the view axis.
+    /// Direction of that ray, with a component of 1 along the view axis.
     corner: DVec3,
-    /// What changes per texel to the right and downward: directions, or where rays begin.
+    /// Change of directions or of origins per texel, to the right and downward.
     across: DVec3,
     along: DVec3,
     /// Unit view axis.
     forward: DVec3,
-    /// As in [`Frame`].
+    /// Depth below which keys are ordered less finely, see [`Frame`].
     near: f64,
-    /// The depths of the planes for the rasteriser.
+    /// Depths of the rasteriser's near and far planes.
     planes: [f64; 2],
 }
 
@@ -391,8 +396,8 @@ fn four(v: DVec3, w: f64) -> Vec4<f32> {
 }
 
 impl View {
-    /// What is multiplied by a point with a 1 for column, row and depth; columns and rows of rays from a
-    /// point are to be divided by the depth.
+    /// Vectors whose products with a point (and a 1) are its column, row and depth. For a point
+    /// light, column and row must be divided by the depth.
     fn rows(&self) -> [DVec4; 3] {
         let depth = self.forward.extend(-self.forward.dot(self.eye));
         let [column, row] = [self.across, self.along].map(|step| {
@@ -414,7 +419,7 @@ impl View {
         DMat4::from_cols(column * whole - w, w - row * whole, z, w).transpose()
     }
 
-    /// The frame in which the picture is taken.
+    /// Returns the frame that renders the shadow map.
     fn frame(&self) -> Frame {
         let nothing = four(DVec3::ZERO, 0.0);
         let (across, along) = (four(self.across, 0.0), four(self.along, 0.0));
@@ -434,7 +439,7 @@ impl View {
         }
     }
 
-    /// How points are looked up in the picture.
+    /// Returns the view by which shaders look up points in the shadow map.
     fn shader_view(&self) -> LightView {
         let [column, row, depth] = self.rows().map(|row| four(row.truncate(), row.w));
         LightView {
@@ -453,7 +458,8 @@ impl View {
     }
 }
 
-/// A frame without a camera for rays of lights that are made one by one, over a scene that is so large.
+/// Creates a frame without a camera for single rays of lights; `reach_m` is the size of the scene
+/// in metres.
 pub fn frame_of_rays(reach_m: f64) -> Frame {
     Frame { sample_width: SAMPLE_WIDTH, near: (NEAR_OF_KEYS * reach_m) as f32, ..Frame::none() }
 }

@@ -1,4 +1,4 @@
-//! Pictures with their coarser levels.
+//! Mip chains of colour and normal maps.
 
 use std::sync::Arc;
 
@@ -7,27 +7,27 @@ use relief_core::area_mean::{coarser, coarser_of, coarser_size, level_count};
 use relief_core::{HeightMap, Metric, Watch};
 use relief_io::Picture;
 
-/// The least part of a normal that stands upright when slopes are made of it: they are 20 at most, as steep
-/// as 87 degrees.
+/// Least `z` of a unit normal from which slopes are computed. Slopes are at most 20, as steep as 87
+/// degrees.
 const LEAST_UPRIGHT: f32 = 0.05;
 
-/// A colour or normal map, with coarser levels or without.
+/// A colour or normal map, with or without coarser mip levels.
 ///
-/// Normal maps have two layers in their coarser levels. Of the normals `n` and the slopes `s` (`n` is
-/// `(-sx, -sy, 1) nz`) in a texel's area they are the means `(nx, ny, nz, sx)` and `(sx² nz, sx sy nz,
-/// sy² nz, sy)`, from which follows what an eye at the side sees of them.
+/// Normal maps have two layers in their coarser levels. Of the normals `n` and the slopes `s` (`n`
+/// is `(-sx, -sy, 1) nz`) in a texel's area they are the means `(nx, ny, nz, sx)` and `(sx² nz, sx
+/// sy nz, sy² nz, sy)`, from which follows how they look from the side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mipmaps {
     size: [u32; 2],
     layers: usize,
-    /// The finest level, of a single layer; where there is none it is the first of the others.
+    /// The finest level, with a single layer. If `None`, the finest level is the first of `levels`.
     finest: Option<Arc<Picture>>,
-    /// The levels that follow, one after the other, in each its layers: each level has half the sides of the
-    /// one before, rounded down but at least 1, and means over areas.
+    /// The levels that follow, one after the other, layer by layer. Each level has half the sides
+    /// of the one before, rounded down but at least 1, and holds means over areas.
     levels: Vec<[f32; 4]>,
 }
 
-/// Both layers of a texel of a normal map.
+/// Returns both layers of a normal map's texel.
 fn moments(normal: [f32; 3]) -> [f32; 8] {
     let [x, y, z] = normal;
     let length = (x * x + y * y + z * z).sqrt();
@@ -38,7 +38,7 @@ fn moments(normal: [f32; 3]) -> [f32; 8] {
     [x, y, z, along_x, xx, xy, yy, along_y]
 }
 
-/// The levels from one on, each in layers of four channels.
+/// Returns `level` and all coarser levels, each in layers of four channels.
 fn chain<const N: usize>(mut level: Vec<[f32; N]>, mut size: [u32; 2]) -> Vec<[f32; 4]> {
     let mut levels = Vec::new();
     loop {
@@ -54,24 +54,26 @@ fn chain<const N: usize>(mut level: Vec<[f32; N]>, mut size: [u32; 2]) -> Vec<[f
 }
 
 impl Mipmaps {
-    /// The picture as it is.
+    /// Wraps a picture without coarser levels.
     pub fn finest_only(picture: Arc<Picture>) -> Self {
         let size = [picture.width, picture.height];
         Self { size, layers: 1, finest: Some(picture), levels: Vec::new() }
     }
 
-    /// A colour map with all coarser levels. One that has not as many texels as its sides say stays as it is:
-    /// what is to be done with it the backends say.
+    /// Creates a colour map with all coarser levels. A picture whose number of texels does not fit
+    /// its sides gets no levels; backends handle it.
     pub fn of(picture: Arc<Picture>) -> Self {
         Self::with_levels(picture, |texel| texel)
     }
 
-    /// A tangent-space normal map with all coarser levels; a malformed one as [`Mipmaps::of`] has it.
+    /// Creates a tangent-space normal map with all coarser levels. A malformed picture is handled
+    /// as by [`Mipmaps::of`].
     pub fn of_normals(picture: Arc<Picture>) -> Self {
         Self::with_levels(picture, |[x, y, z, _]| moments([x, y, z]))
     }
 
-    /// A picture with the means of what is made of its texels, in layers of four channels.
+    /// Creates the coarser levels from the means of `of` over the texels, in layers of four
+    /// channels.
     fn with_levels<const N: usize>(picture: Arc<Picture>, of: impl Fn([f32; 4]) -> [f32; N] + Sync) -> Self {
         let size = [picture.width, picture.height];
         if !is_whole(&picture) || size == [1, 1] {
@@ -81,8 +83,9 @@ impl Mipmaps {
         Self { layers: N / 4, levels, ..Self::finest_only(picture) }
     }
 
-    /// The normals of a height map in tangent space, `y` along falling `v`, from the map's second level on;
-    /// none of a single texel.
+    /// Creates the normals of a height map in tangent space, from the map's second level on. `y`
+    /// points along falling `v`. `metric` gives the lengths of a tile and of the scale. Returns
+    /// `None` for a map of a single texel.
     pub fn of_heights(map: &HeightMap, metric: Metric) -> Option<Self> {
         let size = [map.width(), map.height()];
         if size == [1, 1] {
@@ -96,22 +99,22 @@ impl Mipmaps {
         Some(Self { size, layers: 2, finest: None, levels: chain(second, size) })
     }
 
-    /// Columns and rows of the finest level.
+    /// Returns columns and rows of the finest level.
     pub fn size(&self) -> [u32; 2] {
         self.size
     }
 
-    /// How many layers the coarser levels have.
+    /// Returns the number of layers of the coarser levels.
     pub fn layers(&self) -> usize {
         self.layers
     }
 
-    /// How many levels there are.
+    /// Returns the number of levels.
     pub fn levels(&self) -> u32 {
         if self.finest.is_some() && self.levels.is_empty() { 1 } else { level_count(self.size) }
     }
 
-    /// The finest level, in one layer or in all.
+    /// Returns the texels of the finest level, in one layer or in all.
     pub fn finest(&self) -> &[[f32; 4]] {
         match &self.finest {
             Some(picture) => &picture.texels,
@@ -119,18 +122,18 @@ impl Mipmaps {
         }
     }
 
-    /// The texels of the other levels, one after the other.
+    /// Returns the texels of the coarser levels, one after the other.
     pub fn coarser(&self) -> &[[f32; 4]] {
         &self.levels[if self.finest.is_some() { 0 } else { self.own_finest() }..]
     }
 
-    /// How many texels the finest level has among the others.
+    /// Number of texels of the finest level if it is stored in `levels`.
     fn own_finest(&self) -> usize {
         self.size[0] as usize * self.size[1] as usize * self.layers
     }
 }
 
-/// Whether a picture has as many texels as its sides say, and any.
+/// Whether a picture is not empty and its number of texels fits its sides.
 fn is_whole(picture: &Picture) -> bool {
     let texels = u64::from(picture.width) * u64::from(picture.height);
     texels != 0 && texels == picture.texels.len() as u64

@@ -1,4 +1,4 @@
-//! What a rendering is written as: a picture for the eye, and channels of numbers for everything else.
+//! Conversion of renderings to pictures for the eye, and to channels of numbers (AOVs).
 
 use std::sync::Arc;
 
@@ -12,33 +12,33 @@ use relief_scene::Scene;
 use relief_scene::environment::Environment;
 use relief_scene::tone::Tone;
 
-/// The names of the channels of [`aov`], in order.
+/// Names of the channels of [`aov`], in order.
 pub const AOV_CHANNELS: [&str; 18] = [
     "hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "steps",
     "bytes", "lit", "level", "z", "surface",
 ];
 
-/// Pixels of a row that a core takes at least.
+/// Least number of pixels of a row that a core takes.
 const ROW_PART: usize = 256;
 
-/// How linear light becomes the colours of a scene's picture, row by row.
+/// Conversion of linear light to the colours of a scene's picture, row by row.
 ///
-/// Light is brightened, goes through the tone curve, and is laid over the background, as much of it as covers
-/// the pixel. A background of colours is as it is given: neither brightened nor toned. Surroundings that are
-/// seen behind the scene are light, too.
+/// Exposure and tone curve are applied to the light, which is then blended over the background by
+/// the share of the pixel that it covers. Background colours are used as given, without exposure
+/// and tone curve. An environment map behind the scene is light, and gets both.
 #[derive(Clone, Debug)]
 pub struct Display {
     size: [u32; 2],
     exposure: f32,
     tone: Tone,
-    /// What the shaders know of the camera and the background.
+    /// The frame's camera and background.
     frame: Frame,
-    /// The surroundings, where they are seen behind the scene.
+    /// The environment map, if it is visible behind the scene.
     environment: Option<Arc<Environment>>,
 }
 
 impl Display {
-    /// The display of a scene's picture.
+    /// Creates the display of a scene's picture.
     pub fn of(scene: &Scene) -> Self {
         Self {
             size: scene.size(),
@@ -49,13 +49,13 @@ impl Display {
         }
     }
 
-    /// The same without a tone curve, for files of light.
+    /// Removes the tone curve, for files of linear light.
     #[must_use]
     pub fn without_tone(self) -> Self {
         Self { tone: Tone::None, ..self }
     }
 
-    /// The linear colours of a row of the picture, counted from the top.
+    /// Returns the linear colours of a row of the picture, counted from the top.
     pub fn linear_row(&self, row: u32, pixels: &[PixelOut]) -> Vec<[f32; 3]> {
         let size = [pixels.len() as u32, self.size[1]];
         let environment = self.environment.as_ref().map(|environment| &**environment.map());
@@ -74,26 +74,28 @@ impl Display {
         behind
     }
 
-    /// The shown colour of a pixel's light; `covered` is the part of the pixel that a surface covers.
+    /// Applies exposure and tone curve to a pixel's light. `covered` is the share of the pixel that
+    /// a surface covers.
     fn shown(&self, light: [f32; 3], covered: f32) -> [f32; 3] {
         let gain = self.exposure.exp2() / covered;
         self.tone.apply(light.map(|light| light * gain))
     }
 }
 
-/// The sRGB colour of a linear one, each part from 0 to 1 (IEC 61966-2-1); brighter ones are cut off.
+/// Converts a linear colour to sRGB, each channel from 0 to 1 (IEC 61966-2-1). Values outside are
+/// clamped.
 pub fn srgb(linear: [f32; 3]) -> [f32; 3] {
     linear.map(|linear| linear_to_srgb(f64::from(linear.clamp(0.0, 1.0))) as f32)
 }
 
-/// The linear colours of a scene's picture, row by row from the top.
+/// Returns the linear colours of a scene's picture, row by row from the top.
 pub fn linear(rendering: &Rendering, scene: &Scene) -> Vec<[f32; 3]> {
     let (display, width) = (Display::of(scene), rendering.width.max(1) as usize);
     let rows = rendering.pixels.chunks(width).enumerate();
     rows.flat_map(|(row, pixels)| display.linear_row(row as u32, pixels)).collect()
 }
 
-/// A scene's sRGB picture, RGB, 8 bits.
+/// Returns a scene's sRGB picture: 8-bit RGB, row by row from the top.
 ///
 /// # Examples
 ///
@@ -114,7 +116,8 @@ pub fn srgb8(rendering: &Rendering, scene: &Scene) -> Vec<u8> {
     linear(rendering, scene).into_iter().flat_map(|colour| srgb(colour).map(byte)).collect()
 }
 
-/// The numbers of a pixel, one for each of [`AOV_CHANNELS`]; zeros where its centre shows no surface.
+/// Returns the numbers of a pixel, one for each of [`AOV_CHANNELS`]. All are 0 where its centre
+/// shows no surface.
 pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
     if pixel.hit == 0 {
         return [0.0; AOV_CHANNELS.len()];
@@ -143,13 +146,15 @@ pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
     ]
 }
 
-/// The arbitrary output variables of a rendering: a plane of numbers for each of [`AOV_CHANNELS`].
+/// Returns the arbitrary output variables (AOVs) of a rendering: a plane of numbers for each of
+/// [`AOV_CHANNELS`].
 ///
-/// `hit` is 1 or 0; `uv` is not wrapped; `height` is a texel value; `P` and `N` are in the world; `depth` is
-/// in metres along the view axis; `reads`, `steps` and `bytes` are what the ray [cost](relief_core::Cost);
-/// `lit` is the part of the first light that arrives; `level` is the level of detail; `z` is what the scene's
-/// [depth buffer](relief_scene::depth_buffer::DepthBuffer) holds; `surface` is the surface's number in the scene.
-/// Pixels that no surface covers are 0 throughout.
+/// `hit` is 1 or 0; `uv` is not wrapped; `height` is a height from 0 to 1; `P` and `N` are position
+/// in metres and normal, in world space; `depth` is in metres along the view axis; `reads`, `steps`
+/// and `bytes` are the ray's [cost](relief_core::Cost); `lit` is the share of the first light that
+/// arrives, from 0 to 1; `level` is the level of detail; `z` is the value in the scene's [depth
+/// buffer](relief_scene::depth_buffer::DepthBuffer) ; `surface` is the surface's number in the
+/// scene. Pixels that no surface covers are 0 throughout.
 pub fn aov(rendering: &Rendering) -> Vec<(&'static str, Vec<f32>)> {
     let plane = |place: usize| rendering.pixels.iter().map(|pixel| aov_of(pixel)[place]).collect();
     AOV_CHANNELS.into_iter().enumerate().map(|(place, name)| (name, plane(place))).collect()
@@ -168,7 +173,7 @@ mod tests {
     use relief_scene::background::Background;
     use relief_scene::{SceneBuilder, Surface};
 
-    /// A scene that shows a level square before that background.
+    /// Creates a scene that shows a level square before a background.
     fn scene(background: Background) -> SceneBuilder {
         let heights = HeightMap::new(1, 1, vec![1.0], Wrap::Repeat).expect("a map");
         let surface = Surface::new(square(1).expect("a mesh"), heights);

@@ -1,4 +1,4 @@
-//! Scenes to pictures, on the backend that was asked for.
+//! Renderer of scenes on the CPU or a GPU.
 
 use std::time::Duration;
 
@@ -19,43 +19,43 @@ use crate::job::{Job, Rendering};
 use crate::prepare::Preparer;
 use relief_scene::{BackendChoice, Scene, Surface};
 
-/// A finished picture and how it came about.
+/// A rendered picture, with the backend, maps and time that it took.
 #[derive(Debug)]
 pub struct Rendered {
     /// The pixels.
     pub rendering: Rendering,
-    /// How they were made.
-    pub made: Made,
+    /// Backend, baked maps and time.
+    pub info: RenderInfo,
 }
 
-/// How a picture was made.
+/// Backend, device, baked maps and time of a rendering.
 #[derive(Debug)]
-pub struct Made {
-    /// "cpu" or "gpu".
+pub struct RenderInfo {
+    /// Backend: "cpu" or "gpu".
     pub backend: &'static str,
-    /// What the backend is: the number of threads, or the adapter and its driver.
+    /// Device: the number of threads, or the adapter and its driver.
     pub device: String,
-    /// Why that backend, when it was chosen automatically.
+    /// Reason for the backend if it was chosen automatically, else `None`.
     pub reason: Option<Reason>,
-    /// How the baked maps came about that the methods read.
+    /// Origin of each baked map that the methods read.
     pub maps: Vec<Account>,
-    /// Time of the rendering alone, with what it prepares and uploads, without baking.
+    /// Time of the rendering, with preparing and uploading, without baking.
     pub elapsed: Duration,
 }
 
-/// Why a backend was chosen.
+/// Reason for an automatically chosen backend.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Reason {
-    /// There is a GPU.
+    /// A hardware GPU was found.
     #[error("a GPU was found")]
     GpuFound,
-    /// There is none.
+    /// No adapter was found.
     #[error("no GPU was found")]
     NoGpu,
-    /// There are software adapters, which are taken only when a GPU is asked for.
+    /// Only software adapters were found. They are used only when a GPU is asked for.
     #[error("no hardware GPU was found, only {}", .0.join(" and "))]
     SoftwareOnly(Vec<String>),
-    /// The GPU that there is cannot be used.
+    /// A GPU was found and cannot be used.
     #[cfg(feature = "gpu")]
     #[error(transparent)]
     Unusable(GpuError),
@@ -64,15 +64,16 @@ pub enum Reason {
     NotBuilt,
 }
 
-/// The [task](Watch::task) in which a renderer makes the picture. Before it, each kind of map that is baked is
-/// a task of that kind's name.
+/// Name of the [task](Watch::task) that renders the picture. Baking comes before it, as one task
+/// for each kind of map, with the kind's name.
 pub const RENDERING: &str = "rendering";
 
-/// Takes the pixels of a band of whole rows, from the top of the picture to its bottom. Its error cancels the
-/// rendering.
+/// Callback for the pixels of a band of whole rows. Bands come from the top of the picture to its
+/// bottom. An error cancels the rendering.
 pub type Bands<'a> = dyn FnMut(&[PixelOut]) -> Result<(), Cancelled> + 'a;
 
-/// Renders scenes, and keeps what they have in common from one to the next: a second frame costs its pixels.
+/// Renders scenes and caches what they share, such as meshes, maps and shaders. A second frame of
+/// the same scene costs only its pixels.
 #[derive(Debug)]
 pub struct Renderer {
     backend: Backend,
@@ -88,12 +89,12 @@ enum Backend {
 }
 
 impl Renderer {
-    /// A renderer of a kind, which reads textures so: a GPU if there is one, else the CPU, unless one of both
-    /// is asked for.
+    /// Creates a renderer for `backend` that reads textures by `sampling`. [`BackendChoice::Auto`]
+    /// takes a hardware GPU if there is one, else the CPU.
     ///
     /// # Errors
     ///
-    /// When a GPU is asked for and there is none, or when the CPU is to sample as only GPUs do.
+    /// When a GPU is asked for and there is none, or when the CPU is asked for [`Sampling::Fast`].
     pub fn new(backend: BackendChoice, sampling: Sampling) -> Result<Self, RenderError> {
         let (backend, reason) = choose(backend, sampling)?;
         let no_gpu = reason.is_some();
@@ -103,13 +104,13 @@ impl Renderer {
         Ok(Self { backend, reason, preparer: Preparer::default() })
     }
 
-    /// A renderer on the CPU.
+    /// Creates a renderer on the CPU.
     pub fn on_cpu() -> Self {
         let backend = Backend::Cpu(Box::default());
         Self { backend, reason: None, preparer: Preparer::default() }
     }
 
-    /// A renderer on that GPU.
+    /// Creates a renderer on `gpu` that reads textures by `sampling`.
     #[cfg(feature = "gpu")]
     pub fn on_gpu(gpu: Gpu, sampling: Sampling) -> Self {
         let backend = Backend::Gpu(Box::new(GpuRenderer::new(gpu)), sampling);
@@ -126,9 +127,9 @@ impl Renderer {
         }
     }
 
-    /// Renders a scene; its choice of backend and sampling was made when the renderer was. The
-    /// provider gives the baked maps that its methods read. The watch's tasks are the kinds of maps that are
-    /// baked, then [`RENDERING`], each from 0 to 1.
+    /// Renders a scene. The scene's own choice of backend and sampling is ignored: the renderer has
+    /// them already. `maps` provides the baked maps that the methods read. The tasks of `watch` are
+    /// the kinds of maps that are baked, then [`RENDERING`], each from 0 to 1.
     ///
     /// # Errors
     ///
@@ -143,16 +144,17 @@ impl Renderer {
                 renderer.render(&job, &watch).map_err(|error| RenderError::of_cpu(error, &job))?
             }
         };
-        Ok(Rendered { rendering, made: self.made(accounts, started) })
+        Ok(Rendered { rendering, info: self.info(accounts, started) })
     }
 
-    /// As [`Self::render`], for pictures that no memory need hold: each band of rows is handed over when it
-    /// is done. With `numbers` all numbers of a pixel are as in a [`Rendering`]; else its colour is, and the
-    /// rest belong to one of its samples, which takes less time.
+    /// Renders a scene in bands of rows, so that the picture need not fit into memory. `sink` gets
+    /// each band when it is done. With `numbers`, pixels are the same as in a [`Rendering`].
+    /// Without, only the colour is; the other values come from one of the pixel's samples, which
+    /// takes less time.
     ///
     /// # Errors
     ///
-    /// As [`Self::render`], and when the sink cancels the rendering.
+    /// See [`Self::render`]; and when `sink` cancels the rendering.
     pub fn render_bands(
         &mut self,
         scene: &Scene,
@@ -160,7 +162,7 @@ impl Renderer {
         numbers: bool,
         watch: &Watch,
         sink: &mut Bands,
-    ) -> Result<Made, RenderError> {
+    ) -> Result<RenderInfo, RenderError> {
         let (job, accounts, started) = self.prepare(scene, maps, watch)?;
         let watch = watch.task(RENDERING);
         match &mut self.backend {
@@ -172,11 +174,11 @@ impl Renderer {
                 .render_bands(&job, numbers, &watch, sink)
                 .map_err(|error| RenderError::of_cpu(error, &job))?,
         }
-        Ok(self.made(accounts, started))
+        Ok(self.info(accounts, started))
     }
 
-    /// Draws a scene, keeps nothing of it, and says how long that took. On the CPU a first frame of a scene
-    /// takes longer, as it is made ready in it.
+    /// Measures the time of a frame; the picture is dropped. On the CPU the first frame of a scene
+    /// takes longer, because it includes the preparation.
     ///
     /// # Errors
     ///
@@ -195,7 +197,7 @@ impl Renderer {
         }
     }
 
-    /// "cpu" or "gpu".
+    /// Backend: "cpu" or "gpu".
     pub fn backend(&self) -> &'static str {
         match &self.backend {
             #[cfg(feature = "gpu")]
@@ -204,7 +206,7 @@ impl Renderer {
         }
     }
 
-    /// What the backend is: the number of threads, or the adapter and its driver.
+    /// Device: the number of threads, or the adapter and its driver.
     pub fn device(&self) -> String {
         match &self.backend {
             #[cfg(feature = "gpu")]
@@ -216,8 +218,8 @@ impl Renderer {
         }
     }
 
-    fn made(&self, maps: Vec<Account>, started: Instant) -> Made {
-        Made {
+    fn info(&self, maps: Vec<Account>, started: Instant) -> RenderInfo {
+        RenderInfo {
             backend: self.backend(),
             device: self.device(),
             reason: self.reason.clone(),
@@ -226,8 +228,8 @@ impl Renderer {
         }
     }
 
-    /// Draws a scene into a picture that stays on the GPU: linear colours in 16-bit floats, for the caller to
-    /// show. None on the CPU. The next call draws over it.
+    /// Draws a scene into a texture that stays on the GPU, for the caller to show. It holds linear
+    /// colours in 16-bit floats. Returns `None` on the CPU. The next call draws over the texture.
     ///
     /// # Errors
     ///
@@ -246,7 +248,7 @@ impl Renderer {
         }
     }
 
-    /// What the last picture took besides the drawing; nothing on the CPU.
+    /// Uploads, compiled programs and built maps of the last picture; zeros on the CPU.
     #[cfg(feature = "gpu")]
     pub fn last_work(&self) -> Work {
         match &self.backend {
@@ -280,8 +282,8 @@ impl Renderer {
     }
 }
 
-/// Renders a scene once, on the backend and with the sampling that it names. The provider gives the baked
-/// maps that its methods read. For more pictures than one see [`Renderer`].
+/// Renders a scene once, on the backend and with the sampling that it names. `maps` provides the
+/// baked maps that the methods read. For several pictures, use a [`Renderer`].
 ///
 /// # Errors
 ///
@@ -304,7 +306,7 @@ fn choose(backend: BackendChoice, sampling: Sampling) -> Result<(Backend, Option
     }
 }
 
-/// Why there is no GPU, to someone who did not ask for one.
+/// Reason for the CPU where the choice was automatic.
 #[cfg(feature = "gpu")]
 fn why_not(error: GpuError) -> Reason {
     match error {

@@ -1,27 +1,28 @@
-//! Where in a pixel the picture is looked at.
+//! Positions and weights of the samples of a pixel.
 //!
-//! `n` samples lie on `n` columns and `n` rows of the pixel, one on each: an edge along either axis is
-//! resolved into `n + 1` steps. They are the points of a lattice of one more, but for the one in its corner;
-//! of all such lattices the one whose points keep the greatest distance, also to the points of adjacent pixels.
+//! `n` samples lie on `n` columns and `n` rows of the pixel, one on each: an edge along either axis
+//! is resolved into `n + 1` steps. The samples are the points of a lattice with `n + 1` points,
+//! without the one in its corner. Of all such lattices, the one is taken whose points keep the
+//! greatest distance, also to the points of adjacent pixels.
 
 use relief_scene::MAX_SAMPLES;
 
 /// A sample of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// From the pixel's centre, in pixels.
+    /// Offset from the pixel's centre, in pixels.
     pub offset: [f32; 2],
-    /// The part of the pixel's colour that it is.
+    /// Share of the sample in the pixel's colour, from 0 to 1.
     pub weight: f32,
 }
 
 impl Sample {
-    /// The whole pixel, seen through its centre.
+    /// The only sample of a pixel, at its centre.
     pub const CENTRE: Sample = Sample { offset: [0.0; 2], weight: 1.0 };
 }
 
-/// Returns the `count` samples of every pixel, from 1 to [`MAX_SAMPLES`]. With `centre` the last one is the
-/// pixel's centre, which has no weight where it is none of them.
+/// Returns the `count` samples of every pixel, from 1 to [`MAX_SAMPLES`]. With `centre`, and more
+/// than one sample, the pixel's centre follows as the last one, with weight 0.
 pub fn samples(count: u32, centre: bool) -> Vec<Sample> {
     if count <= 1 {
         return vec![Sample::CENTRE];
@@ -38,11 +39,11 @@ pub fn samples(count: u32, centre: bool) -> Vec<Sample> {
     on_lattice.chain(centre.then_some(Sample { weight: 0.0, ..Sample::CENTRE })).collect()
 }
 
-/// Factor of the lattice `(k, factor k)` of `modulus` points whose points are farthest from each other.
+/// Returns the factor of the lattice `(k, factor k)` of `modulus` points that are farthest apart.
 fn best_factor(modulus: u32) -> u32 {
     let coprime = |factor: &u32| gcd(*factor, modulus) == 1;
     let by_distance = (1..modulus).filter(coprime).map(|factor| (least_distance2(modulus, factor), factor));
-    // Of equally good ones the first.
+    // Ties go to the smaller factor.
     let better = |best: (u64, u32), next: (u64, u32)| if next.0 > best.0 { next } else { best };
     by_distance.fold((0, 1), better).1
 }

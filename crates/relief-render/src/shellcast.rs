@@ -1,7 +1,7 @@
-//! Which shells of base triangles a ray may meet.
+//! BVH over the shells of base triangles.
 //!
-//! A hierarchy of boxes around shells, built by `obvhs`, only proposes triangles: the shaders decide what the
-//! ray meets in them.
+//! The BVH, built by `obvhs`, only proposes triangles to a ray. The shaders decide what the ray
+//! hits in their shells.
 
 use std::fmt;
 use std::ops::Range;
@@ -19,20 +19,21 @@ use crate::job::JobSurface;
 use crate::prepare::Triangles;
 use relief_core::camera::Ray;
 
-/// Number of boxes up to which a better hierarchy is built, with which frames take less time: for more it would take
-/// as long as several frames.
+/// Number of boxes up to which a better BVH is built, with which frames take less time. For more
+/// boxes building it would take as long as several frames.
 const MANY_BOXES: usize = 1 << 16;
 
-/// Where rays may hit something in the shells of a mesh.
+/// Extent of the shells of a mesh, in which rays may hit something.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Two distances along the corners' normals, at which the heights 0 and 1 lie, in metres.
+    /// Displacements of the heights 0 and 1 along the corners' normals, in metres.
     pub shell_m: [f32; 2],
-    /// Whether the mesh turned over has shells as well.
+    /// Whether back faces have shells, too.
     pub both_sides: bool,
-    /// How far beside their shells hits may lie, in tiles of the texture.
+    /// Distance beside a shell at which hits may lie, in tiles of the texture.
     pub beside_tiles: f32,
-    /// Whether they lie in the corners' hulls, and not anywhere in the boxes around them.
+    /// Whether hits lie in the hulls of the shells' corners. If not, they lie anywhere in the boxes
+    /// around these.
     pub in_hulls: bool,
 }
 
@@ -49,7 +50,7 @@ impl Bounds {
         }
     }
 
-    /// The corners of a triangle's shell, whose hull holds it.
+    /// Returns the corners of a triangle's shell, whose hull holds the shell.
     fn corners(&self, triangle: &Triangle) -> Vec<Vec3A> {
         let Triangle { a, b, c, shell } = triangle;
         let offsets = shell.offsets_m(self.shell_m);
@@ -66,7 +67,7 @@ impl Bounds {
         points
     }
 
-    /// How far beside its shell hits may lie, in metres, and somewhat more.
+    /// Returns the distance beside a triangle's shell at which hits may lie, in metres, rounded up.
     fn beside_m(&self, triangle: &Triangle) -> f32 {
         let Triangle { a, b, c, .. } = triangle;
         let mean = |of: fn(&Corner) -> ShaderVec3<f32>| {
@@ -77,7 +78,7 @@ impl Bounds {
         self.beside_tiles * tile_m * 1.001
     }
 
-    /// The boxes around the shells of some triangles.
+    /// Returns the boxes around the shells of triangles.
     pub fn boxes(&self, triangles: &Triangles) -> Vec<Aabb> {
         let around = |triangle: Triangle| {
             let mut around = Aabb::from_points(&self.corners(&triangle));
@@ -93,9 +94,9 @@ impl Bounds {
 pub struct ShellCaster {
     bounds: Bounds,
     bvh: Bvh2,
-    /// Of each triangle, where what is in a shell is in its corners' hull.
+    /// Hull of each triangle's shell; empty if hits lie anywhere in the boxes.
     hulls: Vec<Hull>,
-    /// The largest absolute coordinate of a box.
+    /// Largest absolute coordinate of a box.
     extent: f64,
 }
 
@@ -106,7 +107,7 @@ impl fmt::Debug for ShellCaster {
 }
 
 impl ShellCaster {
-    /// Prepares shells. Takes about 150 bytes a triangle.
+    /// Builds the BVH of shells. It takes about 150 bytes a triangle.
     pub fn new(triangles: &Triangles, bounds: Bounds) -> Self {
         let boxes = bounds.boxes(triangles);
         let bvh = hierarchy(&boxes);
@@ -118,13 +119,13 @@ impl ShellCaster {
         Self { bounds, bvh, hulls, extent: boxes.iter().fold(0.0, largest).into() }
     }
 
-    /// Where what it proposes lies.
+    /// Returns the extent of the shells.
     pub fn bounds(&self) -> Bounds {
         self.bounds
     }
 
-    /// Calls `visit` with the numbers of triangles whose shells the ray may meet, roughly from near to far.
-    /// It tells up to which parameter of the ray shells are still of interest.
+    /// Calls `visit` with the numbers of triangles whose shells the ray may hit, roughly from near
+    /// to far. `visit` returns the parameter of the ray beyond which shells no longer matter.
     pub fn each(&self, ray: &Ray, mut visit: impl FnMut(u32) -> f64) {
         if !goes_somewhere(ray) {
             return;
@@ -162,8 +163,8 @@ impl ShellCaster {
         }
     }
 
-    /// Those rays of a block that `which` has bits for, at the beginning of their way to shells.
-    /// `before` are another block's rays, whose memory they take over.
+    /// Returns the rays of a block whose bits `which` has, at the root of the BVH. They reuse the
+    /// memory of `before`, another block's rays.
     pub fn block(&self, rays: &Row<Ray>, which: u16, before: BlockRays) -> BlockRays {
         let mut waiting = before.waiting;
         waiting.clear();
@@ -187,8 +188,9 @@ impl ShellCaster {
         }
     }
 
-    /// The next triangle whose shell rays of a block may meet, roughly from near to far, and where each ray
-    /// comes near to it: infinite for those that do not, or behind where shells are of interest to them.
+    /// Returns the next triangle whose shell a block's rays may hit, roughly from near to far. `at`
+    /// gets the parameter at which each ray reaches the shell. It is infinite for rays that do not,
+    /// and for rays that reach it beyond their `reach`.
     pub fn next_of_block(&self, rays: &mut BlockRays, lanes: Lanes, at: &mut Row<f32>) -> Option<u32> {
         loop {
             if let Some(index) = rays.leaf.next() {
@@ -222,7 +224,8 @@ impl ShellCaster {
     }
 }
 
-/// A hierarchy of boxes with one in each leaf: to look into a shell takes far longer than to look at a box.
+/// Builds a BVH with one box in each leaf, because tracing a shell takes far longer than testing a
+/// box.
 pub fn hierarchy(boxes: &[Aabb]) -> Bvh2 {
     let params =
         if boxes.len() > MANY_BOXES { BvhBuildParams::medium_build() } else { BvhBuildParams::slow_build() };
@@ -234,43 +237,44 @@ pub fn hierarchy(boxes: &[Aabb]) -> Bvh2 {
     bvh
 }
 
-/// Whether a ray begins somewhere and has a direction.
+/// Whether a ray has a finite origin, and a finite direction that is not 0.
 fn goes_somewhere(ray: &Ray) -> bool {
     ray.direction.abs().max_element() > 0.0 && ray.direction.is_finite() && ray.origin.is_finite()
 }
 
-/// One over a direction's component; what the ray runs along is met nowhere or everywhere.
+/// Returns the inverse of a direction's component. For a component near 0 it is large and finite,
+/// so that the ray is either outside or inside of a slab along it.
 #[inline(always)]
 fn inverse(component: f32) -> f32 {
     if component.abs() > 1.0 / ACROSS { 1.0 / component } else { ACROSS }
 }
 
-/// Larger than any distance over any other, and still far from infinite.
+/// Inverse of a component that is nearly 0: larger than the ratio of any two distances, and finite.
 const ACROSS: f32 = 1e20;
 
-/// The rays of a block, side by side, on their way down a hierarchy.
+/// Rays of a block, side by side, with the state of their traversal of the BVH.
 #[derive(Default)]
 pub struct BlockRays {
     origin: [Row<f32>; 3],
     direction: [Row<f32>; 3],
     inverse: [Row<f32>; 3],
-    /// What boxes are grown by.
+    /// Margin of boxes for each ray.
     slack: Row<f32>,
-    /// Up to which parameter of each ray shells are of interest, to be made less; below all for those that
-    /// there are not.
+    /// Greatest parameter of each ray at which shells still matter, which callers reduce; minus
+    /// infinity for rays that do not exist.
     pub reach: Row<f32>,
-    /// Nodes that are still to be looked into.
+    /// Nodes that are still to be visited.
     waiting: Vec<u32>,
     /// Rest of a leaf, and the box around it.
     leaf: Range<u32>,
     leaf_bounds: Aabb,
 }
 
-/// Directions across which a shell is thin, and between where it lies along each.
+/// Slabs around a shell: a direction, with the least and the greatest extent along it.
 type Hull = [([f32; 3], [f32; 2]); 4];
 
-/// Shell of a triangle between slabs along its normal and its sides' normals, widened by `beside_m`.
-/// The box around a shell is far larger, as shells mostly lie aside of the axes.
+/// Returns the slabs around a triangle's shell, along its normal and its sides' normals, widened by
+/// `beside_m`. The box around a shell is far larger, because most shells lie askew to the axes.
 fn hull(triangle: &Triangle, points: &[Vec3A], beside_m: f32) -> Hull {
     let Triangle { a, b, c, .. } = triangle;
     let [a, b, c] =
@@ -286,12 +290,12 @@ fn hull(triangle: &Triangle, points: &[Vec3A], beside_m: f32) -> Hull {
     })
 }
 
-/// A box that the rays of a block may meet, and maybe slabs that hold what is in it.
+/// Test of a block's rays against a box, and against the slabs in it if there are any.
 struct Test<'a> {
     rays: &'a BlockRays,
     bounds: &'a Aabb,
     hull: Option<&'a Hull>,
-    /// Where each ray comes into it within its reach; infinite for the others.
+    /// Parameter at which each ray enters within its reach; infinite for other rays.
     at: &'a mut Row<f32>,
 }
 

@@ -6,31 +6,31 @@ use relief_shaders::cpu::PixelOut;
 use relief_core::camera::Camera;
 use relief_scene::Scene;
 
-/// The lines' linear colour: seen on grey, on white and on black.
+/// The lines' linear colour, visible on grey, white and black.
 const COLOR: [f32; 3] = [1.0, 0.25, 0.0];
 
-/// The part of a pixel's colour that is the line's where all of the pixel lies on it: in front of what is
-/// seen, and behind it.
+/// Share of the line in the colour of a pixel that lies wholly on it: in front of the visible
+/// surface, and behind it.
 const SHOWN: f32 = 0.9;
 const HIDDEN: f32 = 0.2;
 
-/// How many pixels' widths an edge may lie behind what is seen before it becomes fainter; at twice that it is
-/// faint. What is seen at a pixel is known at one point of it: smaller, and edges on inclined surfaces are
-/// broken.
+/// Distance behind the visible surface at which an edge becomes fainter, in pixel widths. At twice
+/// the distance it is faint. The surface is known at one point of a pixel only: with a smaller
+/// distance, edges on inclined surfaces are broken.
 const SLACK: f64 = 4.0;
 
 /// Least depth of a point that is drawn, as a part of the farthest one's depth. None lies behind the eye.
 const LEAST_DEPTH: f64 = 1e-6;
 
-/// How far beside the picture lines begin and end, in pixels.
+/// Margin around the picture in which lines begin and end, in pixels.
 const BESIDE: f64 = 2.0;
 
-/// The edges of the base meshes of a scene's surfaces as lines over its picture, which is drawn over row by
-/// row, as it comes from a renderer.
+/// Draws the edges of a scene's base meshes over its picture, row by row, as rows come from a
+/// renderer.
 ///
-/// Lines are a pixel wide and fade to both sides. Where they lie behind what a pixel shows, by the depth along
-/// the view axis, they are faint. Edges belong to the flat triangles, whatever lies on them: where a relief
-/// rises out of its base, they are behind it.
+/// Lines are a pixel wide and fade to both sides. They are faint behind the visible surface, by the
+/// depth along the view axis. Edges are those of the flat base triangles: where the relief rises
+/// above its base, they lie behind it.
 ///
 /// ```
 /// use relief_core::mesh::square;
@@ -53,7 +53,7 @@ const BESIDE: f64 = 2.0;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Wire {
-    /// By the row that they begin in.
+    /// Lines, sorted by the row in which they begin.
     lines: Vec<Line>,
     /// The first line that has not begun.
     next: usize,
@@ -70,9 +70,10 @@ pub struct Wire {
 /// An edge in the picture.
 #[derive(Clone, Copy, Debug)]
 struct Line {
-    /// Its ends in pixels from the picture's top-left corner, the upper first.
+    /// Ends in pixels from the picture's top-left corner, the upper one first.
     ends: [DVec2; 2],
-    /// What is linear along it: the depth of parallel rays, its inverse in perspective.
+    /// Values at the ends that are linear along the line: the depth of parallel rays, its inverse
+    /// in perspective.
     depths: [f64; 2],
 }
 
@@ -153,7 +154,7 @@ impl Line {
         self.ends[0].lerp(self.ends[1], part)
     }
 
-    /// As [`Self::depths`].
+    /// Returns the value of [`Self::depths`] at a part of the line.
     fn depth(&self, part: f64) -> f64 {
         self.depths[0] + (self.depths[1] - self.depths[0]) * part
     }
@@ -180,7 +181,7 @@ impl Line {
 }
 
 impl Wire {
-    /// The edges of all base meshes of a scene, each once.
+    /// Collects the edges of all base meshes of a scene, each once.
     pub fn new(scene: &Scene) -> Self {
         let camera = scene.camera();
         let view = View { camera, size: DVec2::from(scene.size().map(f64::from)) };
@@ -213,7 +214,8 @@ impl Wire {
         }
     }
 
-    /// Draws over the next row of the picture, from the top: over linear colours, one for each pixel.
+    /// Draws over the next row of the picture, from the top. `pixels` are the row's rendered
+    /// pixels, `colors` their linear colours.
     pub fn next_row(&mut self, pixels: &[PixelOut], colors: &mut [[f32; 3]]) {
         let y = f64::from(self.row) + 0.5;
         self.row += 1;
@@ -240,7 +242,8 @@ impl Wire {
         }
     }
 
-    /// How strong a line is before or behind what a pixel shows; `depth` as in [`Line::depths`].
+    /// Returns the share of a line in a pixel's colour, by whether it lies in front of the pixel's
+    /// surface. `depth` is a value of [`Line::depths`].
     fn strength(&self, depth: f64, pixel: &PixelOut) -> f32 {
         if pixel.hit == 0 {
             return SHOWN;

@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let (sin, cos) = (0.3 * f64::from(frame)).sin_cos();
         scene.set_camera(Camera::new(DVec3::new(1.5 * sin, 1.0, 1.5 * cos), DVec3::ZERO, 40.0)?);
         let rendered = renderer.render(&scene, &mut maps, &Watch::none())?;
-        println!("frame {frame}: {:.1} ms", 1e3 * rendered.made.elapsed.as_secs_f64());
+        println!("frame {frame}: {:.1} ms", 1e3 * rendered.info.elapsed.as_secs_f64());
     }
     Ok(())
 }

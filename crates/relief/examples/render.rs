@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let rgb = picture::srgb8(&rendered.rendering, &scene);
     let file = std::env::temp_dir().join("relief-torus.png");
     write_png8(&file, 320, 240, PngColour::Rgb, &rgb)?;
-    println!("{}, made on the {}, {}", file.display(), rendered.made.backend, rendered.made.device);
+    println!("{}, made on the {}, {}", file.display(), rendered.info.backend, rendered.info.device);
 
     let hits = rendered.rendering.pixels.iter().filter(|pixel| pixel.hit == 1).count();
     println!("{hits} of {} pixels show the surface", rendered.rendering.pixels.len());

@@ -246,7 +246,7 @@ fn measured(
                 runner.seen = seen().count();
                 let reads: f64 = seen().map(|pixel| f64::from(pixel.reads)).sum();
                 runner.reads = reads / runner.seen.max(1) as f64;
-                *device = rendered.made.device;
+                *device = rendered.info.device;
             }
         }
     }

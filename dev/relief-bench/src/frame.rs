@@ -163,7 +163,7 @@ fn measure(spec: &SceneSpec, cache: &Cache, rounds: u16) -> Result<Measured, Str
             drawn.push(1e3 * time.elapsed.as_secs_f64());
         }
     }
-    Ok(Measured { device: first.made.device, whole, render: alone, frame, drawn, work })
+    Ok(Measured { device: first.info.device, whole, render: alone, frame, drawn, work })
 }
 
 /// The scene with its camera turned around what it looks at, another way each round.

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use clap::Args;
 use relief_core::Watch;
 use relief_maps::Maps;
-use relief_render::{Made, RenderError, Renderer};
+use relief_render::{RenderError, RenderInfo, Renderer};
 use relief_scene::{BackendChoice, Sampling, Scene, SceneSpec};
 
 use self::baked_maps::CacheArguments;
@@ -127,7 +127,7 @@ impl<'a> PictureRenderer<'a> {
         scene: &Scene,
         outputs: &Outputs,
         tell: &(dyn Fn(&str, f32) + Sync),
-    ) -> Result<(Counts, Made), Failure> {
+    ) -> Result<(Counts, RenderInfo), Failure> {
         let Self { arguments, baked, renderer, .. } = self;
         let (backend, sampling) = (scene.backend(), scene.sampling());
         // A GPU's renderer keeps its programs; one on the CPU holds data of other maps.
@@ -154,7 +154,7 @@ impl<'a> PictureRenderer<'a> {
     }
 
     /// Returns notes on what a user may not expect of a picture.
-    fn notes(&self, spec: &SceneSpec, scene: &Scene, made: &Made) -> Vec<String> {
+    fn notes(&self, spec: &SceneSpec, scene: &Scene, made: &RenderInfo) -> Vec<String> {
         // Where no map was baked, nobody misses a cache.
         let no_cache = self.no_cache.clone().filter(|_| !made.maps.is_empty());
         let of_reading = maps::of_reading(spec, scene, By::Flags);

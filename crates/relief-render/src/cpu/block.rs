@@ -1,4 +1,4 @@
-//! Blocks of neighbouring points of a picture, which go through the stages together.
+//! Blocks of 4 x 4 neighbouring sample points, which go through the stages together.
 
 use relief_core::Lanes;
 use relief_core::exact::{HitPacket, PathPacket};
@@ -12,36 +12,37 @@ pub const BLOCK_SIDE: usize = 4;
 
 const _: () = assert!(BLOCK_SIDE * BLOCK_SIDE == BLOCK && BLOCK == PathPacket::LEN);
 
-/// From how many rays of a triangle on lanes take them; fewer go one by one.
+/// Least number of a triangle's rays that are computed in SIMD lanes. Fewer are computed one by
+/// one.
 const LEAST_IN_LANES: u32 = 3;
 
-/// The places that something holds for, a bit for each.
+/// Returns the places of a block for which `holds` is true, a bit for each.
 pub fn places_where(holds: impl Fn(usize) -> bool) -> u16 {
     (0..BLOCK).fold(0, |which, place| which | u16::from(holds(place)) << place)
 }
 
-/// SIMD width for the places whose bits `which` has.
+/// Returns the SIMD width for the places whose bits `which` has.
 pub fn lanes_for(which: u16, lanes: Lanes) -> Lanes {
     if which.count_ones() < LEAST_IN_LANES { Lanes::One } else { lanes }
 }
 
-/// Triangle and side that each ray of a block meets.
+/// Triangle and side that each ray of a block hits.
 #[derive(Clone)]
 pub struct Faces {
-    /// Whether the mesh is turned over for that, and the triangle.
+    /// Whether the mesh is turned over, and the triangle's number.
     pub rank: Row<(bool, u32)>,
     /// 1 on the triangle's front, -1 on its back.
     pub side: Row<f32>,
 }
 
 impl Faces {
-    /// Of no triangles.
+    /// Creates the faces of a block whose rays hit nothing yet.
     pub fn new() -> Self {
         Self { rank: [(false, 0); BLOCK], side: [1.0; BLOCK] }
     }
 
-    /// Calls `of` for each triangle, with its rays among the bits of `which`, and with the SIMD width for
-    /// them.
+    /// Calls `of` for each triangle, with its rays among the bits of `which`, and with their SIMD
+    /// width.
     pub fn each(
         &self,
         surface: &Ready,
@@ -75,8 +76,8 @@ impl Ready<'_> {
         });
     }
 
-    /// Which of the paths to lights that `which` has bits for nothing is in the way of: by the exact tracers
-    /// where these are for shadows, else by the search for shadows.
+    /// Returns the paths to lights, among the bits of `which`, that nothing blocks. The exact
+    /// tracers decide if the surface uses them for shadows, else the shadow search.
     pub fn free_block(&self, paths: &PathBlock, which: u16, lanes: Lanes) -> u16 {
         if !self.traces_shadows {
             return self.program.free_block(paths, which, lanes);
@@ -86,7 +87,8 @@ impl Ready<'_> {
         free
     }
 
-    /// What the exact tracers hit, level of detail by level of detail.
+    /// Traces paths by the exact tracers, level of detail by level of detail, and calls `of` with
+    /// the hits of each level.
     fn each_level(&self, paths: &PathBlock, which: u16, lanes: Lanes, mut of: impl FnMut(u16, &HitPacket)) {
         let Some(tracers) = &self.tracers else { return };
         let mut hits = HitPacket::MISSES;

@@ -1,16 +1,17 @@
-//! What lights see, rendered: a layer for each view, whose texels hold the keys of the nearest hits.
+//! Shadow maps rendered on the CPU: a layer for each view, whose texels hold the keys of the
+//! nearest hits.
 
 use relief_core::encoding::code::Codes;
 use relief_core::{BakedMap, Lanes, MapFormat, MapIdentity, MapLayout, MapTexels};
 use relief_shaders::cpu::Frame;
 
-use super::ready::{Made, Ready};
-use super::tiled::{SeenBlock, Tiled};
+use super::ready::{Acceleration, Ready};
+use super::tiled::{Tiled, VisibleBlock};
 use super::{CpuError, Done};
 use crate::job::{Job, JobSurface};
 use crate::samples::Sample;
 
-/// What lights saw, and of what.
+/// Shadow maps, with the surfaces and frames for which they were rendered.
 #[derive(Debug)]
 pub struct LightMap {
     /// The views' frames.
@@ -20,7 +21,7 @@ pub struct LightMap {
 }
 
 impl LightMap {
-    /// Whether the lights of a job see the same.
+    /// Whether the shadow maps fit a job.
     pub fn is_of(&self, job: &Job) -> bool {
         let pairs = || self.surfaces.iter().zip(&job.surfaces);
         self.surfaces.len() == job.surfaces.len()
@@ -28,8 +29,13 @@ impl LightMap {
             && self.frames == job.light_views.frames
     }
 
-    /// Renders what the lights of a job see; `done` counts its [`rows`].
-    pub(super) fn render(job: &Job, made: &[Made], lanes: Lanes, done: &Done) -> Result<Self, CpuError> {
+    /// Renders the shadow maps of a job. `done` counts their [`rows`].
+    pub(super) fn render(
+        job: &Job,
+        accelerations: &[Acceleration],
+        lanes: Lanes,
+        done: &Done,
+    ) -> Result<Self, CpuError> {
         let views = &job.light_views;
         let side = views.size as usize;
         let count = side.checked_mul(side).and_then(|area| area.checked_mul(views.frames.len()));
@@ -37,11 +43,12 @@ impl LightMap {
         let room = count.and_then(|count| keys.try_reserve_exact(count).ok().map(|()| count));
         keys.resize(room.ok_or(CpuError::OutOfMemory)?, 0.0f32);
         for (layer, frame) in keys.chunks_exact_mut((side * side).max(1)).zip(&views.frames) {
-            let surfaces = job.surfaces.iter().zip(made);
-            let ready: Vec<Ready> =
-                surfaces.map(|(surface, made)| Ready::new(surface, *frame, None, made.clone())).collect();
+            let surfaces = job.surfaces.iter().zip(accelerations);
+            let ready: Vec<Ready> = surfaces
+                .map(|(surface, acceleration)| Ready::new(surface, *frame, None, acceleration.clone()))
+                .collect();
             let tiled = Tiled::new(&ready, &[Sample::CENTRE], [views.size; 2], lanes);
-            let keys = |seen: &SeenBlock, put: &mut dyn FnMut(usize, f32)| {
+            let keys = |seen: &VisibleBlock, put: &mut dyn FnMut(usize, f32)| {
                 for (point, nearest) in seen.nearest.iter().enumerate() {
                     put(point, nearest.map_or(0.0, |surface| seen.surfaces[surface].keys[point]));
                 }
@@ -59,7 +66,7 @@ impl LightMap {
     }
 }
 
-/// Rows of the map of a job.
+/// Returns the number of rows in all shadow maps of a job.
 pub fn rows(job: &Job) -> u32 {
     job.light_views.size * job.light_views.frames.len() as u32
 }

@@ -1,4 +1,4 @@
-//! The CPU backend: the base meshes are ray cast, the translated shaders do the rest.
+//! CPU backend. Rays are cast against the base meshes; the translated shaders do the rest.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -12,9 +12,9 @@ use relief_shaders::surface::Proposal;
 
 use self::block::{places, places_where};
 use self::light_map::LightMap;
-use self::ready::{Base, Made, Ready, SceneRays, caster};
-use self::tessellated::KeptTessellated;
-use self::tiled::{SeenBlock, Tiled};
+use self::ready::{Acceleration, Base, Ready, SceneRays, caster};
+use self::tessellated::TessellatedCache;
+use self::tiled::{Tiled, VisibleBlock};
 use crate::frame_cache::{cached, cached_where};
 use crate::job::{Job, JobSurface, Rendering, uncovered};
 use crate::prepare::Triangles;
@@ -23,15 +23,15 @@ use crate::shellcast::{Bounds, ShellCaster};
 use relief_core::raycast::RayCaster;
 
 mod block;
+mod block_hits;
 mod light_map;
 mod ready;
-mod seen;
 mod shading;
 mod shells;
 pub(crate) mod tessellated;
 mod tiled;
 
-/// Pixels of a band of rows: enough for all cores, and few enough to keep.
+/// Pixels of a band of rows: enough work for all cores, and little memory.
 const BAND_PIXELS: u32 = 1 << 18;
 
 /// Creates `count` pixels that nothing covers, or `None` without the memory. All cores write them, since the
@@ -44,10 +44,10 @@ fn all_uncovered(count: usize) -> Option<Vec<PixelOut>> {
     Some(pixels)
 }
 
-/// Why the CPU has no picture.
+/// Reason why the CPU backend rendered no picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CpuError {
-    /// The memory for the picture, or for what lights see, cannot be had.
+    /// There is not enough memory for the picture or for its shadow maps.
     #[error("there is no memory for the picture")]
     OutOfMemory,
     /// The rendering was cancelled.
@@ -55,20 +55,20 @@ pub enum CpuError {
     Cancelled(#[from] Cancelled),
 }
 
-/// Renders jobs on all cores, and keeps the hierarchies of their meshes and height maps, and what their
-/// lights see, from one job to the next.
+/// Renders jobs on all cores. BVHs, exact tracers and shadow maps are cached from one job to the
+/// next.
 #[derive(Debug, Default)]
 pub struct CpuRenderer {
     casters: Vec<(Arc<Triangles>, Arc<RayCaster>)>,
     shells: Vec<(Arc<Triangles>, Arc<ShellCaster>)>,
     tracers: Vec<(Arc<HeightMap>, Arc<[FastTracer]>)>,
     light_map: Option<LightMap>,
-    tessellated: KeptTessellated,
+    tessellated: TessellatedCache,
     lanes: Lanes,
 }
 
 impl CpuRenderer {
-    /// A renderer that has seen no job.
+    /// Creates a renderer with an empty cache.
     pub fn new() -> Self {
         Self::default()
     }
@@ -80,8 +80,8 @@ impl CpuRenderer {
 
     /// Renders a job.
     ///
-    /// A surface whose selection is the exact pair is traced by the core's fast exact tracer in place of
-    /// search and refinement.
+    /// Surfaces with the exact search and refinement are traced by [`FastTracer`], if their paths
+    /// are straight.
     ///
     /// # Errors
     ///
@@ -92,15 +92,15 @@ impl CpuRenderer {
         let samples = samples(job.samples, true);
         let done = Done::of(job, watch);
         let job = &*self.tessellated.job(job);
-        let made = self.made(job);
-        let lit = self.lit(job, &made, &done)?;
+        let accelerations = self.accelerations(job);
+        let lit = self.lit(job, &accelerations, &done)?;
         lit.rows(job, &samples, 0).render(&mut pixels, &done)?;
         Ok(Rendering { width: job.width, height: job.height, pixels })
     }
 
-    /// Renders a job in bands of whole rows, from the top, and hands over each when it is done. With
-    /// `numbers` all numbers of a pixel are as in a [`Rendering`]; else they belong to one of its samples,
-    /// which takes less time.
+    /// Renders a job in bands of whole rows, from the top. `sink` gets each band when it is done.
+    /// With `numbers`, pixels are the same as in a [`Rendering`]. Without, only the colour is; the
+    /// other values come from one of the pixel's samples, which takes less time.
     ///
     /// # Errors
     ///
@@ -115,8 +115,8 @@ impl CpuRenderer {
         let samples = samples(job.samples, numbers);
         let done = Done::of(job, watch);
         let job = &*self.tessellated.job(job);
-        let made = self.made(job);
-        let lit = self.lit(job, &made, &done)?;
+        let accelerations = self.accelerations(job);
+        let lit = self.lit(job, &accelerations, &done)?;
         let rows = (BAND_PIXELS / job.width.max(1)).clamp(1, job.height.max(1));
         let mut pixels = all_uncovered(job.width as usize * rows as usize).ok_or(CpuError::OutOfMemory)?;
         for first in (0..job.height).step_by(rows as usize) {
@@ -129,7 +129,7 @@ impl CpuRenderer {
         Ok(())
     }
 
-    /// The addresses of what is kept: of meshes, and of height maps.
+    /// Returns the addresses of cached BVHs, and of cached exact tracers.
     #[cfg(test)]
     pub(crate) fn cached(&self) -> [Vec<*const ()>; 2] {
         let casters = self.casters.iter().map(|(_, caster)| Arc::as_ptr(caster).cast());
@@ -137,10 +137,11 @@ impl CpuRenderer {
         [casters.collect(), tracers.collect()]
     }
 
-    /// The hierarchies of the surfaces; those that the job does not need are dropped.
-    fn made(&mut self, job: &Job) -> Vec<Made> {
+    /// Returns BVHs and tracers of the surfaces. Cached ones that the job does not need are
+    /// dropped.
+    fn accelerations(&mut self, job: &Job) -> Vec<Acceleration> {
         let (mut casters, mut shells, mut tracers) = (Vec::new(), Vec::new(), Vec::new());
-        let made = job.surfaces.iter().map(|surface| {
+        let accelerations = job.surfaces.iter().map(|surface| {
             let JobSurface { triangles, height_map, selection, .. } = surface;
             let base = match selection.paths().proposal {
                 Proposal::Polygons => {
@@ -163,34 +164,40 @@ impl CpuRenderer {
                         .collect()
                 })
             });
-            Made { base, tracers: tracer }
+            Acceleration { base, tracers: tracer }
         });
-        let made = made.collect();
+        let accelerations = accelerations.collect();
         (self.casters, self.shells, self.tracers) = (casters, shells, tracers);
-        made
+        accelerations
     }
 
-    /// The surfaces ready for the job's frame, with what its lights see: that is rendered unless it is known.
-    fn lit<'a>(&'a mut self, job: &'a Job, made: &[Made], done: &Done) -> Result<Lit<'a>, CpuError> {
+    /// Prepares the surfaces for the job's frame. Shadow maps are rendered unless they are cached.
+    fn lit<'a>(
+        &'a mut self,
+        job: &'a Job,
+        accelerations: &[Acceleration],
+        done: &Done,
+    ) -> Result<Lit<'a>, CpuError> {
         if job.light_views.frames.is_empty() {
             self.light_map = None;
         } else if !self.light_map.as_ref().is_some_and(|known| known.is_of(job)) {
-            // What was kept goes first, so that both need not fit.
+            // The cached one is dropped first, so that both need not fit into memory.
             self.light_map = None;
-            self.light_map = Some(LightMap::render(job, made, self.lanes, done)?);
+            self.light_map = Some(LightMap::render(job, accelerations, self.lanes, done)?);
         } else {
             done.add(light_map::rows(job))?;
         }
         let light_map = self.light_map.as_ref().map(|lights| &lights.map);
-        let each = job.surfaces.iter().zip(made);
-        let surfaces = each.map(|(surface, made)| Ready::new(surface, job.frame, light_map, made.clone()));
+        let each = job.surfaces.iter().zip(accelerations);
+        let surfaces = each
+            .map(|(surface, acceleration)| Ready::new(surface, job.frame, light_map, acceleration.clone()));
         let needs_scene = |surface: &JobSurface| surface.selection.rays_through_scene().is_some();
-        let scene = job.surfaces.iter().any(needs_scene).then(|| SceneRays::new(job, made));
+        let scene = job.surfaces.iter().any(needs_scene).then(|| SceneRays::new(job, accelerations));
         Ok(Lit { surfaces: surfaces.collect(), scene, lanes: self.lanes })
     }
 }
 
-/// How much of a job is done.
+/// Progress of a job, in rows.
 struct Done<'a> {
     rows: AtomicU32,
     all: u32,
@@ -208,16 +215,16 @@ impl<'a> Done<'a> {
         self.watch.at(rows as f32 / self.all as f32)
     }
 
-    /// Asks whether to go on.
+    /// Fails if the work was cancelled.
     fn check(&self) -> Result<(), Cancelled> {
         self.watch.check()
     }
 }
 
-/// The surfaces of a picture, and what may be in the way of their lights.
+/// Surfaces of a picture, and the geometry that may block their lights.
 struct Lit<'a> {
     surfaces: Vec<Ready<'a>>,
-    /// Where rays of lights go through all of the scene.
+    /// The whole scene, if shadow rays go through all of it.
     scene: Option<SceneRays<'a>>,
     lanes: Lanes,
 }
@@ -230,7 +237,7 @@ impl<'a> Lit<'a> {
     }
 }
 
-/// Some rows of a picture on their way.
+/// Rows of a picture that are being rendered.
 struct Rows<'a> {
     tiled: Tiled<'a>,
     samples: &'a [Sample],
@@ -241,9 +248,9 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// Renders them into as many pixels.
+    /// Renders the rows into `pixels`.
     fn render(&self, pixels: &mut [PixelOut], done: &Done) -> Result<(), Cancelled> {
-        let look = |seen: &SeenBlock, put: &mut dyn FnMut(usize, PixelOut)| self.shade(seen, put);
+        let look = |seen: &VisibleBlock, put: &mut dyn FnMut(usize, PixelOut)| self.shade(seen, put);
         self.tiled.each(pixels, self.first, done, look, |pixel, number, shown| {
             *pixel = match (self.surfaces.first(), self.samples) {
                 (Some(surface), samples) if samples.len() > 1 => {
@@ -257,8 +264,8 @@ impl Rows<'_> {
         })
     }
 
-    /// What a block's points look like, surface by surface.
-    fn shade(&self, block: &SeenBlock, put: &mut dyn FnMut(usize, PixelOut)) {
+    /// Shades a block's points, surface by surface.
+    fn shade(&self, block: &VisibleBlock, put: &mut dyn FnMut(usize, PixelOut)) {
         for place in places(places_where(|place| block.nearest[place].is_none())) {
             put(place, uncovered());
         }

@@ -1,4 +1,4 @@
-//! A surface made ready for the rays of a frame: what they meet of it, and what that looks like.
+//! Surfaces prepared for the rays of a frame: hits and shading.
 
 use std::sync::Arc;
 
@@ -18,45 +18,45 @@ use relief_core::camera::Ray;
 use relief_core::raycast::tiles::{PictureRays, TileCaster, TileHit};
 use relief_core::raycast::{RayCaster, Sides};
 
-/// The hierarchy of a mesh's polygons.
+/// Builds the BVH of a mesh's triangles.
 pub fn caster(triangles: &Triangles) -> RayCaster {
     let position = |corner: &Corner| Vec3::new(corner.position.x, corner.position.y, corner.position.z);
     RayCaster::of_corners(triangles.iter().map(|Triangle { a, b, c, .. }| [&a, &b, &c].map(position)))
 }
 
-/// How far before a point rays to it from lights end, as parts of the displacement and of the largest
-/// coordinate: nearer, and rounding lets surfaces hide themselves where light grazes them; farther, and they
-/// do not where they are curved.
+/// Distance before a point at which rays from lights end, as parts of the displacement and of the
+/// largest coordinate. If it is smaller, surfaces shadow themselves by rounding where light grazes
+/// them. If it is larger, curved surfaces lose their own shadows.
 const SHORTER_BY_SCALE: f32 = 3e-3;
 const SHORTER_BY_EXTENT: f32 = 1e-5;
 
-/// How many texels beside a ray from a light its segments may run: where light grazes the relief, what is
-/// that far beside it can be in another crest's shadow.
+/// Tolerance of segments beside a ray from a light, in texels. Where light grazes the relief, a
+/// point that far beside the ray can be in another crest's shadow.
 const LIGHT_TOLERANCE_TEXELS: f32 = 0.01;
 
-/// What a ray meets of a polygon's relief: where it enters that, and on which path.
-pub struct Met {
+/// First hit of a ray in the relief of a base triangle, with its entry and its path.
+pub struct ReliefHit {
     pub at: Entered,
     pub path: Path,
     pub first: FirstHit,
 }
 
-/// What proposes triangles to a ray.
+/// BVH that proposes triangles to a ray: of the triangles themselves, or of their shells.
 #[derive(Clone)]
 pub enum Base {
     Polygons(Arc<RayCaster>),
     Shells(Arc<ShellCaster>),
 }
 
-/// What is made of a surface once.
+/// BVH and exact tracers of a surface, cached from job to job.
 #[derive(Clone)]
-pub struct Made {
+pub struct Acceleration {
     pub base: Base,
-    /// The exact tracers of all levels of detail, where they serve.
+    /// Exact tracers of all levels of detail, if the surface is traced by them.
     pub tracers: Option<Arc<[FastTracer]>>,
 }
 
-/// Where a ray begins and where it goes; its direction has a component of 1 along the view axis.
+/// Origin and direction of a ray. The direction has a component of 1 along the view axis.
 #[derive(Clone, Copy)]
 pub struct Aim {
     pub origin: ShaderVec3<f32>,
@@ -64,7 +64,7 @@ pub struct Aim {
 }
 
 impl Aim {
-    /// The same in 64 bits.
+    /// Converts the ray to 64 bits.
     pub fn ray(&self) -> Ray {
         let three = |v: ShaderVec3<f32>| [v.x, v.y, v.z].map(f64::from).into();
         Ray { origin: three(self.origin), direction: three(self.direction) }
@@ -78,41 +78,52 @@ pub struct Ready<'a> {
     triangles: &'a Triangles,
     pub(super) base: Base,
     pub(super) sides: Sides,
-    /// The exact tracers of all levels of detail.
+    /// Exact tracers of all levels of detail, if the surface is traced by them.
     pub(super) tracers: Option<Arc<[FastTracer]>>,
-    /// Whether they serve shadows, too.
+    /// Whether the exact tracers trace shadows, too.
     pub(super) traces_shadows: bool,
-    /// Whether shadows send rays, and the number of points of a light that the rays go to.
+    /// Whether shadows send rays, and the number of points on a light that the rays go to.
     pub(super) sends_rays: bool,
     pub(super) points_of_lights: u32,
-    /// The same of shadows by rays through the whole scene.
+    /// Number of points on a light if shadow rays go through the whole scene.
     pub(super) rays_through_scene: Option<u32>,
     pub(super) lights: u32,
-    /// Whether it is an object, whose segments are not parts of one way.
+    /// Whether it is a depth object, whose segments are not parts of one path.
     pub(super) is_object: bool,
     /// Whether the relief nowhere lies above its base, or there is none.
     is_carved: bool,
-    /// As in [`Frame`].
+    /// Depth below which keys are ordered less finely, see [`Frame`].
     near: f64,
-    /// How far before the surface rays of lights end, in metres.
+    /// Distance before the surface at which rays from lights end, in metres.
     pub(super) shorter_m: f32,
 }
 
 impl<'a> Ready<'a> {
-    /// The surface in a frame, with what its lights see where shadows are looked up there.
-    pub fn new(surface: &'a JobSurface, frame: Frame, light_map: Option<&'a BakedMap>, made: Made) -> Self {
-        Self::with_program(surface, surface.program(frame, light_map), frame, made)
+    /// Prepares a surface for a frame. `light_map` holds the shadow maps, if the surface reads
+    /// them.
+    pub fn new(
+        surface: &'a JobSurface,
+        frame: Frame,
+        light_map: Option<&'a BakedMap>,
+        acceleration: Acceleration,
+    ) -> Self {
+        Self::with_program(surface, surface.program(frame, light_map), frame, acceleration)
     }
 
-    /// The surface for rays from lights through a whole scene.
-    fn for_light(surface: &'a JobSurface, frame: Frame, made: Made) -> Self {
+    /// Prepares a surface for rays from lights through the whole scene.
+    fn for_light(surface: &'a JobSurface, frame: Frame, acceleration: Acceleration) -> Self {
         let finer = surface.selection.with_tolerance_within(LIGHT_TOLERANCE_TEXELS);
         let settings = surface.settings.with_choices_of(&finer);
-        Self::with_program(surface, surface.program_with(settings, frame, None), frame, made)
+        Self::with_program(surface, surface.program_with(settings, frame, None), frame, acceleration)
     }
 
-    fn with_program(surface: &'a JobSurface, program: Program<'a>, frame: Frame, made: Made) -> Self {
-        let Made { base, tracers } = made;
+    fn with_program(
+        surface: &'a JobSurface,
+        program: Program<'a>,
+        frame: Frame,
+        acceleration: Acceleration,
+    ) -> Self {
+        let Acceleration { base, tracers } = acceleration;
         let traces_shadows = tracers.is_some() && surface.selection.has_exact_shadows();
         let sides = if surface.two_sided { Sides::Both } else { Sides::Front };
         Self {
@@ -144,7 +155,7 @@ impl<'a> Ready<'a> {
         }
     }
 
-    /// Whether a ray hits anything at a depth below that.
+    /// Whether a ray hits anything at a depth below `depth_m`.
     pub fn hides(&self, aim: Aim, depth_m: f32) -> bool {
         let least = self.program.key_of_depth(depth_m);
         let mut is_hidden = false;
@@ -155,8 +166,9 @@ impl<'a> Ready<'a> {
         is_hidden
     }
 
-    /// Calls `look` with the triangles that a ray may meet the relief of, roughly from near to far, and with
-    /// their sides, until what comes begins beyond a depth: at first `reach`, then what `look` says.
+    /// Calls `look` with the triangles whose relief a ray may hit, and with their sides, roughly
+    /// from near to far. It stops at triangles that begin beyond a depth: at first `reach`, then
+    /// the depth that `look` returned.
     pub(super) fn propose(&self, aim: Aim, mut reach: f64, mut look: impl FnMut((bool, u32), f32) -> f64) {
         let ray = aim.ray();
         match &self.base {
@@ -173,7 +185,7 @@ impl<'a> Ready<'a> {
         }
     }
 
-    /// The same of polygons that a ray hits, in that order.
+    /// Calls `look` with the base triangles that a ray hits, in the order of `hits`.
     pub(super) fn propose_polygons(
         &self,
         hits: impl Iterator<Item = TileHit>,
@@ -189,53 +201,54 @@ impl<'a> Ready<'a> {
         }
     }
 
-    /// Where the ray through a point of the picture begins, and where it goes.
+    /// Returns the ray through a point of the picture, in pixels.
     pub(super) fn aim(&self, point: [f32; 2]) -> Aim {
         Aim { origin: self.program.pixel_eye(point), direction: self.program.pixel_direction(point) }
     }
 
-    /// A triangle with its corners.
+    /// Returns a triangle with its corners.
     pub(super) fn triangle(&self, number: u32) -> Triangle {
         self.triangles.get(number as usize)
     }
 
-    /// A ray and a side of a triangle, as the shaders have them.
+    /// Returns a ray and a side of a triangle as the input of the shaders.
     pub(super) fn pixel(&self, triangle: u32, side: f32, aim: Aim) -> PixelIn {
         let Triangle { a, b, c, shell } = self.triangle(triangle);
         PixelIn { origin: aim.origin, direction: aim.direction, side, a, b, c, shell }
     }
 
-    /// What a ray first hits in the relief of a side of a triangle.
-    pub(super) fn look(&self, triangle: u32, side: f32, aim: Aim) -> Option<Met> {
+    /// Returns the first hit of a ray in the relief of a triangle's side.
+    pub(super) fn look(&self, triangle: u32, side: f32, aim: Aim) -> Option<ReliefHit> {
         let pixel = self.pixel(triangle, side, aim);
         self.first_from(pixel, self.program.enter(pixel), 0, [0; 3].into())
     }
 
-    /// How deep what is nearer than that key may begin.
+    /// Returns the greatest depth at which geometry nearer than `key` may begin.
     pub(super) fn reach(&self, key: f32) -> f64 {
         self.depth_of(key, DEPTH_SLACK)
     }
 
-    /// Depth beyond a key's depth, by a relative slack.
+    /// Returns the depth of a key, moved away by a relative slack.
     fn depth_of(&self, key: f32, slack: f64) -> f64 {
         self.near / f64::from(key) * (1.0 + slack) - self.near
     }
 
-    /// The first hit of a ray on the segments from that number on, as the shaders' `first_hit` has it: in a
-    /// shell that overlaps itself the nearest of all. The segments before have cost so much.
+    /// Returns the first hit of a ray on the segments from number `from` on, like the shaders'
+    /// `first_hit`. In a shell that overlaps itself it is the nearest of all hits. `cost` is the
+    /// cost of the segments before.
     pub(super) fn first_from(
         &self,
         pixel: PixelIn,
         at: Entered,
         from: u32,
         mut cost: ShaderVec3<u32>,
-    ) -> Option<Met> {
+    ) -> Option<ReliefHit> {
         if self.is_object {
             let first = self.program.first_hit(pixel, at);
             let path = self.program.segment(pixel, at, first.segment);
-            return (first.hit.found == 1).then_some(Met { at, path, first });
+            return (first.hit.found == 1).then_some(ReliefHit { at, path, first });
         }
-        let mut first: Option<Met> = None;
+        let mut first: Option<ReliefHit> = None;
         for number in from..at.segments {
             let path = self.program.segment(pixel, at, number);
             if path.exit > 0.0 {
@@ -247,7 +260,7 @@ impl<'a> Ready<'a> {
                 cost = cost + here.hit.cost;
                 if here.hit.found == 1 {
                     if first.as_ref().is_none_or(|met| here.key > met.first.key) {
-                        first = Some(Met { at, path, first: here });
+                        first = Some(ReliefHit { at, path, first: here });
                     }
                     if pixel.shell.order < FOLDED {
                         break;
@@ -262,7 +275,7 @@ impl<'a> Ready<'a> {
         first
     }
 
-    /// A pixel's colour so far with one more sample.
+    /// Adds a sample to a pixel's sum of colours.
     pub fn add_sample(&self, sum: Vec4<f32>, color: Vec4<f32>, weight: f32) -> Vec4<f32> {
         self.program.add_sample(sum, color, weight)
     }
@@ -271,13 +284,13 @@ impl<'a> Ready<'a> {
 /// All surfaces of a scene, for rays from lights.
 pub struct SceneRays<'a> {
     pub surfaces: Vec<Ready<'a>>,
-    /// Metres from anywhere in the scene to a place out of it.
+    /// Distance in metres that leads out of the scene from any of its points.
     pub reach_m: f32,
 }
 
 impl<'a> SceneRays<'a> {
     /// Creates the rays through the scene of a job, from its prepared surfaces.
-    pub fn new(job: &'a Job, made: &[Made]) -> Self {
+    pub fn new(job: &'a Job, accelerations: &[Acceleration]) -> Self {
         let points = || job.surfaces.iter().flat_map(relief_points);
         let (low, high) = points().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), point| {
             (low.min(point), high.max(point))
@@ -285,13 +298,14 @@ impl<'a> SceneRays<'a> {
         let across = (high - low).length();
         let reach_m = if across.is_finite() { across * 1.01 } else { 1.0 };
         let frame = frame_of_rays(reach_m);
-        let ready = job.surfaces.iter().zip(made);
-        let surfaces = ready.map(|(surface, made)| Ready::for_light(surface, frame, made.clone()));
+        let ready = job.surfaces.iter().zip(accelerations);
+        let surfaces =
+            ready.map(|(surface, acceleration)| Ready::for_light(surface, frame, acceleration.clone()));
         Self { surfaces: surfaces.collect(), reach_m: reach_m as f32 }
     }
 }
 
-/// Rays of a frame's picture, the same as in the shaders.
+/// Returns the rays of a frame's picture, the same as in the shaders.
 pub fn picture_rays(frame: &Frame) -> PictureRays {
     let three = |v: Vec4<f32>| Vec3::new(v.x, v.y, v.z);
     PictureRays {
@@ -300,7 +314,7 @@ pub fn picture_rays(frame: &Frame) -> PictureRays {
     }
 }
 
-/// The largest absolute coordinate of some triangles' corners, in metres.
+/// Returns the largest absolute coordinate of the triangles' corners, in metres.
 fn extent_m(triangles: &Triangles) -> f32 {
     let largest = |of: &Corner| [of.position.x, of.position.y, of.position.z].map(f32::abs);
     triangles.corners().iter().flat_map(largest).fold(0.0, f32::max)

@@ -1,4 +1,4 @@
-//! What the points of a block look like.
+//! Shading of a block's hits.
 
 use glam::Vec3;
 use relief_core::Lanes;
@@ -8,24 +8,24 @@ use relief_shaders::cpu::{
 use relief_shaders::{LightRayState, MAX_LIGHTS};
 
 use super::block::{places, places_where};
+use super::block_hits::BlockHits;
 use super::ready::{Aim, Ready, SceneRays};
-use super::seen::Seen;
 
-/// How much of each light arrives.
+/// Share of each light that arrives, from 0 to 1.
 type Visible = [Row<f32>; MAX_LIGHTS];
 
 impl Ready<'_> {
-    /// What those points look like that `which` has bits for, handed on point by point; `scene` is all that
-    /// may be in a light's way.
+    /// Shades the points whose bits `which` has, and calls `put` with each. `scene` is the geometry
+    /// that may block lights, if shadow rays go through all of it.
     pub fn shade(
         &self,
-        seen: &Seen,
+        seen: &BlockHits,
         which: u16,
         scene: Option<&SceneRays>,
         lanes: Lanes,
         put: &mut dyn FnMut(usize, PixelOut),
     ) {
-        let Seen { points, faces, at, paths, hits, .. } = seen;
+        let BlockHits { points, faces, at, paths, hits, .. } = seen;
         let mut placed = EnteredBlock::default();
         faces.each(self, points, which, lanes, |rays, which, lanes| {
             self.program.place_block(rays, which, lanes, (at, paths, hits), &mut placed);
@@ -38,10 +38,10 @@ impl Ready<'_> {
         }
     }
 
-    /// What of the lights arrives at placed hits.
+    /// Returns the share of each light that arrives at placed hits.
     fn visible(
         &self,
-        seen: &Seen,
+        seen: &BlockHits,
         placed: &EnteredBlock,
         which: u16,
         scene: Option<&SceneRays>,
@@ -63,11 +63,11 @@ impl Ready<'_> {
         visible
     }
 
-    /// The part of a light that arrives, by rays that the shaders make, which tracers or the search for
-    /// shadows trace.
+    /// Computes the share of a light that arrives. The shaders make the rays; the exact tracers or
+    /// the shadow search trace them.
     fn lit_by_rays(
         &self,
-        seen: &Seen,
+        seen: &BlockHits,
         placed: &EnteredBlock,
         which: u16,
         light: u32,
@@ -93,11 +93,12 @@ impl Ready<'_> {
         }
     }
 
-    /// Part of a light that arrives at a placed hit through a scene, by the given number of rays from it.
+    /// Returns the share of a light that arrives at a placed hit through the whole scene, by
+    /// `count` rays from the light.
     fn lit_through(
         &self,
         scene: &SceneRays,
-        seen: &Seen,
+        seen: &BlockHits,
         placed: &EnteredBlock,
         [place, light, count]: [u32; 3],
     ) -> f32 {

@@ -1,64 +1,65 @@
-//! What the points of a region see of shells.
+//! Nearest hits of a region's rays in shells.
 //!
-//! A block of neighbouring points goes down the hierarchy together. Then each ray takes the nearest shell
-//! that it may meet, and the rays of all blocks that took the same one look into it side by side: a block's
-//! own rays are spread over several shells, and would leave most of the lanes empty.
+//! The rays of a block traverse the BVH together. Then each ray takes the nearest shell that it may
+//! hit. The rays of all blocks that took the same shell are traced in it side by side, in SIMD
+//! lanes. A block's own rays are spread over several shells, and would leave most of the lanes
+//! empty.
 
-mod looked;
+mod shell_rays;
 
 use relief_core::Lanes;
 use relief_shaders::cpu::{BLOCK, Row};
 
-use self::looked::{Gathered, Looked};
+use self::shell_rays::{PathBatch, ShellRays};
+use super::block_hits::RegionHits;
 use super::ready::{Base, Ready};
-use super::seen::SeenOfSurface;
 use super::tiled::Points;
 use crate::shellcast::{BlockRays, ShellCaster};
 use relief_core::raycast::Sides;
 
-/// How many blocks of rays look into shells at a time, so that their paths can be searched together.
+/// Number of blocks of shell rays at a time, whose paths are searched together.
 const TOGETHER: usize = 16;
 
-/// How many shells a block goes ahead before its rays look into the first: enough for all of its rays, and
-/// few enough that hardly one of them is behind what they hit.
+/// Number of shells that a block collects before its rays are traced in the first. They are enough
+/// for all of its rays, and few enough that hardly a shell lies behind the hits.
 const AHEAD: usize = 8;
 
-/// What looking into the shells of a region works with.
+/// Scratch memory for the shells of a region.
 #[derive(Default)]
 pub struct Shells {
     blocks: Vec<Block>,
-    /// The shells that rays look into next.
-    next: Vec<Look>,
-    looked: Vec<Looked>,
-    gathered: Gathered,
+    /// Rays to trace next, each with its shell.
+    next: Vec<ShellRay>,
+    shell_rays: Vec<ShellRays>,
+    batch: PathBatch,
 }
 
-/// A ray that looks into a triangle's shell: its block, and its place there.
+/// Ray to trace in a triangle's shell: its block, and its place there.
 #[derive(Clone, Copy)]
-struct Look {
+struct ShellRay {
     triangle: u32,
     block: u32,
     place: u32,
 }
 
-impl Look {
-    /// In this order rays of the same shell follow each other, and of these neighbours.
+impl ShellRay {
+    /// Returns the sort key by which rays of the same shell follow each other, neighbours first.
     fn order(&self) -> u64 {
         u64::from(self.triangle) << 32 | u64::from(self.block) << 4 | u64::from(self.place)
     }
 }
 
-/// A block on its way down the hierarchy.
+/// Block of rays that traverses the BVH.
 #[derive(Default)]
 struct Block {
     rays: BlockRays,
-    /// Triangles whose shells are ahead, and where each ray comes near to them: infinite where it does not,
-    /// or has looked already.
+    /// Triangles whose shells are ahead, and the parameter at which each ray reaches them. It is
+    /// infinite where a ray does not, or was traced in the shell already.
     ahead: Vec<(u32, Row<f32>)>,
 }
 
 impl Block {
-    /// Goes ahead until enough shells are known. Says whether there is any.
+    /// Traverses the BVH until enough shells are known. Returns whether there is any.
     fn go_ahead(&mut self, caster: &ShellCaster, lanes: Lanes) -> bool {
         self.ahead.clear();
         let mut at = [0.0; BLOCK];
@@ -70,7 +71,8 @@ impl Block {
         !self.ahead.is_empty()
     }
 
-    /// The nearest shell ahead of each ray that has one within its reach, which it then has looked into.
+    /// Calls `take` with the nearest shell ahead of each ray that has one within its reach, and
+    /// removes that shell for the ray.
     fn take(&mut self, mut take: impl FnMut(u32, u32)) {
         let mut nearest = [f32::INFINITY; BLOCK];
         let mut which = [0; BLOCK];
@@ -92,16 +94,16 @@ impl Block {
 }
 
 impl Ready<'_> {
-    /// What the points of a region's blocks see of the surface, if it has shells.
+    /// Finds the nearest hits of a region's rays on the surface, if it has shells.
     pub(super) fn see_shells(
         &self,
         points: &[Points],
         lanes: Lanes,
         shells: &mut Shells,
-        seen: &mut SeenOfSurface,
+        seen: &mut RegionHits,
     ) {
         let Base::Shells(caster) = &self.base else { return };
-        let Shells { blocks, next, looked, gathered } = shells;
+        let Shells { blocks, next, shell_rays, batch } = shells;
         blocks.resize_with(points.len(), Block::default);
         for (block, points) in blocks.iter_mut().zip(points) {
             let rays = |place| self.aim(points.points.map(|row| row[place])).ray();
@@ -112,30 +114,32 @@ impl Ready<'_> {
             loop {
                 next.clear();
                 for (number, block) in blocks.iter_mut().enumerate() {
-                    block.take(|triangle, place| next.push(Look { triangle, block: number as u32, place }));
+                    block.take(|triangle, place| {
+                        next.push(ShellRay { triangle, block: number as u32, place })
+                    });
                 }
                 if next.is_empty() {
                     break;
                 }
-                next.sort_unstable_by_key(Look::order);
+                next.sort_unstable_by_key(ShellRay::order);
                 let groups = next.chunk_by(|one, other| one.triangle == other.triangle);
                 let mut groups = groups.flat_map(|looks| looks.chunks(BLOCK)).peekable();
                 while groups.peek().is_some() {
                     let together = groups.by_ref().take(TOGETHER);
                     if self.is_object {
-                        // Segments of objects are not parts of one way.
+                        // Segments of objects are not parts of one path.
                         together.flatten().for_each(|look| self.look_alone(*look, seen));
                         continue;
                     }
-                    looked.clear();
+                    shell_rays.clear();
                     for looks in together {
                         for side in self.sides_of_shells() {
-                            looked.push(Looked::new(self, *side, looks, seen));
+                            shell_rays.push(ShellRays::new(self, *side, looks, seen));
                         }
                     }
-                    self.look_together(looked, gathered, lanes, seen);
+                    self.look_together(shell_rays, batch, lanes, seen);
                 }
-                for Look { block, place, .. } in next.iter() {
+                for ShellRay { block, place, .. } in next.iter() {
                     let (seen, place) = (seen.of(*block), *place as usize);
                     if seen.which >> place & 1 == 1 {
                         let reach = self.reach(seen.keys[place]) as f32;
@@ -146,13 +150,13 @@ impl Ready<'_> {
         }
     }
 
-    /// The sides from which shells are looked into.
+    /// Returns the sides of triangles whose shells are traced.
     fn sides_of_shells(&self) -> &'static [f32] {
         if self.sides == Sides::Both { &[1.0, -1.0] } else { &[1.0] }
     }
 
-    /// Keeps what a ray sees of a shell where that is the nearest so far.
-    fn look_alone(&self, Look { triangle, block, place }: Look, seen: &mut SeenOfSurface) {
+    /// Traces one ray in a shell and stores its hit if it is the nearest so far.
+    fn look_alone(&self, ShellRay { triangle, block, place }: ShellRay, seen: &mut RegionHits) {
         let (seen, place) = (seen.of(block), place as usize);
         let aim = self.aim(seen.points.map(|row| row[place]));
         for side in self.sides_of_shells() {

@@ -1,6 +1,7 @@
-//! Bases tessellated on the CPU, by the functions that GPUs run.
+//! Tessellation of base meshes on the CPU, by the functions that GPUs run.
 //!
-//! The passes follow the shaders' root. Each is a loop here, with the GPU's results.
+//! The passes follow the shaders' root `tessellate`. Each is a loop here, with the same results as
+//! on the GPU.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -17,7 +18,7 @@ use crate::job::{Job, JobSurface};
 use crate::prepare::Triangles;
 use crate::prepare::{TessellatedBase, Tessellation};
 
-/// Numbers of points and triangles of an edge or a triangle of the base, and of all before it.
+/// Numbers of points and triangles of a base edge or a base triangle, and of all before it.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tally {
     points: u32,
@@ -26,38 +27,38 @@ struct Tally {
     triangles_before: u32,
 }
 
-/// A base that is counted.
+/// Base mesh with its numbers of points and triangles.
 struct Counted<'a> {
     tessellator: Tessellator<'a>,
     base: &'a TessellatedBase,
     voxels: Vec<Voxel>,
-    /// In how many parts each edge is divided.
+    /// Number of parts of each edge.
     parts: Vec<u32>,
-    /// Of edges, then of triangles.
+    /// Tallies of edges, then of triangles.
     tallies: Vec<Tally>,
     points: u32,
     triangles: u32,
-    /// By how many doublings the grid is coarser.
+    /// Number of doublings by which the grid is coarser.
     level: u32,
 }
 
-/// What is made of a triangle of the base.
+/// Triangles that fill a base triangle.
 #[derive(Debug, Default)]
 struct Filled {
     faces: Vec<[u32; 3]>,
-    /// The weights of its corners at the points inside, by their numbers; none of a pattern, which gives them
+    /// Barycentric weights of the points inside, by number. Empty for a pattern, which gives them
     /// for each number.
     weights: Vec<Vec3<f32>>,
 }
 
-/// Triangles that were made for the last job, by what they were made of.
+/// Cache of the triangles of the last job, by their source.
 #[derive(Debug, Default)]
-pub struct KeptTessellated {
+pub struct TessellatedCache {
     known: Vec<(Arc<Triangles>, Arc<Triangles>)>,
 }
 
-impl KeptTessellated {
-    /// The job with the triangles that a backend is to make of it.
+impl TessellatedCache {
+    /// Returns the job with its bases tessellated.
     pub fn job<'a>(&mut self, job: &'a Job) -> Cow<'a, Job> {
         if job.surfaces.iter().all(|surface| surface.triangles.tessellation().is_none()) {
             self.known.clear();
@@ -75,7 +76,7 @@ impl KeptTessellated {
     }
 }
 
-/// The displaced triangles of a surface that a view is tessellated for.
+/// Tessellates and displaces a surface's base for a view.
 pub fn triangles(surface: &JobSurface, frame: Frame, tessellation: &Tessellation) -> Triangles {
     let Tessellation { base, grid } = tessellation;
     let tessellator = Tessellator::new(&surface.bound(surface.settings, frame, None), *grid);
@@ -90,7 +91,7 @@ pub fn triangles(surface: &JobSurface, frame: Frame, tessellation: &Tessellation
 }
 
 impl<'a> Counted<'a> {
-    /// Counts it on the finest grid with at most the given numbers of points and triangles.
+    /// Counts a base on the finest grid with at most `most` points and triangles.
     fn new(tessellator: Tessellator<'a>, base: &'a TessellatedBase, most: [u32; 2]) -> Self {
         let voxels = base.vertices.par_iter().map(|vertex| tessellator.voxel_of(vertex.position));
         let voxels: Vec<Voxel> = voxels.collect();
@@ -126,7 +127,7 @@ impl<'a> Counted<'a> {
         counted
     }
 
-    /// Counts it on the grid of a level.
+    /// Counts the base on the grid of a level.
     fn count(&mut self, level: u32, is_made: &(impl Fn(u32) -> bool + Sync)) {
         let (tessellator, base) = (self.tessellator, self.base);
         self.level = level;
@@ -147,7 +148,7 @@ impl<'a> Counted<'a> {
             let (points, triangles) = match self.sweep(patch) {
                 Some(sweep) => {
                     let points = tessellator.swept_points(sweep);
-                    // Every corner of its triangles lies inside or on its border.
+                    // Every corner of the triangles lies inside or on the border.
                     (points, 2 * points + self.parts_of(patch).iter().sum::<u32>() - 2)
                 }
                 None => {
@@ -161,23 +162,23 @@ impl<'a> Counted<'a> {
         self.tallies = tallies;
     }
 
-    /// The parts of the sides of a triangle of the base.
+    /// Returns the numbers of parts of a base triangle's sides.
     fn parts_of(&self, patch: u32) -> [u32; 3] {
         three(self.base.patches[patch as usize].edges).map(|edge| self.parts[edge as usize])
     }
 
-    /// The pattern of a triangle of the base.
+    /// Returns the pattern of a base triangle.
     fn rows(&self, patch: u32) -> DiceRows {
         self.tessellator.rows(self.parts_of(patch))
     }
 
-    /// The sweep of a triangle of the base, where it is swept.
+    /// Returns the sweep of a base triangle, if it is swept.
     fn sweep(&self, patch: u32) -> Option<Sweep> {
         let corners = three(self.base.patches[patch as usize].corners);
         self.tessellator.sweep(corners.map(|corner| self.voxels[corner as usize]), self.level)
     }
 
-    /// What is made of a triangle of the base.
+    /// Triangles that fill a base triangle.
     fn filled(&self, patch: u32) -> Filled {
         let triangles = self.tallies[self.parts.len() + patch as usize].triangles;
         if triangles == 0 {
@@ -209,7 +210,7 @@ impl<'a> Counted<'a> {
         self.voxels[vertex as usize].share
     }
 
-    /// Point of an edge with the given number of parts before it.
+    /// Returns the point of an edge with `at` parts before it.
     fn on_edge(&self, edge: u32, at: u32) -> BaseSite {
         let (of, parts) = (&self.base.edges[edge as usize], self.parts[edge as usize]);
         let ends = [self.vertex(of.ends.x, of.seen.x), self.vertex(of.ends.y, of.seen.y)];
@@ -217,7 +218,7 @@ impl<'a> Counted<'a> {
         self.tessellator.site_between(ends, shares, [at, parts])
     }
 
-    /// The point of that number inside of a triangle of the base.
+    /// Returns the point with a number inside a base triangle.
     fn inside(&self, patch: u32, number: u32, filled: &Filled) -> BaseSite {
         let corners = three(self.base.patches[patch as usize].corners);
         let weights = filled.weights.get(number as usize).copied().unwrap_or_else(|| {
@@ -229,7 +230,8 @@ impl<'a> Counted<'a> {
         self.tessellator.site_inside(sites, Vec3 { x, y, z }, weights)
     }
 
-    /// The point of that number: the base's vertices come first, then the points of edges, then inner ones.
+    /// Returns the corner with a number. The base's vertices come first, then points on edges, then
+    /// inner points.
     fn corner(&self, point: u32, filled: &[Filled]) -> Corner {
         let vertices = &self.base.vertices;
         let site = match (point as usize).checked_sub(vertices.len()) {
@@ -247,7 +249,7 @@ impl<'a> Counted<'a> {
         self.tessellator.displaced(site)
     }
 
-    /// The number of a point of a triangle of the base: of a side, or inside.
+    /// Returns the number of a base triangle's point, on a side or inside.
     fn number(&self, patch: u32, side: u32, at: u32) -> u32 {
         let of = &self.base.patches[patch as usize];
         let first = self.base.vertices.len() as u32;
@@ -264,7 +266,7 @@ impl<'a> Counted<'a> {
         first + self.tallies[edge].points_before + along - 1
     }
 
-    /// The corners of a triangle of a pattern.
+    /// Returns the corners of a pattern's triangle.
     fn face(&self, patch: u32, rows: DiceRows, number: u32) -> [u32; 3] {
         let cut = self.tessellator.triangle(rows, number);
         [cut.a, cut.b, cut.c].map(|place: DicePlace| {

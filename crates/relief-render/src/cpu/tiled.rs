@@ -1,5 +1,4 @@
-//! Pictures a tile of pixels at a time: what is seen of polygons is looked up for all of a tile's rays
-//! together.
+//! Rendering by tiles of pixels. The base triangles are cast for all of a tile's rays together.
 
 use rayon::prelude::*;
 use relief_core::{Cancelled, Lanes};
@@ -7,27 +6,27 @@ use relief_shaders::cpu::{BLOCK, Row};
 
 use super::Done;
 use super::block::{BLOCK_SIDE, places, places_where};
+use super::block_hits::{BlockHits, Cast, RegionHits};
 use super::ready::Ready;
-use super::seen::{Cast, Seen, SeenOfSurface};
 use super::shells::Shells;
 use crate::samples::Sample;
 use relief_core::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHits};
 
-/// The most columns of what is sorted into tiles at once. More needs more memory on every thread, less more
-/// ways down the hierarchies.
+/// Most columns that are sorted into tiles at once. More need more memory on every thread; fewer
+/// need more traversals of the BVHs.
 const MOST_COLUMNS: u32 = 1024;
 
-/// The most rows of a thread's next piece of work: fewer need more ways down the hierarchies.
+/// Most rows of a thread's piece of work. Fewer need more traversals of the BVHs.
 const MOST_ROWS: u32 = 4 * TILE as u32;
 
-/// Tiles along a side of a region, whose rays look into shells together. More find more company there, and
-/// need more memory on every thread.
+/// Tiles along a side of a region, whose rays are traced in shells together. With more tiles more
+/// rays share a shell, and every thread needs more memory.
 const REGION_TILES: usize = 4;
 
 /// The first points of a tile's blocks.
 const BLOCKS: [[usize; 2]; 4] = [[0, 0], [BLOCK_SIDE, 0], [0, BLOCK_SIDE], [BLOCK_SIDE, BLOCK_SIDE]];
 
-/// Pieces of work for each thread at the least, so that all have something to do until the end.
+/// Least number of pieces of work for each thread, so that all are busy until the end.
 const LEAST_PIECES: u32 = 4;
 
 /// The surfaces of a picture.
@@ -38,32 +37,32 @@ pub struct Tiled<'a> {
     lanes: Lanes,
 }
 
-/// What a thread works with.
+/// Scratch memory of a thread.
 struct Scratch {
     bins: Vec<Bins>,
     hits: Vec<TileHits>,
-    /// The points of a region's blocks, tile by tile, and what they see of each surface.
+    /// Points of a region's blocks, tile by tile, and their hits on each surface.
     points: Vec<Points>,
-    seen: Vec<Seen>,
+    seen: Vec<BlockHits>,
     shells: Shells,
 }
 
 /// The points of a block of a tile.
 pub struct Points {
-    /// Those that are in the area, a bit for each.
+    /// Points that lie in the area, a bit for each.
     pub which: u16,
-    /// Their numbers in the tile.
+    /// Numbers of the points in the tile.
     numbers: Row<usize>,
-    /// Columns and rows of their pixels, and of the points themselves.
+    /// Columns and rows of the points' pixels, and of the points themselves.
     pixels: Row<[u32; 2]>,
     pub points: [Row<f32>; 2],
 }
 
-/// What a block's points see: the nearest of all surfaces.
-pub struct SeenBlock<'a> {
-    /// What each surface shows.
-    pub surfaces: &'a [Seen],
-    /// The number of the nearest one, for points of the picture that see any.
+/// Hits of a block's points on all surfaces, with the nearest surface of each point.
+pub struct VisibleBlock<'a> {
+    /// Hits on each surface.
+    pub surfaces: &'a [BlockHits],
+    /// Number of the nearest surface, for points that hit any.
     pub nearest: Row<Option<usize>>,
 }
 
@@ -74,15 +73,15 @@ impl<'a> Tiled<'a> {
         Self { size, samples, surfaces: surfaces.collect(), lanes }
     }
 
-    /// Goes through whole rows of the picture, from the row `first` on, a sample of each pixel after the
-    /// other. `look` makes something of what a block's points see, and hands it on point by point; `show`
-    /// puts it into a pixel; `done` counts rows.
+    /// Renders whole rows of the picture, from the row `first` on, one sample of each pixel after
+    /// the other. `look` turns a block's hits into values, point by point. `show` writes a value
+    /// into a pixel. `done` counts rows.
     pub(super) fn each<P: Send, V>(
         &self,
         pixels: &mut [P],
         first: u32,
         done: &Done,
-        look: impl Fn(&SeenBlock, &mut dyn FnMut(usize, V)) + Sync,
+        look: impl Fn(&VisibleBlock, &mut dyn FnMut(usize, V)) + Sync,
         show: impl Fn(&mut P, usize, V) + Sync,
     ) -> Result<(), Cancelled> {
         // A picture without columns has no rows to go through either.
@@ -127,7 +126,7 @@ impl<'a> Tiled<'a> {
         area: Area,
         scratch: &mut Scratch,
         done: &Done,
-        mut show: impl FnMut(&Points, usize, &SeenBlock),
+        mut show: impl FnMut(&Points, usize, &VisibleBlock),
     ) -> Result<(), Cancelled> {
         let Scratch { bins, hits, points, seen, shells } = scratch;
         let offsets = reach_of(self.samples);
@@ -159,7 +158,7 @@ impl<'a> Tiled<'a> {
                         let count = self.surfaces.len();
                         let (points, seen) = (&points[block], &mut seen[count * block..count * (block + 1)]);
                         let nearest = self.block(points, hits, seen);
-                        show(points, number, &SeenBlock { surfaces: seen, nearest });
+                        show(points, number, &VisibleBlock { surfaces: seen, nearest });
                     }
                 }
             }
@@ -167,27 +166,27 @@ impl<'a> Tiled<'a> {
         Ok(())
     }
 
-    /// Tiles along a side of a region: one, where nothing looks into shells.
+    /// Returns the number of tiles along a side of a region: 1 where no surface has shells.
     fn region_side(&self) -> usize {
         if self.surfaces.iter().any(|(_, caster)| caster.is_none()) { REGION_TILES } else { 1 }
     }
 
-    /// What the points of a region's blocks see of shells; of other surfaces nothing yet.
-    fn see_shells(&self, points: &[Points], seen: &mut Vec<Seen>, shells: &mut Shells) {
+    /// Finds the hits of a region's blocks in shells. Other surfaces have no hits yet.
+    fn see_shells(&self, points: &[Points], seen: &mut Vec<BlockHits>, shells: &mut Shells) {
         let surfaces = self.surfaces.len();
-        seen.resize_with(points.len() * surfaces, Seen::new);
+        seen.resize_with(points.len() * surfaces, BlockHits::new);
         for (number, seen) in seen.iter_mut().enumerate() {
             seen.begin(points[number / surfaces].points);
         }
         for (number, (surface, _)) in self.surfaces.iter().enumerate() {
-            let mut seen = SeenOfSurface { seen, surfaces, number };
+            let mut seen = RegionHits { seen, surfaces, number };
             surface.see_shells(points, self.lanes, shells, &mut seen);
         }
     }
 
-    /// What the points of a block see of the surfaces, and which of these is nearest to each: of equally near
-    /// ones the first. What they see of shells is there.
-    fn block(&self, of: &Points, hits: &[TileHits], seen: &mut [Seen]) -> Row<Option<usize>> {
+    /// Finds the hits of a block on the other surfaces, and returns the nearest surface for each
+    /// point. Ties go to the first surface. Hits in shells are known already.
+    fn block(&self, of: &Points, hits: &[TileHits], seen: &mut [BlockHits]) -> Row<Option<usize>> {
         let mut nearest: Row<Option<usize>> = [None; BLOCK];
         let mut keys = [0.0; BLOCK];
         for (at, ((surface, caster), hits)) in self.surfaces.iter().zip(hits).enumerate() {
@@ -226,7 +225,7 @@ impl Points {
     }
 }
 
-/// The least and the greatest offset of some samples.
+/// Returns the least and the greatest offset of samples.
 fn reach_of(samples: &[Sample]) -> [[f32; 2]; 2] {
     let nothing = [[f32::INFINITY; 2], [f32::NEG_INFINITY; 2]];
     samples.iter().fold(nothing, |[low, high], Sample { offset, .. }| {
@@ -234,7 +233,7 @@ fn reach_of(samples: &[Sample]) -> [[f32; 2]; 2] {
     })
 }
 
-/// Number of rows that a thread does at a time, out of `rows`.
+/// Returns the number of rows that a thread renders at a time, out of `rows`.
 fn rows_of_piece(rows: u32) -> u32 {
     let pieces = LEAST_PIECES.saturating_mul(rayon::current_num_threads() as u32);
     let whole_tiles = rows / pieces / TILE as u32 * TILE as u32;

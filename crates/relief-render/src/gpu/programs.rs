@@ -132,7 +132,7 @@ impl List {
 
 /// For whom surfaces are traced.
 #[derive(Clone, Copy, Debug)]
-pub enum Seer {
+pub enum Viewer {
     /// For the picture: all that shading needs.
     Camera,
     /// For shadows: the keys of the hits alone.
@@ -146,27 +146,27 @@ pub enum Seer {
 pub struct Programs {
     pub layouts: Layouts,
     /// For each that sees: of surfaces seen from their front, and from both sides.
-    trace: [[Kept<Variant, RenderPipeline>; 2]; 3],
-    stencil: Kept<Variant, StencilPrograms>,
-    shade: Kept<Variant, ComputePipeline>,
-    lists: Kept<(List, Variant), ComputePipeline>,
+    trace: [[ProgramCache<Variant, RenderPipeline>; 2]; 3],
+    stencil: ProgramCache<Variant, StencilPrograms>,
+    shade: ProgramCache<Variant, ComputePipeline>,
+    lists: ProgramCache<(List, Variant), ComputePipeline>,
     /// The same for everything that is chosen.
-    resolve: Kept<(), ComputePipeline>,
-    show: Kept<(), ComputePipeline>,
-    pyramid: Kept<(), RenderPipeline>,
-    tessellate: Kept<Sampling, Tessellator>,
+    resolve: ProgramCache<(), ComputePipeline>,
+    show: ProgramCache<(), ComputePipeline>,
+    pyramid: ProgramCache<(), RenderPipeline>,
+    tessellate: ProgramCache<Sampling, Tessellator>,
     compiled: u32,
 }
 
 /// Programs by what they were asked for, and by their text: what differs in a stage that a program does not
 /// reach has the same one.
 #[derive(Debug)]
-struct Kept<K, T> {
+struct ProgramCache<K, T> {
     by_key: HashMap<K, T>,
     by_text: Vec<(String, T)>,
 }
 
-impl<K: Hash + Eq, T: Clone> Kept<K, T> {
+impl<K: Hash + Eq, T: Clone> ProgramCache<K, T> {
     fn new() -> Self {
         Self { by_key: HashMap::new(), by_text: Vec::new() }
     }
@@ -204,14 +204,14 @@ impl Programs {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             layouts: Layouts::new(gpu.device()),
-            trace: std::array::from_fn(|_| [Kept::new(), Kept::new()]),
-            stencil: Kept::new(),
-            shade: Kept::new(),
-            lists: Kept::new(),
-            resolve: Kept::new(),
-            show: Kept::new(),
-            pyramid: Kept::new(),
-            tessellate: Kept::new(),
+            trace: std::array::from_fn(|_| [ProgramCache::new(), ProgramCache::new()]),
+            stencil: ProgramCache::new(),
+            shade: ProgramCache::new(),
+            lists: ProgramCache::new(),
+            resolve: ProgramCache::new(),
+            show: ProgramCache::new(),
+            pyramid: ProgramCache::new(),
+            tessellate: ProgramCache::new(),
             compiled: 0,
         }
     }
@@ -225,18 +225,18 @@ impl Programs {
     pub async fn trace(
         &mut self,
         gpu: &Gpu,
-        seer: Seer,
+        viewer: Viewer,
         selection: &Selection,
         sampling: Sampling,
         two_sided: bool,
     ) -> Result<RenderPipeline, GpuError> {
         let Layouts { mesh, shells, .. } = &self.layouts;
         let groups = [self.layouts.maps(sampling), mesh, shells].map(Clone::clone);
-        let (roots, formats): ([Root; 3], &[TextureFormat]) = match seer {
-            Seer::Camera | Seer::CameraBesideCounts => {
+        let (roots, formats): ([Root; 3], &[TextureFormat]) = match viewer {
+            Viewer::Camera | Viewer::CameraBesideCounts => {
                 ([Root::Trace, Root::TraceShells, Root::TraceObjects], &[HIT, WHAT])
             }
-            Seer::Light => ([Root::Light, Root::LightShells, Root::LightObjects], &[KEYS]),
+            Viewer::Light => ([Root::Light, Root::LightShells, Root::LightObjects], &[KEYS]),
         };
         // A triangle that covers the picture is drawn for shells, and its face does not matter.
         let paths = selection.paths();
@@ -251,11 +251,11 @@ impl Programs {
             let groups = &groups[..count];
             let targets: Vec<_> =
                 formats.iter().map(|format| Some(ColorTargetState::from(*format))).collect();
-            let format = if matches!(seer, Seer::CameraBesideCounts) { DEPTH_AND_COUNT } else { DEPTH };
+            let format = if matches!(viewer, Viewer::CameraBesideCounts) { DEPTH_AND_COUNT } else { DEPTH };
             raster(gpu.device(), text, root, groups, faces, Some(nearest(format)), &targets)
         };
-        let kept = &mut self.trace[seer as usize][usize::from(two_sided)];
-        kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+        let cache = &mut self.trace[viewer as usize][usize::from(two_sided)];
+        cache.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
     }
 
     /// The programs that count the images of an object.

@@ -19,14 +19,14 @@ use wgpu::{
 use super::drawn::{Drawn, check_triangles};
 use super::light_map::{Caster, Frames, LightMap};
 use super::pass_clock::{PassClock, PassKind, Timed, timed_compute};
-use super::programs::{Programs, Seer};
+use super::programs::{Programs, Viewer};
 use super::resident::{Common, Resident};
 use super::stencil::Counted;
 use super::targets::{self, Band, Pass, Targets};
 use super::textures::Precision;
 use super::wait::block_on;
 use super::{Gpu, GpuError, pyramid, tessellate};
-use crate::cpu::tessellated::KeptTessellated;
+use crate::cpu::tessellated::TessellatedCache;
 use crate::job::{Job, JobSurface, Rendering};
 use crate::samples::{Sample, samples};
 
@@ -46,7 +46,7 @@ pub struct GpuRenderer {
     /// Counts the targets that there were, whose buffers every surface binds.
     generation: u64,
     /// What the CPU tessellates, where this GPU cannot.
-    tessellated: KeptTessellated,
+    tessellated: TessellatedCache,
     work: Work,
 }
 
@@ -91,7 +91,7 @@ impl GpuRenderer {
     pub fn new(gpu: Gpu) -> Self {
         let (programs, frames) = (Programs::new(&gpu), Frames::new(&gpu));
         let (light_map, surfaces, targets, work) = (None, Vec::new(), None, Work::default());
-        let tessellated = KeptTessellated::default();
+        let tessellated = TessellatedCache::default();
         Self { gpu, programs, frames, light_map, surfaces, targets, generation: 0, tessellated, work }
     }
 
@@ -287,7 +287,7 @@ impl GpuRenderer {
             return Err(GpuError::NoStencil { surface });
         }
         let counts = counts.is_some();
-        let seer = if counts { Seer::CameraBesideCounts } else { Seer::Camera };
+        let viewer = if counts { Viewer::CameraBesideCounts } else { Viewer::Camera };
         let several = samples.len() > 1;
         let resolve = if several { Some(self.programs.resolve(&gpu, sampling).await?) } else { None };
         let mut programs = Vec::new();
@@ -297,7 +297,7 @@ impl GpuRenderer {
                 let programs = self.programs.stencil(&gpu, selection, sampling).await?;
                 Tracer::Counted(Counted::of(surface, programs))
             } else {
-                Tracer::Whole(self.programs.trace(&gpu, seer, selection, sampling, *two_sided).await?)
+                Tracer::Whole(self.programs.trace(&gpu, viewer, selection, sampling, *two_sided).await?)
             };
             programs.push((trace, self.programs.shade(&gpu, selection, sampling).await?));
         }
@@ -305,7 +305,7 @@ impl GpuRenderer {
         let has_lights = !job.light_views.frames.is_empty();
         for JobSurface { selection, two_sided, .. } in job.surfaces.iter().filter(|_| has_lights) {
             light_programs
-                .push(self.programs.trace(&gpu, Seer::Light, selection, sampling, *two_sided).await?);
+                .push(self.programs.trace(&gpu, Viewer::Light, selection, sampling, *two_sided).await?);
         }
         let builder = self.programs.pyramids(&gpu, &job.surfaces, sampling).await?;
         let tessellator = self.programs.tessellator(&gpu, &job.surfaces, sampling).await?;

@@ -81,8 +81,8 @@ fn nodes(bvh: &Bvh2, both_sides: bool) -> Vec<ShellNode> {
             }
             let first = nodes.len();
             nodes.extend([empty; 2]);
-            let told = ((place as u32) << 4) | ((axis as u32) << 2);
-            waiting.extend([1, 0].map(|which| (children[which], first + which, told)));
+            let parent = ((place as u32) << 4) | ((axis as u32) << 2);
+            waiting.extend([1, 0].map(|which| (children[which], first + which, parent)));
             (first as u32, axis as u32)
         };
         let [low, high] = [bounds.min, bounds.max].map(|end| end.to_array().into());

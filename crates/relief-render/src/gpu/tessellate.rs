@@ -14,7 +14,7 @@ use super::layouts::group;
 use super::pass_clock::{PassClock, PassKind, timed_compute};
 use super::resident::Uniform;
 use super::{Gpu, GpuError};
-use crate::prepare::{Room, TessellatedBase, Tessellation};
+use crate::prepare::{Capacity, TessellatedBase, Tessellation};
 
 /// Storage buffers that a pass binds.
 pub const STORAGE_BUFFERS: u32 = 8;
@@ -80,7 +80,7 @@ pub fn is_possible(device: &Device) -> bool {
 #[derive(Debug)]
 pub struct Tessellated {
     base: Arc<TessellatedBase>,
-    room: Room,
+    capacity: Capacity,
     grid: Uniform,
     counting: BindGroup,
     making: BindGroup,
@@ -105,7 +105,7 @@ impl Tessellated {
     ) -> Result<Self, GpuError> {
         let Tessellation { base, .. } = of;
         let TessellatedBase { vertices, edges, patches, .. } = &**base;
-        let room = room(gpu, of)?;
+        let capacity = capacity(gpu, of)?;
         let storage = |label, count: usize, bytes: usize| {
             let bytes = (count.max(1) * bytes) as u64;
             gpu.buffer(label, bytes, BufferUsages::STORAGE | BufferUsages::COPY_SRC)
@@ -124,8 +124,8 @@ impl Tessellated {
         let size = TessellationTotals::SIZE as u64;
         let totals = gpu.buffer("made_totals", size, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let drawn = gpu.buffer("drawn", size, BufferUsages::INDIRECT | BufferUsages::COPY_DST);
-        let corners = storage("made_corners", vertices.len() + room.points as usize, Corner::SIZE);
-        let faces = storage("made_faces", room.triangles as usize, Face::SIZE);
+        let corners = storage("made_corners", vertices.len() + capacity.points as usize, Corner::SIZE);
+        let faces = storage("made_faces", capacity.triangles as usize, Face::SIZE);
         let bound = [
             ("tessellation", grid.resource()),
             ("base_vertices", filled[0].as_entire_binding()),
@@ -149,7 +149,7 @@ impl Tessellated {
         let mesh = group(gpu.device(), "mesh", mesh, &bound);
         Ok(Self {
             base: Arc::clone(base),
-            room,
+            capacity,
             grid,
             counting,
             making,
@@ -163,7 +163,7 @@ impl Tessellated {
 
     /// Whether it is of that base and has just the room that is asked for.
     pub fn fits(&self, gpu: &Gpu, of: &Tessellation) -> bool {
-        Arc::ptr_eq(&self.base, &of.base) && room(gpu, of).is_ok_and(|room| room == self.room)
+        Arc::ptr_eq(&self.base, &of.base) && capacity(gpu, of).is_ok_and(|capacity| capacity == self.capacity)
     }
 
     /// How much was made, its corners and its faces.
@@ -210,7 +210,7 @@ impl Tessellated {
         is_other_surface: bool,
         clock: Option<&PassClock>,
     ) -> bool {
-        let Room { triangles, points } = self.room;
+        let Capacity { triangles, points } = self.capacity;
         let grid = Grid { most_points: points, most_triangles: triangles, ..of.grid };
         if !self.grid.set(gpu, grid) && !is_other_surface {
             return false;
@@ -278,7 +278,7 @@ fn in_rows(groups: u32) -> [u32; 2] {
 }
 
 /// What the GPU's buffers hold of what a view asks for.
-fn room(gpu: &Gpu, of: &Tessellation) -> Result<Room, GpuError> {
+fn capacity(gpu: &Gpu, of: &Tessellation) -> Result<Capacity, GpuError> {
     let Tessellation { base, grid } = of;
     let (vertices, patches) = (base.vertices.len() as u64, base.patches.len() as u64);
     let [corners, of_base, faces, of_patches, tallies] =
@@ -296,5 +296,5 @@ fn room(gpu: &Gpu, of: &Tessellation) -> Result<Room, GpuError> {
         return Err(GpuError::TooManyTriangles { count: base.patches.len(), limit });
     }
     let points = (corners - vertices).min(grid.most_points.into());
-    Ok(Room { triangles: triangles as u32, points: points as u32 })
+    Ok(Capacity { triangles: triangles as u32, points: points as u32 })
 }

@@ -1,4 +1,4 @@
-//! Small frames beside the same frames with shadow maps of the full size.
+//! Comparison of small frames with the same frames under shadow maps of the full size.
 
 use std::sync::Arc;
 
@@ -21,10 +21,10 @@ use relief_scene::{Scene, Surface};
 /// The default of `shadow.size`.
 const FULL: u32 = 2048;
 
-/// How often the frame that tells where shadows end has the pixels of a frame, along either axis.
+/// Resolution of the frame that locates shadow edges, as a multiple along either axis.
 const FINER: u32 = 4;
 
-/// How much colours may differ, of 255, without being other ones.
+/// Greatest difference of colours, of 255, that counts as equal.
 const SAME: f32 = 16.0;
 
 /// By how much less light arrives beyond a shadow's edge: a filter makes half shadows.
@@ -131,13 +131,13 @@ impl Case {
         if let Some(side) = side {
             job.light_views =
                 LightViews::of_side(side, scene.lights(), scene.camera(), size, &mut job.surfaces);
-            job.light_views.tell(&mut job.frame);
+            job.light_views.write_into(&mut job.frame);
         }
         state.renderer.render(&job, &Watch::none()).expect("memory").pixels
     }
 }
 
-/// What is kept from frame to frame: shadow maps of the full size take long.
+/// State kept from frame to frame, because shadow maps of the full size take long.
 #[derive(Default)]
 struct State {
     preparer: Preparer,

@@ -1,4 +1,4 @@
-//! Displaced triangles: the meshes that geometries make of base meshes and height maps.
+//! Displaced triangles, which geometries make from base meshes and height maps.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use relief_shaders::cpu::{Corner, Shell};
 use relief_shaders::geometry::{Geometry, Tessellated};
 
 use super::sliced;
-use super::tessellation::{Division, Room, TessellatedBase, Tessellation};
+use super::tessellation::{Capacity, Division, TessellatedBase, Tessellation};
 use crate::error::RenderError;
 use crate::light_views;
 use crate::prepare::Triangles;
@@ -22,43 +22,43 @@ use relief_core::raycast::RayCaster;
 use relief_scene::light::Light;
 use relief_scene::{Scene, Surface};
 
-/// Memory that a vertex takes: as the shaders have it, on its way to a GPU, and as what lights see is laid
-/// around it.
+/// Bytes that a vertex takes: for the shaders, for its upload to a GPU, and for the bounds of
+/// shadow maps.
 pub const BYTES_PER_VERTEX: u64 = 2 * size_of::<Corner>() as u64 + 24;
 
-/// Memory that a triangle takes: as the shaders have it, and in the hierarchy for rays.
+/// Bytes that a triangle takes: for the shaders, and in the BVH.
 pub const BYTES_PER_TRIANGLE: u64 = 48 + RayCaster::BYTES_PER_TRIANGLE;
 
-/// Least distance of vertices that a view asks for, in texels. Between vertices on a patch of four texels there
-/// is only a smooth bend.
+/// Least distance of vertices in a view's tessellation, in texels. A patch between four texels
+/// bends only smoothly.
 const FINEST_TEXELS: f64 = 0.25;
 
-/// Why a surface has no displaced triangles.
+/// Reason why a surface has no displaced triangles.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GeometryError {
-    /// They cannot be made.
+    /// The triangles cannot be made. The text names a setting that makes fewer.
     #[error("its displaced triangles cannot be made: {0}; {1} makes fewer")]
     Mesh(MesherError, &'static str),
-    /// There are no slices.
+    /// The surface cannot be sliced.
     #[error("it cannot be sliced: {0}")]
     Slices(SliceError),
-    /// They take more memory than is allowed.
+    /// The triangles take more memory than is allowed.
     #[error(
         "its {triangles} triangles need {} MiB of memory, {} MiB are left for them: choose {setting}, or \
          allow more memory",
         needed.div_ceil(1 << 20), left >> 20
     )]
     Memory {
-        /// How many there are.
+        /// Number of triangles.
         triangles: u64,
-        /// Bytes that they take, with what is built on them.
+        /// Bytes that the triangles take, with their BVH.
         needed: u64,
-        /// Bytes that may be used and that others leave for them.
+        /// Bytes that are allowed and that other surfaces do not take.
         left: u64,
-        /// What makes them fewer.
+        /// Setting that makes fewer triangles.
         setting: &'static str,
     },
-    /// A vertex lies too far away.
+    /// A vertex is displaced beyond the range of 32-bit numbers.
     #[error("a vertex is displaced beyond what 32-bit numbers hold: choose a smaller displacement or mesh")]
     NotFinite,
     /// The work was cancelled.
@@ -66,33 +66,33 @@ pub enum GeometryError {
     Cancelled(#[from] Cancelled),
 }
 
-/// What displaced triangles are made of.
+/// Source of displaced triangles: base mesh, height map and division.
 #[derive(Clone, Debug)]
-struct DisplacedOf {
+struct DisplacedSource {
     mesh: Arc<Mesh>,
     map: Arc<HeightMap>,
-    /// What images look at where there are any.
+    /// The depth object that is sliced, if any.
     object: Option<Arc<ImageObject>>,
     cut: Cut,
 }
 
-/// How the base is divided.
+/// Division of a base into triangles or slices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Cut {
     Texels(u32),
-    /// By the voxels of a view, with a number of levels of the height map, and culled.
+    /// By the voxels of a view, with a number of mip levels of the height map, and culled.
     Seen(View, u32, Option<Cull>),
-    /// The same, or by texels, by the backend itself.
+    /// By the voxels of a view or by texels, on the backend itself.
     Tessellated(View, u32, Cull, Tessellated),
     /// By slices through the relief.
     Sliced(SliceSettings),
-    /// By slices through the box around an object, and the camera to which they come from front to back where
-    /// that matters.
+    /// By slices through the box around an object. With a camera, they are sorted from front to
+    /// back.
     SlicedBox(SliceSettings, Option<Camera>),
 }
 
-impl DisplacedOf {
-    /// Source of a surface's displaced triangles; none where it has none.
+impl DisplacedSource {
+    /// Returns the source of a surface's displaced triangles, or `None` if it has none.
     fn of(surface: &Surface, scene: &Scene) -> Option<Self> {
         let (map, selection) = (surface.height_map(), surface.selection());
         let cut = match selection.geometry()? {
@@ -122,7 +122,7 @@ impl DisplacedOf {
         Arc::ptr_eq(&self.mesh, &other.mesh) && Arc::ptr_eq(&self.map, &other.map) && self.cut == other.cut
     }
 
-    /// Whether both are of the same base, as backends tessellate it.
+    /// Whether backends tessellate the same base for both.
     fn has_base_of(&self, other: &Self) -> bool {
         let levels = |cut: &Cut| if let Cut::Tessellated(_, levels, ..) = cut { Some(*levels) } else { None };
         Arc::ptr_eq(&self.mesh, &other.mesh)
@@ -130,7 +130,7 @@ impl DisplacedOf {
             && levels(&self.cut).is_some_and(|own| levels(&other.cut) == Some(own))
     }
 
-    /// What makes them fewer.
+    /// Returns the setting that makes fewer triangles.
     fn setting(&self) -> &'static str {
         match self.cut {
             Cut::Texels(_) | Cut::Tessellated(.., Tessellated { texels: Some(_), .. }) => {
@@ -141,12 +141,12 @@ impl DisplacedOf {
         }
     }
 
-    /// The first `levels` levels of the map, without level 0.
+    /// Returns the first `levels` levels of the map, without level 0.
     fn coarser(&self, levels: u32) -> Vec<HeightMap> {
         (1..levels).map(|level| self.map.level(level)).collect()
     }
 
-    /// The error where they cannot be made.
+    /// Converts an error of the mesher.
     fn error(&self, error: MesherError) -> GeometryError {
         match error {
             MesherError::Cancelled(cancelled) => cancelled.into(),
@@ -155,16 +155,18 @@ impl DisplacedOf {
     }
 }
 
-/// View of a scene, with voxels of the given pixels, or wider where that is too fine for a surface.
+/// Returns the view of a scene, with voxels of the given size in pixels, or larger where that is
+/// too fine for a surface.
 fn view(pixels: f32, surface: &Surface, scene: &Scene) -> View {
     no_finer(View { pixels: pixels.into(), ..View::new(*scene.camera(), scene.size()) }, surface)
 }
 
-/// What of a surface is not made for the camera; none where all is made, also what lies behind the eye.
+/// Returns the culling of a surface's triangles for the camera, or `None` if all are made, even
+/// behind the eye.
 ///
-/// What throws shadows is made, whether the camera sees it or not. Shadows that are looked up in what lights
-/// see need what is nearly on the way to the centres of lights; rays through the scene go to all of their
-/// discs.
+/// Triangles that cast shadows are made, whether the camera sees them or not. Shadow maps need the
+/// triangles near the paths to the centres of lights. Rays through the scene go to all of the
+/// lights' discs.
 fn cull(scene: &Scene, surface: &Surface, view: &View) -> Option<Cull> {
     let (lights, surfaces) = (scene.lights(), scene.surfaces());
     let any = |of: fn(&Selection) -> bool| surfaces.iter().any(|surface| of(surface.selection()));
@@ -189,7 +191,7 @@ fn cull(scene: &Scene, surface: &Surface, view: &View) -> Option<Cull> {
     Some(Cull { outside, backs: false })
 }
 
-/// The view with voxels that are nowhere smaller than a part of a texel.
+/// Returns the view with voxels that are nowhere smaller than [`FINEST_TEXELS`].
 fn no_finer(view: View, surface: &Surface) -> View {
     let (map, [u, v]) = (surface.height_map(), surface.metric().tile_m);
     let texel_m = (u / f64::from(map.width())).min(v / f64::from(map.height()));
@@ -201,7 +203,7 @@ fn no_finer(view: View, surface: &Surface) -> View {
     if view.camera.is_orthographic() {
         View { pixels: view.pixels * (least_m / voxel_m).max(1.0), ..view }
     } else {
-        // Of what is nearer voxels are as large as they are there.
+        // Nearer voxels are as large as those at `near_m`.
         View { near_m: view.near_m.max(least_m / voxel_m), ..view }
     }
 }
@@ -209,19 +211,19 @@ fn no_finer(view: View, surface: &Surface) -> View {
 /// Displaced triangles, and the memory that they take.
 #[derive(Debug)]
 struct Known {
-    of: DisplacedOf,
+    of: DisplacedSource,
     triangles: Arc<Triangles>,
     bytes: u64,
 }
 
-/// A base that backends tessellate, which is the same for all views.
+/// Base that backends tessellate, the same for all views.
 #[derive(Debug)]
 struct KnownBase {
-    of: DisplacedOf,
+    of: DisplacedSource,
     base: Arc<TessellatedBase>,
 }
 
-/// The displaced triangles of a scene's surfaces, kept from one picture to the next.
+/// Cache of the displaced triangles of a scene's surfaces, from one picture to the next.
 #[derive(Debug, Default)]
 pub struct Displaced {
     known: Vec<Known>,
@@ -229,16 +231,17 @@ pub struct Displaced {
 }
 
 impl Displaced {
-    /// Returns the displaced triangles of each surface, none where it has none. Earlier ones are reused for
-    /// the same mesh, map and, if it matters, view. Others are dropped before any are made.
+    /// Returns the displaced triangles of each surface, or `None` if it has none. Cached ones are
+    /// reused for the same mesh, map and, if it matters, view. Others are dropped before any are
+    /// made.
     pub fn of_scene(
         &mut self,
         scene: &Scene,
         watch: &Watch,
     ) -> Result<Vec<Option<Arc<Triangles>>>, RenderError> {
         let watch = watch.quiet();
-        let asked: Vec<Option<DisplacedOf>> =
-            scene.surfaces().iter().map(|surface| DisplacedOf::of(surface, scene)).collect();
+        let asked: Vec<Option<DisplacedSource>> =
+            scene.surfaces().iter().map(|surface| DisplacedSource::of(surface, scene)).collect();
         self.known.retain(|known| asked.iter().flatten().any(|of| of.is(&known.of)));
         self.bases.retain(|known| asked.iter().flatten().any(|of| of.has_base_of(&known.of)));
         let each = asked.into_iter().enumerate().map(|(surface, of)| {
@@ -294,10 +297,9 @@ impl Displaced {
     }
 }
 
-/// Triangles that a backend is to make for a view, in levels of the map, and the memory that there is for
-/// them.
+/// Returns the triangles that a backend will make for a view, and the bytes that they may take.
 fn to_be_made(
-    of: &DisplacedOf,
+    of: &DisplacedSource,
     base: Arc<TessellatedBase>,
     (view, levels, cull): (&View, u32, &Cull),
     by: Tessellated,
@@ -309,8 +311,8 @@ fn to_be_made(
         size.map(|texels_of_map| f64::from(texels_of_map) / f64::from(texels))
     });
     let division = Division { parts_of_uv, is_swept: by.is_swept };
-    let bytes = |room: Room| {
-        u64::from(room.triangles) * BYTES_PER_TRIANGLE + u64::from(room.points) * BYTES_PER_VERTEX
+    let bytes = |capacity: Capacity| {
+        u64::from(capacity.triangles) * BYTES_PER_TRIANGLE + u64::from(capacity.points) * BYTES_PER_VERTEX
     };
     let each = BYTES_PER_TRIANGLE + BYTES_PER_VERTEX * 5 / 8;
     let (patches, memory) = (base.patches.len() as u64, left.saturating_sub(of_base));
@@ -320,21 +322,21 @@ fn to_be_made(
     }
     // The numbers of three corners each fit 32 bits.
     let most = u64::from(u32::MAX / 3);
-    let wanted = base.room(view, &division).within(Room::of_triangles(most as u32));
-    let room = if bytes(wanted) <= memory {
+    let wanted = base.capacity(view, &division).within(Capacity::of_triangles(most as u32));
+    let capacity = if bytes(wanted) <= memory {
         wanted
     } else {
-        wanted.within(Room::of_triangles((memory / each).min(most) as u32))
+        wanted.within(Capacity::of_triangles((memory / each).min(most) as u32))
     };
-    let grid = base.grid(view, cull, levels, &division, room).map_err(|error| of.error(error))?;
+    let grid = base.grid(view, cull, levels, &division, capacity).map_err(|error| of.error(error))?;
     let everything = base.everything(view);
     let triangles = Triangles::to_be_made(Tessellation { base, grid }, everything);
-    Ok((Arc::new(triangles), of_base + bytes(room)))
+    Ok((Arc::new(triangles), of_base + bytes(capacity)))
 }
 
 /// Displaced triangles and the memory that they take.
 fn made(
-    of: &DisplacedOf,
+    of: &DisplacedSource,
     mesher: &Mesher,
     left: u64,
     watch: Watch,

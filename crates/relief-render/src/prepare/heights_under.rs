@@ -1,19 +1,19 @@
-//! The heights under triangles: as high and as low as their shells must reach.
+//! Bounds of the heights under base triangles, for their shells.
 
 use glam::DVec2;
 use relief_core::{HeightBounds, HeightMap};
 
-/// Texels of the map's finest level beyond a triangle's own that its segments may read, in any level: they
-/// reach beyond it by rounding, and by as much as they may be beside the ray.
+/// Texels of the finest level beyond a triangle's own that its segments may read, in any level.
+/// Segments reach beyond a triangle by rounding, and by their tolerance beside the ray.
 const BEYOND_TEXELS: f64 = 2.0;
 
-/// What is known of the heights under triangles.
+/// Bounds of the heights under triangles, in several mip levels.
 pub struct HeightsUnder {
-    /// From the finest level on.
+    /// Levels, from the finest on.
     levels: Vec<Level>,
 }
 
-/// What is known of a level of a map.
+/// Bounds of one mip level.
 struct Level {
     /// Texels of this level that may be read beyond a triangle's own.
     beyond: DVec2,
@@ -21,7 +21,7 @@ struct Level {
 }
 
 impl HeightsUnder {
-    /// Creates it for a map whose first `levels` levels may be seen.
+    /// Creates the bounds of a map whose first `levels` mip levels may be traced.
     pub fn new(map: &HeightMap, levels: u32) -> Self {
         let size = |map: &HeightMap| DVec2::new(map.width().into(), map.height().into());
         let level = |number| {
@@ -32,8 +32,8 @@ impl HeightsUnder {
         Self { levels: (0..levels.max(1)).map(level).collect() }
     }
 
-    /// The least and the greatest height of all these levels under a triangle, by the texture coordinates of
-    /// its corners, or less and more.
+    /// Returns bounds of the heights in all levels under a triangle, from the texture coordinates
+    /// of its corners: a lower and an upper one.
     pub fn under(&self, uv: [DVec2; 3]) -> [f32; 2] {
         let widest = [f32::INFINITY, f32::NEG_INFINITY];
         self.levels

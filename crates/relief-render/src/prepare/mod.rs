@@ -1,16 +1,17 @@
-//! Scenes to jobs: the shaders' settings, the triangles in the world and the camera's matrix.
+//! Conversion of scenes to jobs: settings of the shaders, triangles in world space and the camera's
+//! matrix.
 
 mod displaced;
 mod heights_under;
-mod kept_triangles;
 mod parts;
 mod pictures;
 mod sliced;
 mod tessellation;
+mod triangle_cache;
 mod triangles;
 
 pub use displaced::GeometryError;
-pub use tessellation::{Room, TessellatedBase, Tessellation};
+pub use tessellation::{Capacity, TessellatedBase, Tessellation};
 pub use triangles::Triangles;
 
 use std::sync::Arc;
@@ -29,42 +30,44 @@ use crate::job::{HOLES_OF_COLORS, HOLES_OF_HEIGHTS, Job, JobSurface};
 use crate::light_views::{LightViews, corner_position, relief_points};
 use crate::mipmaps::Mipmaps;
 use displaced::Displaced;
-use kept_triangles::{KeptTriangles, extent_m, moved_out_m};
 use parts::Parts;
 use pictures::Pictures;
 use relief_scene::background::Background;
 use relief_scene::environment::Environment;
 use relief_scene::light::Light;
 use relief_scene::{ColorPlace, Scene, Surface};
+use triangle_cache::{TriangleCache, extent_m, moved_out_m};
 
-/// The least distance of the near plane, as a part of the distance of what is farthest away. Smaller, and
-/// what is nearest has more bits than it needs; larger, and the eye cannot come close to a surface.
+/// Least distance of the near plane, as a part of the greatest depth. If it is smaller, the nearest
+/// depths get more bits than they need. If it is larger, the eye cannot come close to a surface.
 const NEAR_OVER_FAR: f64 = 1e-4;
 
-/// The least thickness of shells, as a part of the mesh: thinner, and `f32` has no room between their sides.
+/// Least thickness of shells, as a part of the mesh's extent. In thinner shells `f32` has no values
+/// between the sides.
 const LEAST_SHELL: f32 = 1e-5;
 
-/// Makes jobs of scenes, and keeps what they have in common from one to the next.
+/// Converts scenes to jobs and caches what successive scenes share.
 #[derive(Debug, Default)]
 pub struct Preparer {
-    triangles: KeptTriangles,
+    triangles: TriangleCache,
     displaced: Displaced,
-    /// The baked maps of each of the last scene's surfaces.
+    /// Baked maps of each surface of the last scene.
     maps: Vec<Vec<(MapSlot, Arc<BakedMap>)>>,
     pictures: Pictures,
     parts: Parts,
 }
 
-/// What jobs are made of, while one is made.
+/// State while a job is made.
 struct Making<'a> {
     scene: &'a Scene,
     before: &'a Preparer,
-    triangles: KeptTriangles,
+    triangles: TriangleCache,
     pictures: Pictures,
 }
 
 impl Making<'_> {
-    /// A surface of a job, by its number: of those triangles, or of its mesh's.
+    /// Creates a surface of a job with a number. `triangles` are drawn; without them, the triangles
+    /// of its mesh.
     fn surface(
         &mut self,
         number: usize,
@@ -112,13 +115,14 @@ impl Making<'_> {
 }
 
 impl Job {
-    /// All that shaders bind to show a scene, for programs that draw it by shaders of their own, such as
-    /// exported ones. The provider gives the baked maps that its methods read.
+    /// Creates the job of a scene: all data that shaders bind to show it. Programs use it to draw a
+    /// scene with their own shaders, such as exported ones. `maps` provides the baked maps that the
+    /// methods read.
     ///
     /// # Errors
     ///
-    /// When a baked map cannot be provided, the triangles of a surface cannot be made, or it was cancelled
-    /// meanwhile.
+    /// When a baked map cannot be provided, the triangles of a surface cannot be made, or the work
+    /// was cancelled.
     pub fn of_scene(scene: &Scene, maps: &mut Maps, watch: &Watch) -> Result<Self, RenderError> {
         let mut preparer = Preparer::default();
         preparer.provide(scene, maps, &|_| false, watch)?;
@@ -127,8 +131,9 @@ impl Job {
 }
 
 impl Preparer {
-    /// Takes the baked maps that a scene's surfaces read from a provider, and says how these came about.
-    /// Those that `built` names the backend builds itself: see [`Maps::provide_except`].
+    /// Gets the baked maps that a scene's surfaces read from `maps`, and returns the origin of
+    /// each. Maps for which `built` is true are left to the backend, which builds them: see
+    /// [`Maps::provide_except`].
     ///
     /// # Errors
     ///
@@ -152,22 +157,22 @@ impl Preparer {
         Ok(accounts)
     }
 
-    /// The job of the scene whose maps were taken last.
+    /// Creates the job of the scene whose maps were provided last.
     ///
     /// # Errors
     ///
-    /// When the displaced triangles of a surface cannot be made, or it was cancelled meanwhile.
+    /// When the displaced triangles of a surface cannot be made, or the work was cancelled.
     pub fn job(&mut self, scene: &Scene, watch: &Watch) -> Result<Job, RenderError> {
         let displaced = self.displaced.of_scene(scene, watch)?;
         let mut making = Making {
             scene,
             before: self,
-            triangles: KeptTriangles::default(),
+            triangles: TriangleCache::default(),
             pictures: Pictures::default(),
         };
         let mut parts = Parts::default();
         let mut surfaces: Vec<JobSurface> = Vec::new();
-        // The surface of the scene that each of these is of, or a part of.
+        // The scene's surface of each of these, which may be a part of it.
         let mut owners = Vec::new();
         let none = Vec::new();
         let maps = self.maps.iter().chain(std::iter::repeat(&none));
@@ -191,7 +196,7 @@ impl Preparer {
         let [width, height] = scene.size();
         let light_views = LightViews::new(scene.lights(), scene.camera(), [width, height], &mut surfaces);
         let mut frame = frame(scene, &owners, &surfaces);
-        light_views.tell(&mut frame);
+        light_views.write_into(&mut frame);
         Ok(Job { width, height, samples: scene.samples(), frame, light_views, surfaces })
     }
 }
@@ -204,7 +209,7 @@ fn place(v: DVec3, w: f32) -> [f32; 4] {
     [v.x as f32, v.y as f32, v.z as f32, w]
 }
 
-/// What changes with the frame: camera and lights.
+/// Returns the data that changes with the frame: camera, lights and background.
 fn frame(scene: &Scene, owners: &[&Surface], surfaces: &[JobSurface]) -> Frame {
     let mut lights = Frame::none().lights;
     for (slot, light) in lights.iter_mut().zip(scene.lights()) {
@@ -233,14 +238,14 @@ fn frame(scene: &Scene, owners: &[&Surface], surfaces: &[JobSurface]) -> Frame {
     }
 }
 
-/// A frame with a scene's camera and background alone.
+/// Returns a frame with a scene's camera and background alone.
 pub(crate) fn view_of(scene: &Scene) -> Frame {
     let camera = scene.camera();
     let [columns, rows] = scene.size();
     let across = 2.0 * camera.half_height() / f64::from(rows);
     let (right, down) = (camera.right() * across, camera.up() * -across);
     let to_corner = |from: DVec3| from - right * (f64::from(columns) / 2.0) - down * (f64::from(rows) / 2.0);
-    // What changes from pixel to pixel is where parallel rays begin, and where others go.
+    // From pixel to pixel, parallel rays change in their origin, and others in their direction.
     let [eye, forward] = [camera.eye(), camera.forward()];
     let none = DVec3::ZERO;
     let (eye, eye_right, eye_down, corner, right, down) = if camera.is_orthographic() {
@@ -264,7 +269,7 @@ pub(crate) fn view_of(scene: &Scene) -> Frame {
     }
 }
 
-/// What the depth buffer holds, as the shaders take it.
+/// Returns the coefficients by which shaders compute the values of the scene's depth buffer.
 fn clip(scene: &Scene, surfaces: &[JobSurface]) -> [f32; 4] {
     let camera = scene.camera();
     let depths = surfaces.iter().flat_map(|surface| {
@@ -281,7 +286,7 @@ fn clip(scene: &Scene, surfaces: &[JobSurface]) -> [f32; 4] {
     [always as f32, over as f32, times as f32, 0.0]
 }
 
-/// What belongs to a surface: its maps, displacement, material and method.
+/// Returns the settings of a surface: maps, displacement, material and method.
 fn surface_settings(
     surface: &Surface,
     maps: &SlotMaps,
@@ -341,8 +346,8 @@ fn surface_settings(
     }
 }
 
-/// How many images there are of what a surface shows, how many of these say what is solid, what their cells
-/// are, and by how much heights differ where they jump.
+/// Returns four values of a surface's depth object: the number of its images, the number of images
+/// that decide what is solid, the kind of their cells, and the difference of heights at a jump.
 fn images(surface: &Surface) -> ([u32; 2], u32, f32) {
     match (surface.object(), surface.selection().object_cells()) {
         (Some(shown), Some(ObjectCells { cells, jump_texels, solid, .. })) => {
@@ -358,15 +363,15 @@ fn images(surface: &Surface) -> ([u32; 2], u32, f32) {
     }
 }
 
-/// The matrix for the rasteriser, with planes that hold all meshes, and how near to the eye hits are ordered
-/// as finely as farther away.
+/// Returns the matrix for the rasteriser, with planes that hold all meshes. The second value is the
+/// depth below which keys are ordered less finely.
 fn view_projection(scene: &Scene, owners: &[&Surface], surfaces: &[JobSurface]) -> (DMat4, f64) {
     let (camera, size) = (scene.camera(), scene.size());
     let depth = |point: DVec3| camera.forward().dot(point - camera.eye());
     let depths = |toward: f64| {
         owners.iter().zip(surfaces).flat_map(move |(surface, made)| {
             let moved = toward * f64::from(moved_out_m(surface));
-            // The same planes whatever was left out.
+            // The planes do not depend on what was culled.
             let known = made.triangles.depths_m();
             let is_displaced = surface.selection().geometry().is_some() && known.is_none();
             let displaced = made.triangles.corners().iter().map(corner_position);

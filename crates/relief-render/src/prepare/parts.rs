@@ -1,11 +1,11 @@
-//! Surfaces with several materials: one to be drawn for each.
+//! Division of surfaces with several materials into one part for each material.
 
 use std::sync::Arc;
 
 use crate::prepare::Triangles;
 use relief_scene::SurfaceColors;
 
-/// The parts of a scene's surfaces, kept from one picture to the next.
+/// Cache of the parts of a scene's surfaces, from one picture to the next.
 #[derive(Debug, Default)]
 pub struct Parts {
     known: Vec<(Arc<Triangles>, Arc<SurfaceColors>, Vec<Part>)>,
@@ -15,12 +15,13 @@ pub struct Parts {
 #[derive(Clone, Debug)]
 pub struct Part {
     pub triangles: Arc<Triangles>,
-    /// The number of the material.
+    /// Number of the material.
     pub material: usize,
 }
 
 impl Parts {
-    /// The triangles of each material of a surface, of all its triangles: those made before if any were.
+    /// Returns the triangles of each material of a surface, cached or new. `whole` holds all of its
+    /// triangles.
     pub fn of(&mut self, colors: &Arc<SurfaceColors>, whole: &Arc<Triangles>, before: &Self) -> Vec<Part> {
         let is = |(of, with, _): &&(Arc<Triangles>, Arc<SurfaceColors>, _)| {
             Arc::ptr_eq(of, whole) && Arc::ptr_eq(with, colors)
@@ -32,7 +33,8 @@ impl Parts {
     }
 }
 
-/// The triangles of each material that has any, with the corners that they share.
+/// Divides triangles by material. Materials without triangles are left out; triangles of a part
+/// share corners.
 fn split(whole: &Triangles, colors: &SurfaceColors) -> Vec<Part> {
     let mut of_materials = vec![Vec::new(); colors.materials.len()];
     for (triangle, material) in colors.of_triangles.iter().enumerate().take(whole.len()) {

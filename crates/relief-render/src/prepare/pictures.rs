@@ -1,4 +1,4 @@
-//! The pictures of a scene's surfaces as they are bound, kept from one scene to the next.
+//! Cache of the colour and normal maps of a scene's surfaces, from one scene to the next.
 
 use std::sync::Arc;
 
@@ -9,21 +9,21 @@ use crate::frame_cache::cached;
 use crate::mipmaps::Mipmaps;
 use relief_scene::Surface;
 
-/// The pictures of a scene's surfaces as they are bound.
+/// Colour and normal maps of a scene's surfaces, with the mip levels that are bound.
 #[derive(Debug, Default)]
 pub struct Pictures {
-    /// In their finest level alone.
+    /// Pictures with their finest level alone.
     finest: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
-    /// In all levels.
+    /// Pictures with all levels.
     levels: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
-    /// Normal maps in all levels.
+    /// Normal maps with all levels.
     normals: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
-    /// Normals derived from height maps, with the tile that they are derived for.
+    /// Normals derived from height maps, with the tile for which they are derived.
     derived: Vec<(Arc<HeightMap>, [f64; 2], Arc<Mipmaps>)>,
 }
 
 impl Pictures {
-    /// A picture, as it was bound before if it was.
+    /// Returns a picture's mip levels, cached or new.
     pub fn of(&mut self, picture: &Arc<Picture>, levels: bool, before: &Pictures) -> Arc<Mipmaps> {
         if levels {
             let make = || Arc::new(Mipmaps::of(Arc::clone(picture)));
@@ -34,7 +34,7 @@ impl Pictures {
         }
     }
 
-    /// A normal map, as it was bound before if it was.
+    /// Returns a normal map's mip levels, cached or new.
     pub fn of_normals(&mut self, picture: &Arc<Picture>, levels: bool, before: &Pictures) -> Arc<Mipmaps> {
         if !levels {
             return self.of(picture, false, before);
@@ -43,7 +43,7 @@ impl Pictures {
         cached(&mut self.normals, &before.normals, picture, make)
     }
 
-    /// The derived normals of a surface, from the second level on.
+    /// Returns the normals derived from a surface's height map, from the second level on.
     pub fn derived(&mut self, surface: &Surface, before: &Pictures) -> Option<Arc<Mipmaps>> {
         let (map, metric) = (surface.height_map(), surface.metric());
         let is_same = |(of, tile_m, _): &&(Arc<HeightMap>, [f64; 2], _)| {

@@ -22,10 +22,10 @@ use relief_scene::Scene;
 /// Bytes of a slice through a box, with six corners.
 const BYTES_PER_SLICE: u64 = 6 * 24 + 24;
 
-/// What makes slices fewer.
+/// Setting that makes fewer slices.
 pub const FEWER: &str = "a smaller 'slices.count'";
 
-/// The slices of a scene.
+/// Returns the settings of slices for the camera of a scene.
 pub fn settings(slices: Slices, scene: &Scene) -> SliceSettings {
     let Slices { count, direction, with_eye, by_border } = slices;
     let camera = *scene.camera();
@@ -41,7 +41,8 @@ pub fn settings(slices: Slices, scene: &Scene) -> SliceSettings {
     SliceSettings { count, direction }
 }
 
-/// Slices through a relief, and how many bytes of memory are left for them.
+/// Returns the triangles of slices through a relief, and the bytes that they take. `left` is the
+/// number of bytes that they may take.
 pub fn triangles(
     mesh: &Mesh,
     map: &HeightMap,
@@ -50,16 +51,17 @@ pub fn triangles(
     watch: &Watch,
 ) -> Result<(Arc<Triangles>, u64), GeometryError> {
     let slicer = Slicer::new(mesh, map, settings).map_err(error)?;
-    let mut room = Room::of(slicer.vertices(), slicer.triangles(), left)?;
+    let mut buffer = TriangleBuffer::of(slicer.vertices(), slicer.triangles(), left)?;
     let made = slicer.each(watch, |block| {
-        room.take(block.vertices.iter().map(sliced), &block.triangles);
+        buffer.take(block.vertices.iter().map(sliced), &block.triangles);
     });
     made.map_err(error)?;
-    let (triangles, needed) = room.triangles();
+    let (triangles, needed) = buffer.triangles();
     Ok((Arc::new(triangles), needed))
 }
 
-/// Slices through an object, whose mesh is the box around it, from front to back for a camera.
+/// Returns the triangles of slices through an object, and the bytes that they take. `mesh` is the
+/// box around the object. With a camera the slices are sorted from front to back.
 pub fn triangles_of_object(
     mesh: &Mesh,
     object: &ImageObject,
@@ -73,15 +75,15 @@ pub fn triangles_of_object(
     let bounds = [places().fold(DVec3::INFINITY, DVec3::min), places().fold(DVec3::NEG_INFINITY, DVec3::max)];
     let slicer = BoxSlicer::new(bounds, spacing_m, direction).map_err(error)?;
     let most = |each: u64| slicer.slices().saturating_mul(each);
-    // What comes in an order is held until all of it is there.
+    // Sorted slices are held until all of them are there.
     let held = if camera.is_some() { most(BYTES_PER_SLICE) } else { 0 };
-    let mut room = Room::of(most(6), most(4), left.saturating_sub(held))?;
+    let mut buffer = TriangleBuffer::of(most(6), most(4), left.saturating_sub(held))?;
     let mut ends = Vec::with_capacity(slicer.slices() as usize);
     let mut take = |slice: &BoxSlice| {
         let at = |position: &DVec3| Vertex { position: position.as_vec3(), ..mesh.vertices()[0] };
         let faces: Vec<[u32; 3]> = (2..slice.len() as u32).map(|k| [0, k - 1, k]).collect();
-        room.take(slice.iter().map(|position| corner(&at(position))), &faces);
-        ends.push(room.faces.len() as u32);
+        buffer.take(slice.iter().map(|position| corner(&at(position))), &faces);
+        ends.push(buffer.faces.len() as u32);
     };
     match camera {
         None => slicer.each(watch, take).map_err(error)?,
@@ -93,7 +95,7 @@ pub fn triangles_of_object(
             slices.iter().for_each(&mut take);
         }
     }
-    let (triangles, needed) = room.triangles();
+    let (triangles, needed) = buffer.triangles();
     Ok((Arc::new(triangles.in_slices(ends)), needed))
 }
 
@@ -105,15 +107,16 @@ fn error(error: SliceError) -> GeometryError {
     }
 }
 
-/// Triangles that come one after another, and what they take of the memory.
-struct Room {
+/// Growing list of triangles, and the bytes that they take.
+struct TriangleBuffer {
     corners: Vec<Corner>,
     faces: Vec<[u32; 3]>,
     needed: u64,
 }
 
-impl Room {
-    /// Memory for at most the given numbers of vertices and triangles, within `left` bytes.
+impl TriangleBuffer {
+    /// Allocates memory for at most the given numbers of vertices and triangles. Fails if it takes
+    /// more than `left` bytes.
     fn of(vertices: u64, triangles: u64, left: u64) -> Result<Self, GeometryError> {
         let [corners, faces] = [(vertices, BYTES_PER_VERTEX), (triangles, BYTES_PER_TRIANGLE)]
             .map(|(count, bytes)| count.saturating_mul(bytes));
@@ -127,21 +130,21 @@ impl Room {
         Ok(Self { corners, faces, needed })
     }
 
-    /// Takes triangles that name corners beside them.
+    /// Appends triangles, with faces that index `corners`.
     fn take(&mut self, corners: impl Iterator<Item = Corner>, faces: &[[u32; 3]]) {
         let first = self.corners.len() as u32;
         self.corners.extend(corners);
         self.faces.extend(faces.iter().map(|face| face.map(|corner| first + corner)));
     }
 
-    /// All of them, and the memory that they take.
+    /// Returns all triangles, and the bytes that they take.
     fn triangles(self) -> (Triangles, u64) {
         let faces = self.faces.into_iter().zip(std::iter::repeat(Shell::whole()));
         (Triangles::new(self.corners, faces), self.needed)
     }
 }
 
-/// A corner as the shaders have it.
+/// Converts a slice's vertex to a corner for the shaders.
 fn sliced(of: &SliceVertex) -> Corner {
     Corner { of_surface: [of.height, of.step, of.axis as u32 as f32].into(), ..corner(&of.vertex) }
 }

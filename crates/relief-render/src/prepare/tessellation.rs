@@ -1,4 +1,4 @@
-//! Bases that backends tessellate themselves: what the shaders are given of them.
+//! Input of the shaders that tessellate base meshes.
 
 use std::sync::Arc;
 
@@ -8,58 +8,59 @@ use relief_mesh::{BaseTables, Cull, FullBounds, MesherError, TableEdge, TablePat
 use relief_shaders::cpu::{BaseEdge, BasePatch, BaseVertex, Tessellation as Grid};
 use relief_shaders::wgsl::TESSELLATE_COUNTLESS;
 
-/// Triangles of the picture that there is room for, for each of its voxels, and for each of the base: what is
-/// seen has two a voxel, and there are backs, and triangles beside and behind others.
+/// Capacity in triangles for each voxel of the picture, and for each base triangle. Visible
+/// surfaces have two triangles a voxel; back faces, and triangles beside and behind others, come on
+/// top.
 const TRIANGLES_PER_VOXEL: f64 = 8.0;
 const TRIANGLES_PER_PATCH: u64 = 4;
 
-/// The most triangles and the most points besides the base's vertices. A closed mesh has half as many points
-/// as triangles; borders and seams have more.
+/// Greatest numbers of triangles, and of points besides the base's vertices. A closed mesh has half
+/// as many points as triangles; borders and seams have more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Room {
+pub struct Capacity {
     pub triangles: u32,
     pub points: u32,
 }
 
-impl Room {
-    /// Capacity for the given number of triangles and for their points.
+impl Capacity {
+    /// Returns the capacity for a number of triangles and for their points.
     pub fn of_triangles(triangles: u32) -> Self {
         Self { triangles, points: triangles / 2 + triangles / 8 }
     }
 
-    /// As much of it as there is in another one.
+    /// Returns the lesser of two capacities, for triangles and points each.
     pub fn within(self, other: Self) -> Self {
         Self { triangles: self.triangles.min(other.triangles), points: self.points.min(other.points) }
     }
 }
 
-/// How the triangles of a base are divided.
+/// Division of base triangles.
 #[derive(Clone, Copy, Debug)]
 pub struct Division {
-    /// Parts of sides for a unit of u and of v; none where voxels divide them.
+    /// Parts of sides for a unit of u and of v, or `None` if voxels divide them.
     pub parts_of_uv: Option<[f64; 2]>,
-    /// Whether voxels say what is inside, too.
+    /// Whether voxels fill the interior, too.
     pub is_swept: bool,
 }
 
-/// The tables of a base as the shaders have them.
+/// Tables of a base mesh for the shaders.
 #[derive(Debug)]
 pub struct TessellatedBase {
     tables: BaseTables,
-    /// Its vertices.
+    /// Vertices of the base.
     pub vertices: Vec<BaseVertex>,
-    /// Its edges.
+    /// Edges of the base.
     pub edges: Vec<BaseEdge>,
-    /// Its triangles.
+    /// Triangles of the base.
     pub patches: Vec<BasePatch>,
 }
 
-/// A base, and the view that it is tessellated for.
+/// Base mesh and the view for which it is tessellated.
 #[derive(Clone, Debug)]
 pub struct Tessellation {
-    /// The base.
+    /// Tables of the base.
     pub base: Arc<TessellatedBase>,
-    /// The view, and how much there may be.
+    /// View, division and capacity.
     pub grid: Grid,
 }
 
@@ -78,35 +79,35 @@ impl TessellatedBase {
         watch: &Watch,
     ) -> Result<Self, MesherError> {
         let mut tables = BaseTables::new(mesh, map, coarser, watch)?;
-        // They are held once.
+        // The base's own tables are held only here.
         let vertices = std::mem::take(&mut tables.vertices).iter().map(vertex).collect();
         let edges = std::mem::take(&mut tables.edges).iter().map(edge).collect();
         let patches = std::mem::take(&mut tables.patches).iter().map(patch).collect();
         Ok(Self { tables, vertices, edges, patches })
     }
 
-    /// Where all of it may be, also what is not seen.
+    /// Returns bounds of all displaced triangles, including culled ones.
     pub fn everything(&self, view: &View) -> FullBounds {
         self.tables.full_bounds(view)
     }
 
-    /// Room for the triangles of a view that are not too many.
-    pub fn room(&self, view: &View, division: &Division) -> Room {
+    /// Returns the capacity for the triangles of a view.
+    pub fn capacity(&self, view: &View, division: &Division) -> Capacity {
         match division.parts_of_uv {
-            Some(parts_of_uv) => self.room_for_all(parts_of_uv),
+            Some(parts_of_uv) => self.capacity_for_all(parts_of_uv),
             None => {
                 let [width, height] = view.size.map(f64::from);
                 let voxels = width * height / (view.pixels * view.pixels);
                 // A float that is too large becomes the greatest number.
                 let triangles = (TRIANGLES_PER_VOXEL * voxels) as u64;
                 let triangles = triangles.saturating_add(TRIANGLES_PER_PATCH * self.patches.len() as u64);
-                Room::of_triangles(u32::try_from(triangles).unwrap_or(u32::MAX))
+                Capacity::of_triangles(u32::try_from(triangles).unwrap_or(u32::MAX))
             }
         }
     }
 
-    /// Capacity for all triangles, by the parts of sides for a unit of u and of v.
-    fn room_for_all(&self, parts_of_uv: [f64; 2]) -> Room {
+    /// Returns the capacity for all triangles, from the parts of sides for a unit of u and of v.
+    fn capacity_for_all(&self, parts_of_uv: [f64; 2]) -> Capacity {
         let parts = self.edges.iter().map(|edge| {
             let [along, down] = [edge.along.x, edge.along.y].map(f64::from);
             (along * parts_of_uv[0]).max(down * parts_of_uv[1]).ceil().max(1.0)
@@ -120,17 +121,17 @@ impl TessellatedBase {
             parts[2] * (parts[0] + 2.0)
         });
         let triangles: f64 = triangles.sum();
-        Room { triangles: triangles as u32, points: (on_edges + triangles / 2.0) as u32 }
+        Capacity { triangles: triangles as u32, points: (on_edges + triangles / 2.0) as u32 }
     }
 
-    /// The view as the shaders have it, with that room.
+    /// Returns the view, the division and the capacity as input of the shaders.
     pub fn grid(
         &self,
         view: &View,
         cull: &Cull,
         levels: u32,
         division: &Division,
-        room: Room,
+        capacity: Capacity,
     ) -> Result<Grid, MesherError> {
         let space = view.grid_space()?;
         let camera = &view.camera;
@@ -152,8 +153,8 @@ impl TessellatedBase {
             vertices: self.vertices.len() as u32,
             edges: self.edges.len() as u32,
             patches: self.patches.len() as u32,
-            most_points: room.points,
-            most_triangles: room.triangles,
+            most_points: capacity.points,
+            most_triangles: capacity.triangles,
             parts_of_uv: division.parts_of_uv.unwrap_or_default().map(|parts| parts as f32).into(),
             is_swept: u32::from(division.is_swept),
         })

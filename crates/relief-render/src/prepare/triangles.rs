@@ -1,4 +1,4 @@
-//! Triangles that share their corners.
+//! Triangles that share corners.
 
 use glam::DVec3;
 use relief_mesh::FullBounds;
@@ -6,7 +6,7 @@ use relief_shaders::cpu::{Corner, Face, Shell, Triangle};
 
 use crate::prepare::Tessellation;
 
-/// The triangles of a mesh as the shaders have them, in the order of the mesh.
+/// Triangles of a mesh as input of the shaders, in the order of the mesh.
 ///
 /// Corners are held once, however many triangles meet there: 96 bytes each, and 48 for a triangle.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,7 +19,8 @@ pub struct Triangles {
 }
 
 impl Triangles {
-    /// Triangles by the places of their corners, which all exist.
+    /// Creates triangles from corners, and from the indices of each triangle's corners with its
+    /// shell. All indices are valid.
     pub(crate) fn new(corners: Vec<Corner>, faces: impl Iterator<Item = ([u32; 3], Shell)>) -> Self {
         let faces = faces.map(|(corners, shell)| Face { corners: corners.into(), shell });
         let (everything, tessellation, slices) = (None, None, Vec::new());
@@ -32,7 +33,7 @@ impl Triangles {
         Self { everything, tessellation, ..Self::default() }
     }
 
-    /// What a backend is to make them of.
+    /// Returns the base from which a backend makes the triangles, if any.
     pub(crate) fn tessellation(&self) -> Option<&Tessellation> {
         self.tessellation.as_ref()
     }
@@ -49,34 +50,35 @@ impl Triangles {
         Self { slices: ends, ..self }
     }
 
-    /// The ends of slices among the triangles, where they are known.
+    /// Returns the ends of slices among the triangles; empty if these are not sorted slices.
     #[cfg(feature = "gpu")]
     pub(crate) fn slices(&self) -> &[u32] {
         &self.slices
     }
 
-    /// The metres from the eye, along the view axis, to the nearest and to the farthest of them and of those
-    /// that were left out, where they were made for a camera.
+    /// Returns the least and the greatest depth along the view axis, in metres, including culled
+    /// triangles. `None` unless they were made for a camera.
     pub(crate) fn depths_m(&self) -> Option<[f64; 2]> {
         self.everything.as_ref().map(|all| all.depths_m)
     }
 
-    /// Points around them and those that were left out, where they were made for a camera.
+    /// Returns points around all triangles, including culled ones. `None` unless they were made for
+    /// a camera.
     pub(crate) fn around(&self) -> Option<&[DVec3]> {
         self.everything.as_ref().map(|all| &all.around[..])
     }
 
-    /// How many there are.
+    /// Returns the number of triangles.
     pub fn len(&self) -> usize {
         self.faces.len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no triangles.
     pub fn is_empty(&self) -> bool {
         self.faces.is_empty()
     }
 
-    /// The triangle of that number.
+    /// Returns the triangle with a number, with its corners and its shell.
     ///
     /// # Panics
     ///
@@ -86,17 +88,17 @@ impl Triangles {
         self.of(&self.faces[number])
     }
 
-    /// All of them.
+    /// Returns an iterator over all triangles.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Triangle> {
         self.faces.iter().map(|face| self.of(face))
     }
 
-    /// All corners.
+    /// Returns all corners.
     pub fn corners(&self) -> &[Corner] {
         &self.corners
     }
 
-    /// The places of the triangles' corners among [`Self::corners`], and their shells.
+    /// Returns the indices of each triangle's corners among [`Self::corners`], with its shell.
     pub fn faces(&self) -> &[Face] {
         &self.faces
     }

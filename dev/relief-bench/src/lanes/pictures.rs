@@ -59,7 +59,7 @@ impl<'a> Timed<'a> {
         if counts {
             self.taken.push(1e3 * start.elapsed().as_secs_f64());
         }
-        made.map(|made| made.made.device).map_err(|error| error.to_string())
+        made.map(|made| made.info.device).map_err(|error| error.to_string())
     }
 }
 

@@ -53,7 +53,7 @@ fn row(
         let started = Instant::now();
         let rendered =
             renderer.render(scene, &mut maps, &Watch::none()).map_err(|error| error.to_string())?;
-        Ok::<_, String>((1e3 * started.elapsed().as_secs_f64(), rendered.made.device))
+        Ok::<_, String>((1e3 * started.elapsed().as_secs_f64(), rendered.info.device))
     };
     let (_, device) = taken(&scene, renderer)?;
     let (mut moved, mut stayed, mut made, mut uploaded) =

@@ -179,7 +179,7 @@ impl Picture {
             let uv = [pixel.uv.x, pixel.uv.y].map(f64::from);
             (pixel.hit == 1).then(|| Met { depth_m: pixel.depth.into(), uv, counts: true })
         });
-        (Self { size: scene.size(), met: met.collect() }, rendered.made.device)
+        (Self { size: scene.size(), met: met.collect() }, rendered.info.device)
     }
 
     /// The pixels that show the relief.

@@ -110,7 +110,7 @@ fn every_method_gives_the_same_picture_on_both_backends() {
         for method in METHODS.iter().filter(|method| method.is_of_reliefs()) {
             let cpu = picture(file, method.name, BackendChoice::Cpu);
             let gpu = picture(file, method.name, BackendChoice::Gpu);
-            assert_eq!((cpu.made.backend, gpu.made.backend), ("cpu", "gpu"));
+            assert_eq!((cpu.info.backend, gpu.info.backend), ("cpu", "gpu"));
             let map = scene(file, method.name, &[], BackendChoice::Cpu);
             let map = map.surfaces()[0].height_map();
             let size = [map.width(), map.height()];

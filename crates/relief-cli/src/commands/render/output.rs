@@ -13,7 +13,7 @@ use relief_io::{
     LineSink, Metadata, PictureFormat, PictureSink, WriteProblem, write_exr_lines, write_picture,
 };
 use relief_render::picture::{AOV_CHANNELS, Display, aov_of, srgb};
-use relief_render::{Bands, Made, RenderError, Wire};
+use relief_render::{Bands, RenderError, RenderInfo, Wire};
 use relief_scene::tone::Tone;
 use relief_scene::{Scene, SceneSpec};
 use relief_shaders::cpu::PixelOut;
@@ -107,7 +107,7 @@ pub struct Counts {
 }
 
 /// Function that renders into a sink, with AOVs or without.
-pub type Render<'a> = dyn FnMut(bool, &mut Bands) -> Result<Made, RenderError> + 'a;
+pub type Render<'a> = dyn FnMut(bool, &mut Bands) -> Result<RenderInfo, RenderError> + 'a;
 
 impl Outputs {
     /// Creates the outputs of a scene. Outputs that cannot be written, or would replace an input,
@@ -145,7 +145,7 @@ impl Outputs {
         cancel: &AtomicBool,
         quiet: bool,
         render: &mut Render,
-    ) -> Result<(Counts, Made), Error> {
+    ) -> Result<(Counts, RenderInfo), Error> {
         let paths: Vec<&Path> =
             [Some(&self.picture), self.aov.as_ref()].into_iter().flatten().map(AsRef::as_ref).collect();
         let mut staged = Staged::open(&paths, quiet, cancel)?;
@@ -193,7 +193,7 @@ impl Outputs {
         render: &mut Render,
         picture: &mut PictureSink,
         mut numbers: Option<&mut LineSink>,
-    ) -> Result<(Counts, Made), Error> {
+    ) -> Result<(Counts, RenderInfo), Error> {
         let is_linear = self.format.is_linear();
         let display = if is_linear { Display::of(scene).without_tone() } else { Display::of(scene) };
         let width = scene.size()[0] as usize;

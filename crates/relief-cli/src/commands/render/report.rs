@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use relief_render::Made;
+use relief_render::RenderInfo;
 use relief_scene::{Scene, SceneSpec, Surface};
 use serde_json::{Value, json};
 
@@ -29,7 +29,7 @@ pub struct Picture<'a> {
     pub scene: &'a Scene,
     pub outputs: &'a Outputs,
     pub counts: Counts,
-    pub made: &'a Made,
+    pub made: &'a RenderInfo,
 }
 
 impl Picture<'_> {
@@ -74,7 +74,7 @@ impl Picture<'_> {
     pub fn tell(&self, out: &mut dyn Write) -> io::Result<()> {
         let Self { spec, scene, outputs, made, .. } = self;
         let Counts { covered, exhausted, .. } = self.counts;
-        let Made { backend, device, elapsed, .. } = made;
+        let RenderInfo { backend, device, elapsed, .. } = made;
         let (mean, counted) = (self.mean_reads(), what_reads_are(scene, backend));
         let seconds = elapsed.as_secs_f64();
         let [width, height] = scene.size();

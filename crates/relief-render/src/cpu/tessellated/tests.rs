@@ -28,10 +28,10 @@ pub fn surface_of(mesh: Mesh, pixels: f64, set: &[(&str, f64)]) -> Surface {
     Surface::new(Arc::new(mesh), Arc::new(map)).with_selection(selection)
 }
 
-/// What fills base triangles with the points of a grid.
+/// Interior rule that fills base triangles with the points of a grid.
 pub const SWEPT: &[(&str, f64)] = &[("geometry.interior", 1.0)];
 
-/// What divides sides by texels.
+/// Edge rule that divides sides by texels.
 pub const BY_TEXELS: &[(&str, f64)] = &[("geometry.texels", 1.0)];
 
 /// Scene that looks from `eye` to the middle. Nothing is culled unless `culls` is set.
@@ -51,7 +51,7 @@ pub fn job_of(scene: &Scene) -> Job {
 
 /// The triangles of its first surface.
 pub fn made(job: &Job) -> Arc<Triangles> {
-    Arc::clone(&KeptTessellated::default().job(job).surfaces[0].triangles)
+    Arc::clone(&TessellatedCache::default().job(job).surfaces[0].triangles)
 }
 
 fn closed() -> [Mesh; 4] {
@@ -143,7 +143,7 @@ fn triangles_found_by_their_numbers_tile_the_whole_and_use_every_point() {
     }
 }
 
-/// How triangles with corners in these voxels are swept: their parts, the points inside and the pieces.
+/// Returns the sweep of triangles with corners in these voxels: parts, points inside and pieces.
 fn swept(tessellator: &Tessellator, voxels: [[i32; 3]; 3]) -> Option<([u32; 3], u32, Vec<[Point; 3]>)> {
     let corners = voxels.map(|[x, y, z]| Voxel { at: Three { x, y, z }, share: 1.0 });
     let sweep = tessellator.sweep(corners, 0)?;

@@ -189,7 +189,7 @@ fn with_baked_maps(renderer: &mut Renderer, scene: &Scene) -> Rendering {
         maps.insert(baked(surface.height_map(), surface.selection()));
     }
     let picture = renderer.render(scene, &mut maps, &Watch::none()).expect("a picture");
-    let origins: Vec<Origin> = picture.made.maps.iter().map(|account| account.origin).collect();
+    let origins: Vec<Origin> = picture.info.maps.iter().map(|account| account.origin).collect();
     assert_eq!((origins, renderer.last_work().built), (vec![Origin::Memory; 3], 0));
     picture.rendering
 }
@@ -236,7 +236,7 @@ fn nothing_is_baked_or_kept_where_pyramids_are_built() {
     let scene = searched(FINEST);
     let origins = |renderer: &mut Renderer, maps: &mut Maps| -> Vec<Origin> {
         let picture = renderer.render(&scene, maps, &Watch::none()).expect("a picture");
-        picture.made.maps.iter().map(|account| account.origin).collect()
+        picture.info.maps.iter().map(|account| account.origin).collect()
     };
     let files = || {
         std::fs::read_dir(folder.path())
@@ -264,7 +264,7 @@ fn where_heights_have_16_bits_on_the_gpu_their_pyramid_is_baked() {
     for (sampling, built) in [(Sampling::Fast, 0), (Sampling::Exact, 3), (Sampling::Fast, 0)] {
         let mut renderer = Renderer::on_gpu(gpu.clone(), sampling);
         let picture = renderer.render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture");
-        assert_eq!(picture.made.maps.is_empty(), built > 0);
+        assert_eq!(picture.info.maps.is_empty(), built > 0);
         assert_eq!(renderer.last_work().built, built);
     }
 }

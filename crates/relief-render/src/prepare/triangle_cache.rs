@@ -1,4 +1,4 @@
-//! Meshes as the shaders have them: triangles, with what is known of their shells.
+//! Triangles of meshes for the shaders, with their shells, cached from frame to frame.
 
 use std::sync::Arc;
 
@@ -15,35 +15,35 @@ use crate::prepare::Triangles;
 use relief_core::mesh::{Mesh, Vertex};
 use relief_scene::Surface;
 
-/// The triangles of a scene's surfaces.
+/// Cache of the triangles of a scene's surfaces.
 #[derive(Debug, Default)]
-pub struct KeptTriangles {
-    /// Of meshes alone.
+pub struct TriangleCache {
+    /// Triangles of meshes without shells.
     polygons: Vec<(Arc<Mesh>, Arc<Triangles>)>,
-    /// Of boxes around objects, whose shell is the box.
+    /// Triangles for boxes around objects, whose shell is the box.
     boxes: Vec<(Arc<Mesh>, Arc<Triangles>)>,
-    /// Of meshes with quadrics.
-    bent: Vec<(BentOf, Arc<Triangles>)>,
-    /// Of meshes under height maps.
-    shells: Vec<(ShellsOf, Arc<Triangles>)>,
+    /// Triangles of meshes with quadrics.
+    bent: Vec<(QuadricSource, Arc<Triangles>)>,
+    /// Triangles of meshes with shells of height maps.
+    shells: Vec<(ShellSource, Arc<Triangles>)>,
 }
 
-/// What shells are made of.
+/// Source of triangles with shells.
 #[derive(Clone, Debug)]
-struct ShellsOf {
+struct ShellSource {
     mesh: Arc<Mesh>,
     map: Arc<HeightMap>,
-    /// Where the heights 0 and 1 lie along the normals, in metres.
+    /// Displacements of the heights 0 and 1 along the normals, in metres.
     shell_m: [f32; 2],
     /// Whether the base is smooth.
     lifted: bool,
-    /// How many levels of the map are seen.
+    /// Number of the map's mip levels that may be traced.
     levels: u32,
-    /// Whether the mesh is seen turned over as well.
+    /// Whether both sides of the mesh are visible.
     both: bool,
 }
 
-impl ShellsOf {
+impl ShellSource {
     fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.mesh, &other.mesh)
             && Arc::ptr_eq(&self.map, &other.map)
@@ -52,24 +52,24 @@ impl ShellsOf {
     }
 }
 
-/// What triangles with quadrics are made of.
+/// Source of triangles with quadrics.
 #[derive(Clone, Debug)]
-struct BentOf {
+struct QuadricSource {
     mesh: Arc<Mesh>,
     coefficients: QuadricCoefficients,
-    /// How far the base is moved along its normals, in metres.
+    /// Distance by which the base is moved along its normals, in metres.
     out_m: f32,
     /// Whether the base is smooth.
     lifted: bool,
 }
 
-impl BentOf {
+impl QuadricSource {
     fn is(&self, other: &Self) -> bool {
         let settings = |of: &Self| (of.coefficients, of.out_m, of.lifted);
         Arc::ptr_eq(&self.mesh, &other.mesh) && settings(self) == settings(other)
     }
 
-    /// The triangles, with their quadrics and the numbers of a smooth base.
+    /// Returns the triangles with their quadrics, and with the lifts of a smooth base.
     fn triangles(&self) -> Arc<Triangles> {
         let moved = (self.out_m > 0.0).then(|| moved_out(&self.mesh, self.out_m)).flatten();
         let mesh = moved.as_ref().unwrap_or(&self.mesh);
@@ -87,8 +87,8 @@ impl BentOf {
     }
 }
 
-/// A mesh moved along its normals by that many metres, with the tangents that it has there. None where it is
-/// too large for that.
+/// Returns a mesh moved along its normals by `out_m` metres, with the tangents there. `None` if the
+/// moved mesh is not valid.
 fn moved_out(mesh: &Mesh, out_m: f32) -> Option<Mesh> {
     let quadrics = mesh.quadrics(QuadricCoefficients::Three);
     let vertices = mesh.vertices().iter().zip(quadrics).map(|(vertex, [a, b, c])| {
@@ -107,14 +107,14 @@ fn moved_out(mesh: &Mesh, out_m: f32) -> Option<Mesh> {
     Mesh::new(vertices.collect(), mesh.triangles().to_vec()).ok()
 }
 
-impl KeptTriangles {
-    /// The triangles of a surface whose heights 0 and 1 lie at these distances along the normals, in metres:
-    /// those made for it before, if any were.
+impl TriangleCache {
+    /// Returns the triangles of a surface, cached or new. `shell_m` are the displacements of the
+    /// heights 0 and 1 along the normals, in metres.
     pub fn of(&mut self, surface: &Surface, shell_m: [f32; 2], before: &Self) -> Arc<Triangles> {
         let (mesh, selection) = (surface.mesh(), surface.selection());
         if let Some(coefficients) = selection.quadrics() {
             let (mesh, lifted) = (Arc::clone(mesh), selection.has_smooth_base());
-            let of = BentOf { mesh, coefficients, out_m: moved_out_m(surface), lifted };
+            let of = QuadricSource { mesh, coefficients, out_m: moved_out_m(surface), lifted };
             let mut known = self.bent.iter().chain(&before.bent);
             let made = known.find(|(known, _)| known.is(&of)).map(|(_, made)| Arc::clone(made));
             let made = made.unwrap_or_else(|| of.triangles());
@@ -129,7 +129,7 @@ impl KeptTriangles {
         }
         let (mesh, map) = (Arc::clone(mesh), Arc::clone(surface.height_map()));
         let (lifted, levels) = (selection.has_smooth_base(), selection.levels_of(&map));
-        let of = ShellsOf { mesh, map, shell_m, lifted, levels, both: surface.two_sided() };
+        let of = ShellSource { mesh, map, shell_m, lifted, levels, both: surface.two_sided() };
         let mut known = self.shells.iter().chain(&before.shells);
         let made = known.find(|(known, _)| known.is(&of)).map(|(_, made)| Arc::clone(made));
         let made = made.unwrap_or_else(|| shells(&of));
@@ -138,21 +138,21 @@ impl KeptTriangles {
     }
 }
 
-/// Distance along its normals by which a surface's base is moved, in metres, so that all relief is carved into
-/// it: 0 unless its triangles belong to quadrics.
+/// Returns the distance by which a surface's base is moved along its normals, in metres, so that
+/// all relief is carved into it. It is 0 unless its triangles have quadrics.
 pub fn moved_out_m(surface: &Surface) -> f32 {
     let map = surface.height_map();
     let out_m = map.scale_m() as f32 + map.bias_m() as f32;
     if surface.selection().quadrics().is_some() { out_m.max(0.0) } else { 0.0 }
 }
 
-/// The triangles of a mesh, of whose shells nothing is known.
+/// Returns the triangles of a mesh, with shells of all heights.
 fn polygons(mesh: &Mesh) -> Arc<Triangles> {
     Arc::new(triangles(mesh, &[], std::iter::repeat(Shell::whole())))
 }
 
-/// A triangle whose shell is the box around a mesh along the axes, where shells of heights from 0 to 1 are
-/// that thick.
+/// Returns a triangle whose shell is the axis-aligned box around a mesh. `bottom` and `top` are the
+/// displacements of the heights 0 and 1.
 fn boxed(mesh: &Mesh, [bottom, top]: [f32; 2]) -> Arc<Triangles> {
     let positions = || mesh.vertices().iter().map(|vertex| vertex.position);
     let low = positions().fold(Vec3::INFINITY, Vec3::min);
@@ -165,9 +165,9 @@ fn boxed(mesh: &Mesh, [bottom, top]: [f32; 2]) -> Arc<Triangles> {
     Arc::new(Triangles::new(corners.to_vec(), std::iter::once(([0, 1, 2], shell))))
 }
 
-/// The triangles of a mesh with their shells.
-fn shells(of: &ShellsOf) -> Arc<Triangles> {
-    let ShellsOf { mesh, map, shell_m, lifted, levels, both } = of;
+/// Returns the triangles of a mesh with their shells.
+fn shells(of: &ShellSource) -> Arc<Triangles> {
+    let ShellSource { mesh, map, shell_m, lifted, levels, both } = of;
     let (welded, lifts) = (mesh.welded(), lifted.then(|| mesh.lifts()));
     let heights = HeightsUnder::new(map, *levels);
     let numbered = (0u32..).zip(mesh.triangles());
@@ -185,7 +185,8 @@ fn shells(of: &ShellsOf) -> Arc<Triangles> {
     Arc::new(triangles(mesh, &[], shells))
 }
 
-/// The triangles of a mesh with their shells, and with the quadrics of its vertices where there are any.
+/// Returns the triangles of a mesh with given shells, and with the quadrics of its vertices if
+/// there are any.
 fn triangles(mesh: &Mesh, quadrics: &[[f32; 3]], shells: impl Iterator<Item = Shell>) -> Triangles {
     let corners = (0..).zip(mesh.vertices()).map(|(place, vertex): (usize, &Vertex)| {
         let quadric = quadrics.get(place).copied().unwrap_or_default();
@@ -194,7 +195,7 @@ fn triangles(mesh: &Mesh, quadrics: &[[f32; 3]], shells: impl Iterator<Item = Sh
     Triangles::new(corners.collect(), mesh.triangles().iter().copied().zip(shells))
 }
 
-/// The largest absolute coordinate of a mesh, in metres.
+/// Returns the largest absolute coordinate of a mesh, in metres.
 pub fn extent_m(mesh: &Mesh) -> f32 {
     mesh.vertices().iter().fold(0.0, |extent, vertex| vertex.position.abs().max_element().max(extent))
 }

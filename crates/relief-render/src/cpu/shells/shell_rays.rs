@@ -1,29 +1,29 @@
-//! Rays that look into shells side by side: where they come in, what they hit there, and what of that is the
-//! nearest.
+//! Rays traced in shells side by side: entries, hits, and the nearest of these.
 
 use relief_core::Lanes;
 use relief_shaders::cpu::{BLOCK, EnteredBlock, HitBlock, PathBlock, Row, Triangle, TriangleRays};
 use relief_shaders::surface::FOLDED;
 
 use super::super::block::{lanes_for, places, places_where};
+use super::super::block_hits::RegionHits;
 use super::super::ready::Ready;
-use super::super::seen::SeenOfSurface;
-use super::Look;
+use super::ShellRay;
 
-/// Number of rays of a shell from which they are searched as they are. Fewer are gathered with other shells'.
+/// Least number of a shell's rays that are searched by themselves. Fewer are batched with the rays
+/// of other shells.
 const NEARLY_ALL: u32 = 12;
 
-/// A side of a shell and the rays that look into it.
-pub struct Looked {
+/// Side of a shell and the rays to trace in it.
+pub struct ShellRays {
     triangle: Triangle,
     side: f32,
-    looks: Row<Look>,
-    /// Those rays whose segments are not all searched, a bit for each, and those that are searched now.
+    looks: Row<ShellRay>,
+    /// Rays whose segments are not all searched, a bit for each, and rays that are searched now.
     rest: u16,
     searched: u16,
-    /// Those whose hit is the nearest so far.
+    /// Rays whose hit is the nearest so far.
     nearest: u16,
-    /// What all segments cost.
+    /// Cost of all segments.
     costs: [Row<u32>; 3],
     points: [Row<f32>; 2],
     at: EnteredBlock,
@@ -32,21 +32,21 @@ pub struct Looked {
     keys: Row<f32>,
 }
 
-/// Paths through several shells, searched side by side, and what they hit.
+/// Batch of paths through several shells, searched side by side, with their hits.
 #[derive(Default)]
-pub struct Gathered {
+pub struct PathBatch {
     count: usize,
-    /// Which rays they are of, by the number of the shell and the place there.
+    /// Ray of each path, by the number of the shell and the place there.
     of: Row<(usize, usize)>,
     paths: PathBlock,
     hits: HitBlock,
 }
 
-impl Looked {
-    /// A side of a triangle's shell, and at most a block of rays.
-    pub fn new(surface: &Ready, side: f32, looks: &[Look], seen: &mut SeenOfSurface) -> Self {
+impl ShellRays {
+    /// Creates a side of a triangle's shell with at most a block of rays.
+    pub fn new(surface: &Ready, side: f32, looks: &[ShellRay], seen: &mut RegionHits) -> Self {
         let mut points = [[0.0; BLOCK]; 2];
-        for (at, Look { block, place, .. }) in looks.iter().enumerate() {
+        for (at, ShellRay { block, place, .. }) in looks.iter().enumerate() {
             for (to, from) in points.iter_mut().zip(&seen.of(*block).points) {
                 to[at] = from[*place as usize];
             }
@@ -73,7 +73,7 @@ impl Looked {
         surface.program.enter_block(rays, *rest, lanes_for(*rest, lanes), at, paths);
     }
 
-    /// Goes on to the segments of a number. Says whether there are any.
+    /// Goes on to the segments with a number. Returns whether there are any.
     fn go_on(&mut self, surface: &Ready, number: u32, lanes: Lanes) -> bool {
         let Self { triangle, side, points, rest, searched, at, paths, .. } = self;
         *rest &= places_where(|place| at.segments[place] > number);
@@ -89,8 +89,8 @@ impl Looked {
         true
     }
 
-    /// Keeps what was hit on these segments where that is the nearest so far.
-    fn keep(&mut self, surface: &Ready, number: u32, lanes: Lanes, seen: &mut SeenOfSurface) {
+    /// Stores the hits on these segments that are the nearest so far.
+    fn keep(&mut self, surface: &Ready, number: u32, lanes: Lanes, seen: &mut RegionHits) {
         let Self { triangle, side, looks, searched, points, at, paths, hits, keys, .. } = self;
         for (sums, costs) in self.costs.iter_mut().zip(&hits.cost) {
             places(*searched).for_each(|place| sums[place] += costs[place]);
@@ -103,7 +103,7 @@ impl Looked {
         surface.program.meet_block(rays, found, lanes_for(found, lanes), (at, paths), hits, keys);
         let found = found & places_where(|place| hits.found[place] == 1);
         for from in places(found) {
-            let Look { triangle, block, place } = looks[from];
+            let ShellRay { triangle, block, place } = looks[from];
             let rank = (*side < 0.0, triangle);
             if seen.of(block).keep_of(place as usize, rank, *side, keys[from], (from, at, paths, hits)) {
                 self.nearest |= 1 << from;
@@ -114,15 +114,15 @@ impl Looked {
         }
     }
 
-    /// Tells what the search cost on all segments of those rays whose hit was kept, and is still: the other
-    /// side of the shell may have shown a nearer one since.
-    fn tell_costs(&self, seen: &mut SeenOfSurface) {
+    /// Stores the cost of all segments for rays whose hit is still the nearest. The other side of
+    /// the shell may have given a nearer one since.
+    fn store_costs(&self, seen: &mut RegionHits) {
         for from in places(self.nearest) {
-            let Look { triangle, block, place } = self.looks[from];
+            let ShellRay { triangle, block, place } = self.looks[from];
             let (seen, place) = (seen.of(block), place as usize);
             if seen.faces.rank[place] == (self.side < 0.0, triangle) {
-                for (told, costs) in seen.hits.cost.iter_mut().zip(&self.costs) {
-                    told[place] = costs[from];
+                for (cost, costs) in seen.hits.cost.iter_mut().zip(&self.costs) {
+                    cost[place] = costs[from];
                 }
             }
         }
@@ -130,64 +130,64 @@ impl Looked {
 }
 
 impl Ready<'_> {
-    /// Keeps what rays see of shells where that is the nearest so far.
+    /// Traces rays in several shells together and stores the hits that are the nearest so far.
     pub(super) fn look_together(
         &self,
-        looked: &mut [Looked],
-        gathered: &mut Gathered,
+        shell_rays: &mut [ShellRays],
+        batch: &mut PathBatch,
         lanes: Lanes,
-        seen: &mut SeenOfSurface,
+        seen: &mut RegionHits,
     ) {
-        for shell in looked.iter_mut() {
+        for shell in shell_rays.iter_mut() {
             shell.enter(self, lanes);
         }
         for number in 0.. {
             let mut is_any_left = false;
-            for shell in looked.iter_mut() {
+            for shell in shell_rays.iter_mut() {
                 is_any_left |= shell.go_on(self, number, lanes);
             }
             if !is_any_left {
                 break;
             }
-            self.search_together(looked, gathered, lanes);
-            for shell in looked.iter_mut() {
+            self.search_together(shell_rays, batch, lanes);
+            for shell in shell_rays.iter_mut() {
                 shell.keep(self, number, lanes, seen);
             }
         }
         // Tracers report the cost of finding the hit.
         if self.tracers.is_none() {
-            looked.iter().for_each(|shell| shell.tell_costs(seen));
+            shell_rays.iter().for_each(|shell| shell.store_costs(seen));
         }
     }
 
     /// Searches the segments of all rays that have one.
-    fn search_together(&self, looked: &mut [Looked], gathered: &mut Gathered, lanes: Lanes) {
-        for number in 0..looked.len() {
-            let Looked { searched, paths, hits, .. } = &mut looked[number];
+    fn search_together(&self, shell_rays: &mut [ShellRays], batch: &mut PathBatch, lanes: Lanes) {
+        for number in 0..shell_rays.len() {
+            let ShellRays { searched, paths, hits, .. } = &mut shell_rays[number];
             if searched.count_ones() >= NEARLY_ALL {
                 self.trace_block(paths, *searched, lanes, hits);
                 continue;
             }
             for place in places(*searched) {
-                gathered.paths.set(gathered.count, &looked[number].paths.get(place));
-                gathered.of[gathered.count] = (number, place);
-                gathered.count += 1;
-                if gathered.count == BLOCK {
-                    self.search_gathered(looked, gathered, lanes);
+                batch.paths.set(batch.count, &shell_rays[number].paths.get(place));
+                batch.of[batch.count] = (number, place);
+                batch.count += 1;
+                if batch.count == BLOCK {
+                    self.search_batch(shell_rays, batch, lanes);
                 }
             }
         }
-        if gathered.count > 0 {
-            self.search_gathered(looked, gathered, lanes);
+        if batch.count > 0 {
+            self.search_batch(shell_rays, batch, lanes);
         }
     }
 
-    fn search_gathered(&self, looked: &mut [Looked], gathered: &mut Gathered, lanes: Lanes) {
-        let Gathered { count, of, paths, hits } = gathered;
+    fn search_batch(&self, shell_rays: &mut [ShellRays], batch: &mut PathBatch, lanes: Lanes) {
+        let PathBatch { count, of, paths, hits } = batch;
         let which = u16::MAX >> (BLOCK - *count);
         self.trace_block(paths, which, lanes_for(which, lanes), hits);
         for (from, (number, place)) in of[..*count].iter().enumerate() {
-            looked[*number].hits.set(*place, &hits.get(from));
+            shell_rays[*number].hits.set(*place, &hits.get(from));
         }
         *count = 0;
     }

@@ -1,13 +1,13 @@
-//! What the points of a block see of a surface.
+//! Nearest hits of a block's rays on a surface.
 
 use relief_core::Lanes;
 use relief_shaders::cpu::{BLOCK, EnteredBlock, HitBlock, PathBlock, Row};
 
 use super::block::{Faces, places, places_where};
-use super::ready::{Met, Ready};
+use super::ready::{Ready, ReliefHit};
 use relief_core::raycast::tiles::{TileCaster, TileHit, TileHits};
 
-/// The tile that a block is in, where it was cast, and the numbers in it of the block's points.
+/// Tile of a block, its hits of base triangles, and the numbers of the block's points in the tile.
 #[derive(Clone, Copy)]
 pub struct Cast<'a> {
     pub caster: &'a TileCaster<'a>,
@@ -15,24 +15,24 @@ pub struct Cast<'a> {
     pub numbers: &'a Row<usize>,
 }
 
-/// What the points of a block see of a surface: the nearest hit of each that has one.
-pub struct Seen {
-    /// The points that have one, a bit for each.
+/// Nearest hits of a block's rays on a surface.
+pub struct BlockHits {
+    /// Points with a hit, a bit for each.
     pub which: u16,
-    /// What orders hits: the greater, the nearer.
+    /// Keys of the hits: the greater, the nearer.
     pub keys: Row<f32>,
     /// Columns and rows of the points in the picture.
     pub points: [Row<f32>; 2],
-    /// The triangles that are hit.
+    /// Triangles that are hit.
     pub faces: Faces,
-    /// Where rays come into the relief, on which paths, and what they hit.
+    /// Entries into the relief, paths through it, and hits.
     pub at: EnteredBlock,
     pub paths: PathBlock,
     pub hits: HitBlock,
 }
 
-impl Seen {
-    /// Nothing.
+impl BlockHits {
+    /// Creates a block without points and hits.
     pub fn new() -> Self {
         Self {
             which: 0,
@@ -45,13 +45,13 @@ impl Seen {
         }
     }
 
-    /// Nothing, of other points.
+    /// Removes all hits and sets other points.
     pub fn begin(&mut self, points: [Row<f32>; 2]) {
         (self.which, self.points) = (0, points);
     }
 
-    /// Keeps a polygon's hit if it is the nearest so far. Ties go to the least rank.
-    pub fn keep(&mut self, place: usize, rank: (bool, u32), side: f32, met: &Met) {
+    /// Stores a triangle's hit if it is the nearest so far. Ties go to the least rank.
+    pub fn keep(&mut self, place: usize, rank: (bool, u32), side: f32, met: &ReliefHit) {
         if self.is_nearest(place, rank, met.first.key) {
             self.put(place, rank, side, met.first.key);
             self.at.set(place, &met.at);
@@ -60,8 +60,8 @@ impl Seen {
         }
     }
 
-    /// The same of what a ray of another block meets, the one at the place `from` there; says whether it was
-    /// kept.
+    /// Stores a hit of another block, at the place `from` there, if it is the nearest so far.
+    /// Returns whether it was stored.
     pub fn keep_of(
         &mut self,
         place: usize,
@@ -92,26 +92,26 @@ impl Seen {
     }
 }
 
-/// What the blocks of a region see of one of some surfaces.
-pub struct SeenOfSurface<'a> {
-    /// What they see of all, block by block.
-    pub seen: &'a mut [Seen],
+/// Hits of a region's blocks on one surface among several.
+pub struct RegionHits<'a> {
+    /// Hits on all surfaces, block by block.
+    pub seen: &'a mut [BlockHits],
     pub surfaces: usize,
-    /// The number of the one.
+    /// Number of the surface.
     pub number: usize,
 }
 
-impl SeenOfSurface<'_> {
-    /// What a block sees.
-    pub fn of(&mut self, block: u32) -> &mut Seen {
+impl RegionHits<'_> {
+    /// Returns a block's hits on the surface.
+    pub fn of(&mut self, block: u32) -> &mut BlockHits {
         &mut self.seen[block as usize * self.surfaces + self.number]
     }
 }
 
 impl Ready<'_> {
-    /// What the points of a block that `which` has bits for see of the surface: the nearest hit of all base
-    /// polygons along each ray. These are cast for the tile that the block is in.
-    pub fn see_polygons(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut Seen) {
+    /// Finds the nearest hits on the surface for the points of a block whose bits `which` has.
+    /// `cast` holds the base triangles that the rays hit in the block's tile.
+    pub fn see_polygons(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut BlockHits) {
         let first = self.see_first(which, cast, lanes, seen);
         let Cast { caster, hits, numbers } = cast;
         for place in places(which).filter(|place| !hits.is_miss(numbers[*place])) {
@@ -131,9 +131,9 @@ impl Ready<'_> {
         }
     }
 
-    /// Of the first polygons, as far as these are known, what their first segments show. Returns the points
-    /// that were looked at.
-    fn see_first(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut Seen) -> u16 {
+    /// Traces the first segment in the first base triangle of each ray, if that is known. Returns
+    /// the points that were traced.
+    fn see_first(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut BlockHits) -> u16 {
         let mut first = 0;
         for place in places(which) {
             if let Some(TileHit { triangle, front, .. }) = cast.hits.first(cast.numbers[place]) {
@@ -142,7 +142,7 @@ impl Ready<'_> {
                 first |= 1 << place;
             }
         }
-        let Seen { keys, points, faces, at, paths, hits, .. } = seen;
+        let BlockHits { keys, points, faces, at, paths, hits, .. } = seen;
         faces.each(self, points, first, lanes, |rays, which, lanes| {
             self.program.enter_block(rays, which, lanes, at, paths);
         });
@@ -162,10 +162,10 @@ impl Ready<'_> {
         first
     }
 
-    /// What the ray of a point, whose first segment shows what is known, meets on the segments after that.
-    /// A hit on the first one is the nearest: what is cast in tiles are polygons, whose relief does not
+    /// Returns the hit of a point's ray on the segments after the first, which is traced already. A
+    /// hit on the first segment is the nearest: tiles cast base triangles, whose relief does not
     /// overlap itself.
-    fn after_first_segment(&self, seen: &Seen, place: usize) -> Option<Met> {
+    fn after_first_segment(&self, seen: &BlockHits, place: usize) -> Option<ReliefHit> {
         let is_hit = seen.hits.found[place] == 1;
         if is_hit || seen.at.segments[place] < 2 {
             return None;
