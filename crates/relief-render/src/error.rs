@@ -29,7 +29,8 @@ pub enum RenderError {
         /// Whether the CPU was taken because no GPU was found.
         no_gpu: bool,
     },
-    /// The images of an object are to be counted in a stencil buffer, which the CPU backend does not have.
+    /// The images of an object are counted in a stencil buffer, which the CPU backend does not
+    /// have.
     #[error(
         "surface {}: the CPU backend has no stencil buffer; set 'geometry.pass' to 'product', or choose a \
          GPU", surface + 1
@@ -42,7 +43,7 @@ pub enum RenderError {
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// There is not enough memory for the picture.
-    #[error("there is no memory for a picture of {width}x{height} pixels")]
+    #[error("there is not enough memory for a picture of {width}x{height} pixels; render a smaller one")]
     OutOfMemory {
         /// Columns.
         width: u32,

@@ -172,17 +172,18 @@ pub fn beside_m(scene: &Scene) -> f64 {
     let Some(ShadowMapNeeds { picture, beside, .. }) = ShadowMapNeeds::by(selections, scene.size()) else {
         return 0.0;
     };
-    // All of the scene, with room: directions of displacement are at most twice as long as normals.
+    // Bounds of the scene, with a margin: directions of displacement are at most twice as long as
+    // normals.
     let boxes = scene.surfaces().iter().map(|surface| {
         let map = surface.height_map();
-        let room = DVec3::splat(4.0 * (map.bias_m().abs() + map.scale_m().abs()));
+        let margin = DVec3::splat(4.0 * (map.bias_m().abs() + map.scale_m().abs()));
         let nothing = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         let [least, greatest] =
             surface.mesh().vertices().iter().fold(nothing, |[least, greatest], vertex| {
                 let at = vertex.position.as_dvec3();
                 [least.min(at), greatest.max(at)]
             });
-        [least - room, greatest + room]
+        [least - margin, greatest + margin]
     });
     let all = boxes.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
     let [least, greatest] = all.unwrap_or([DVec3::ZERO; 2]);
@@ -204,8 +205,8 @@ pub fn relief_points(surface: &JobSurface) -> impl Iterator<Item = DVec3> {
     let (bias, scale) = (settings.bias_m, settings.scale_m);
     let shell_m = [settings.shell_m.x, settings.shell_m.y];
     let (proposal, both) = (surface.selection.paths().proposal, surface.two_sided);
-    // Where no relief lies on triangles, their corners are enough; or what is known to be around these and
-    // others that were left out.
+    // Without relief on triangles, their corners are enough, or the points around these and culled
+    // ones.
     let around = surface.triangles.around();
     let has_shells = proposal == Proposal::Shells;
     let (bare, count) = match surface.selection.paths().has_relief() || has_shells {

@@ -13,9 +13,9 @@ const LEAST_UPRIGHT: f32 = 0.05;
 
 /// A colour or normal map, with or without coarser mip levels.
 ///
-/// Normal maps have two layers in their coarser levels. Of the normals `n` and the slopes `s` (`n`
-/// is `(-sx, -sy, 1) nz`) in a texel's area they are the means `(nx, ny, nz, sx)` and `(sx² nz, sx
-/// sy nz, sy² nz, sy)`, from which follows how they look from the side.
+/// Normal maps have two layers in their coarser levels. Normals are `n` and slopes `s`, with `n =
+/// (-sx, -sy, 1) nz`. The layers are the means `(nx, ny, nz, sx)` and `(sx² nz, sx sy nz, sy² nz,
+/// sy)` over a texel's area. From these follows how the normals look from the side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mipmaps {
     size: [u32; 2],

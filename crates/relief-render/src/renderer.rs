@@ -117,8 +117,8 @@ impl Renderer {
         Self { backend, reason: None, preparer: Preparer::default() }
     }
 
-    /// Sets the SIMD width of the CPU backend. Default: the widest that the machine has. Pictures have the
-    /// same bits.
+    /// Sets the SIMD width of the CPU backend. Default: the widest that the machine has. Pictures
+    /// have the same bits for all widths. On a GPU it does nothing.
     pub fn set_lanes(&mut self, lanes: Lanes) {
         match &mut self.backend {
             #[cfg(feature = "gpu")]
@@ -287,7 +287,8 @@ impl Renderer {
 ///
 /// # Errors
 ///
-/// When a baked map cannot be provided, the backend is not available or fails, or the work is cancelled.
+/// When a baked map cannot be provided, the backend is not available or fails, or the work is
+/// cancelled.
 pub fn render(scene: &Scene, maps: &mut Maps, watch: &Watch) -> Result<Rendered, RenderError> {
     Renderer::new(scene.backend(), scene.sampling())?.render(scene, maps, watch)
 }

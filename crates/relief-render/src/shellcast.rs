@@ -299,7 +299,7 @@ struct Test<'a> {
     at: &'a mut Row<f32>,
 }
 
-/// The parts of rays in slabs.
+/// Parts of rays in slabs.
 struct Inside<'a> {
     rays: &'a BlockRays,
     entry: Row<f32>,

@@ -19,7 +19,8 @@ const HIDDEN: f32 = 0.2;
 /// distance, edges on inclined surfaces are broken.
 const SLACK: f64 = 4.0;
 
-/// Least depth of a point that is drawn, as a part of the farthest one's depth. None lies behind the eye.
+/// Least depth of a drawn point, as a part of the greatest depth. No drawn point lies behind the
+/// eye.
 const LEAST_DEPTH: f64 = 1e-6;
 
 /// Margin around the picture in which lines begin and end, in pixels.
@@ -29,7 +30,7 @@ const BESIDE: f64 = 2.0;
 /// renderer.
 ///
 /// Lines are a pixel wide and fade to both sides. They are faint behind the visible surface, by the
-/// depth along the view axis. Edges are those of the flat base triangles: where the relief rises
+/// depth along the view axis. The edges belong to the flat base triangles: where the relief rises
 /// above its base, they lie behind it.
 ///
 /// ```
@@ -88,7 +89,7 @@ impl View<'_> {
         self.camera.forward().dot(point - self.camera.eye())
     }
 
-    /// The line of an edge, as far as it lies at that depth or deeper and in the picture.
+    /// Returns the line of an edge, clipped to the picture and to depths of at least `least`.
     fn line(&self, ends: [DVec3; 2], least: f64) -> Option<Line> {
         let (ends, depths) = in_front(ends, ends.map(|end| self.depth(end)), least)?;
         let camera = self.camera;
@@ -109,7 +110,7 @@ impl View<'_> {
     }
 }
 
-/// The part of an edge that lies at that depth or deeper, with the depths of its ends.
+/// Returns the part of an edge at depths of at least `least`, with the depths of its ends.
 fn in_front(ends: [DVec3; 2], depths: [f64; 2], least: f64) -> Option<([DVec3; 2], [f64; 2])> {
     if depths[0].max(depths[1]) <= least {
         return None;
@@ -126,8 +127,8 @@ fn in_front(ends: [DVec3; 2], depths: [f64; 2], least: f64) -> Option<([DVec3; 2
 }
 
 impl Line {
-    /// The part of it in a picture of that size and a little beside it (Liang and Barsky 1984, *A new concept
-    /// and method for line clipping*).
+    /// Returns the part of the line in a picture of a size, with a margin (Liang and Barsky 1984,
+    /// *A new concept and method for line clipping*).
     fn within(self, size: DVec2) -> Option<Self> {
         let [from, to] = self.ends;
         let along = to - from;
@@ -159,8 +160,8 @@ impl Line {
         self.depths[0] + (self.depths[1] - self.depths[0]) * part
     }
 
-    /// The columns, as numbers, between which the centres of a row may lie nearer than a pixel to it; `y` is
-    /// the row's middle.
+    /// Returns the range of columns in which pixel centres of a row may lie nearer than a pixel to
+    /// the line. `y` is the row's middle.
     fn columns(&self, y: f64) -> [f64; 2] {
         let [from, to] = self.ends;
         let fall = to.y - from.y;
@@ -170,7 +171,8 @@ impl Line {
         [a.min(b) - 1.0, a.max(b) + 1.0]
     }
 
-    /// The place on it that is nearest to a point, as a part of its length, and its distance.
+    /// Returns the point of the line nearest to `point`, as a part of its length, and the distance
+    /// in pixels.
     fn nearest(&self, point: DVec2) -> (f64, f64) {
         let along = self.ends[1] - self.ends[0];
         let square = along.length_squared();

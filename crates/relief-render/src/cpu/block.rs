@@ -5,7 +5,7 @@ use relief_core::exact::{HitPacket, PathPacket};
 pub use relief_shaders::cpu::places;
 use relief_shaders::cpu::{BLOCK, Hit, HitBlock, PathBlock, Row, TriangleRays};
 
-use super::ready::Ready;
+use super::prepared_surface::PreparedSurface;
 
 /// Points along a side of a block.
 pub const BLOCK_SIDE: usize = 4;
@@ -45,7 +45,7 @@ impl Faces {
     /// width.
     pub fn each(
         &self,
-        surface: &Ready,
+        surface: &PreparedSurface,
         points: &[Row<f32>; 2],
         which: u16,
         lanes: Lanes,
@@ -63,7 +63,7 @@ impl Faces {
     }
 }
 
-impl Ready<'_> {
+impl PreparedSurface<'_> {
     /// Traces the paths that `which` has bits for.
     pub fn trace_block(&self, paths: &PathBlock, which: u16, lanes: Lanes, hits: &mut HitBlock) {
         if self.tracers.is_none() {

@@ -4,7 +4,7 @@ use relief_core::Lanes;
 use relief_shaders::cpu::{BLOCK, EnteredBlock, HitBlock, PathBlock, Row};
 
 use super::block::{Faces, places, places_where};
-use super::ready::{Ready, ReliefHit};
+use super::prepared_surface::{PreparedSurface, ReliefHit};
 use relief_core::raycast::tiles::{TileCaster, TileHit, TileHits};
 
 /// Tile of a block, its hits of base triangles, and the numbers of the block's points in the tile.
@@ -108,7 +108,7 @@ impl RegionHits<'_> {
     }
 }
 
-impl Ready<'_> {
+impl PreparedSurface<'_> {
     /// Finds the nearest hits on the surface for the points of a block whose bits `which` has.
     /// `cast` holds the base triangles that the rays hit in the block's tile.
     pub fn see_polygons(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut BlockHits) {

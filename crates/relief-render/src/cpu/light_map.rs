@@ -5,9 +5,9 @@ use relief_core::encoding::code::Codes;
 use relief_core::{BakedMap, Lanes, MapFormat, MapIdentity, MapLayout, MapTexels};
 use relief_shaders::cpu::Frame;
 
-use super::ready::{Acceleration, Ready};
+use super::prepared_surface::{Acceleration, PreparedSurface};
 use super::tiled::{Tiled, VisibleBlock};
-use super::{CpuError, Done};
+use super::{CpuError, Progress};
 use crate::job::{Job, JobSurface};
 use crate::samples::Sample;
 
@@ -34,18 +34,20 @@ impl LightMap {
         job: &Job,
         accelerations: &[Acceleration],
         lanes: Lanes,
-        done: &Done,
+        done: &Progress,
     ) -> Result<Self, CpuError> {
         let views = &job.light_views;
         let side = views.size as usize;
         let count = side.checked_mul(side).and_then(|area| area.checked_mul(views.frames.len()));
         let mut keys = Vec::new();
-        let room = count.and_then(|count| keys.try_reserve_exact(count).ok().map(|()| count));
-        keys.resize(room.ok_or(CpuError::OutOfMemory)?, 0.0f32);
+        let reserved = count.and_then(|count| keys.try_reserve_exact(count).ok().map(|()| count));
+        keys.resize(reserved.ok_or(CpuError::OutOfMemory)?, 0.0f32);
         for (layer, frame) in keys.chunks_exact_mut((side * side).max(1)).zip(&views.frames) {
             let surfaces = job.surfaces.iter().zip(accelerations);
-            let ready: Vec<Ready> = surfaces
-                .map(|(surface, acceleration)| Ready::new(surface, *frame, None, acceleration.clone()))
+            let ready: Vec<PreparedSurface> = surfaces
+                .map(|(surface, acceleration)| {
+                    PreparedSurface::new(surface, *frame, None, acceleration.clone())
+                })
                 .collect();
             let tiled = Tiled::new(&ready, &[Sample::CENTRE], [views.size; 2], lanes);
             let keys = |seen: &VisibleBlock, put: &mut dyn FnMut(usize, f32)| {

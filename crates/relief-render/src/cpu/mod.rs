@@ -12,7 +12,7 @@ use relief_shaders::surface::Proposal;
 
 use self::block::{places, places_where};
 use self::light_map::LightMap;
-use self::ready::{Acceleration, Base, Ready, SceneRays, caster};
+use self::prepared_surface::{Acceleration, Base, PreparedSurface, SceneRays, caster};
 use self::tessellated::TessellatedCache;
 use self::tiled::{Tiled, VisibleBlock};
 use crate::frame_cache::{cached, cached_where};
@@ -25,7 +25,7 @@ use relief_core::raycast::RayCaster;
 mod block;
 mod block_hits;
 mod light_map;
-mod ready;
+mod prepared_surface;
 mod shading;
 mod shells;
 pub(crate) mod tessellated;
@@ -34,8 +34,8 @@ mod tiled;
 /// Pixels of a band of rows: enough work for all cores, and little memory.
 const BAND_PIXELS: u32 = 1 << 18;
 
-/// Creates `count` pixels that nothing covers, or `None` without the memory. All cores write them, since the
-/// first touch of memory takes time.
+/// Creates `count` pixels that no surface covers, or `None` without the memory. All cores write
+/// them, since the first touch of memory takes time.
 fn all_uncovered(count: usize) -> Option<Vec<PixelOut>> {
     let mut pixels = Vec::new();
     pixels.try_reserve_exact(count).ok()?;
@@ -48,7 +48,7 @@ fn all_uncovered(count: usize) -> Option<Vec<PixelOut>> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CpuError {
     /// There is not enough memory for the picture or for its shadow maps.
-    #[error("there is no memory for the picture")]
+    #[error("there is not enough memory for the picture; render a smaller one")]
     OutOfMemory,
     /// The rendering was cancelled.
     #[error(transparent)]
@@ -90,11 +90,11 @@ impl CpuRenderer {
         let count = (job.width as usize).checked_mul(job.height as usize);
         let mut pixels = count.and_then(all_uncovered).ok_or(CpuError::OutOfMemory)?;
         let samples = samples(job.samples, true);
-        let done = Done::of(job, watch);
+        let done = Progress::of(job, watch);
         let job = &*self.tessellated.job(job);
         let accelerations = self.accelerations(job);
-        let lit = self.lit(job, &accelerations, &done)?;
-        lit.rows(job, &samples, 0).render(&mut pixels, &done)?;
+        let prepared = self.prepare(job, &accelerations, &done)?;
+        prepared.rows(job, &samples, 0).render(&mut pixels, &done)?;
         Ok(Rendering { width: job.width, height: job.height, pixels })
     }
 
@@ -113,16 +113,16 @@ impl CpuRenderer {
         sink: &mut dyn FnMut(&[PixelOut]) -> Result<(), Cancelled>,
     ) -> Result<(), CpuError> {
         let samples = samples(job.samples, numbers);
-        let done = Done::of(job, watch);
+        let done = Progress::of(job, watch);
         let job = &*self.tessellated.job(job);
         let accelerations = self.accelerations(job);
-        let lit = self.lit(job, &accelerations, &done)?;
+        let prepared = self.prepare(job, &accelerations, &done)?;
         let rows = (BAND_PIXELS / job.width.max(1)).clamp(1, job.height.max(1));
         let mut pixels = all_uncovered(job.width as usize * rows as usize).ok_or(CpuError::OutOfMemory)?;
         for first in (0..job.height).step_by(rows as usize) {
             let rows = rows.min(job.height - first);
             let pixels = &mut pixels[..job.width as usize * rows as usize];
-            lit.rows(job, &samples, first).render(pixels, &done)?;
+            prepared.rows(job, &samples, first).render(pixels, &done)?;
             watch.check()?;
             sink(pixels)?;
         }
@@ -172,12 +172,12 @@ impl CpuRenderer {
     }
 
     /// Prepares the surfaces for the job's frame. Shadow maps are rendered unless they are cached.
-    fn lit<'a>(
+    fn prepare<'a>(
         &'a mut self,
         job: &'a Job,
         accelerations: &[Acceleration],
-        done: &Done,
-    ) -> Result<Lit<'a>, CpuError> {
+        done: &Progress,
+    ) -> Result<PreparedScene<'a>, CpuError> {
         if job.light_views.frames.is_empty() {
             self.light_map = None;
         } else if !self.light_map.as_ref().is_some_and(|known| known.is_of(job)) {
@@ -189,22 +189,23 @@ impl CpuRenderer {
         }
         let light_map = self.light_map.as_ref().map(|lights| &lights.map);
         let each = job.surfaces.iter().zip(accelerations);
-        let surfaces = each
-            .map(|(surface, acceleration)| Ready::new(surface, job.frame, light_map, acceleration.clone()));
+        let surfaces = each.map(|(surface, acceleration)| {
+            PreparedSurface::new(surface, job.frame, light_map, acceleration.clone())
+        });
         let needs_scene = |surface: &JobSurface| surface.selection.rays_through_scene().is_some();
         let scene = job.surfaces.iter().any(needs_scene).then(|| SceneRays::new(job, accelerations));
-        Ok(Lit { surfaces: surfaces.collect(), scene, lanes: self.lanes })
+        Ok(PreparedScene { surfaces: surfaces.collect(), scene, lanes: self.lanes })
     }
 }
 
 /// Progress of a job, in rows.
-struct Done<'a> {
+struct Progress<'a> {
     rows: AtomicU32,
     all: u32,
     watch: &'a Watch<'a>,
 }
 
-impl<'a> Done<'a> {
+impl<'a> Progress<'a> {
     fn of(job: &Job, watch: &'a Watch<'a>) -> Self {
         Self { rows: AtomicU32::new(0), all: job.height.saturating_add(light_map::rows(job)), watch }
     }
@@ -222,14 +223,14 @@ impl<'a> Done<'a> {
 }
 
 /// Surfaces of a picture, and the geometry that may block their lights.
-struct Lit<'a> {
-    surfaces: Vec<Ready<'a>>,
+struct PreparedScene<'a> {
+    surfaces: Vec<PreparedSurface<'a>>,
     /// The whole scene, if shadow rays go through all of it.
     scene: Option<SceneRays<'a>>,
     lanes: Lanes,
 }
 
-impl<'a> Lit<'a> {
+impl<'a> PreparedScene<'a> {
     fn rows(&'a self, job: &'a Job, samples: &'a [Sample], first: u32) -> Rows<'a> {
         let tiled = Tiled::new(&self.surfaces, samples, [job.width, job.height], self.lanes);
         let (scene, lanes) = (self.scene.as_ref(), self.lanes);
@@ -241,7 +242,7 @@ impl<'a> Lit<'a> {
 struct Rows<'a> {
     tiled: Tiled<'a>,
     samples: &'a [Sample],
-    surfaces: &'a [Ready<'a>],
+    surfaces: &'a [PreparedSurface<'a>],
     scene: Option<&'a SceneRays<'a>>,
     first: u32,
     lanes: Lanes,
@@ -249,7 +250,7 @@ struct Rows<'a> {
 
 impl Rows<'_> {
     /// Renders the rows into `pixels`.
-    fn render(&self, pixels: &mut [PixelOut], done: &Done) -> Result<(), Cancelled> {
+    fn render(&self, pixels: &mut [PixelOut], done: &Progress) -> Result<(), Cancelled> {
         let look = |seen: &VisibleBlock, put: &mut dyn FnMut(usize, PixelOut)| self.shade(seen, put);
         self.tiled.each(pixels, self.first, done, look, |pixel, number, shown| {
             *pixel = match (self.surfaces.first(), self.samples) {

@@ -9,12 +9,12 @@ use relief_shaders::{LightRayState, MAX_LIGHTS};
 
 use super::block::{places, places_where};
 use super::block_hits::BlockHits;
-use super::ready::{Aim, Ready, SceneRays};
+use super::prepared_surface::{Aim, PreparedSurface, SceneRays};
 
 /// Share of each light that arrives, from 0 to 1.
 type Visible = [Row<f32>; MAX_LIGHTS];
 
-impl Ready<'_> {
+impl PreparedSurface<'_> {
     /// Shades the points whose bits `which` has, and calls `put` with each. `scene` is the geometry
     /// that may block lights, if shadow rays go through all of it.
     pub fn shade(
@@ -112,7 +112,8 @@ impl Ready<'_> {
             let direction = three(toward.direction);
             let way = toward.distance.min(scene.reach_m);
             let [origin, direction] = [end + direction * way, -direction].map(|v| v.to_array().into());
-            let is_hidden = |surface: &Ready| surface.hides(Aim { origin, direction }, way - self.shorter_m);
+            let is_hidden =
+                |surface: &PreparedSurface| surface.hides(Aim { origin, direction }, way - self.shorter_m);
             !scene.surfaces.iter().any(is_hidden)
         };
         (0..count).filter(is_lit).count() as f32 / count as f32

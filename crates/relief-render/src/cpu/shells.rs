@@ -12,7 +12,7 @@ use relief_shaders::cpu::{BLOCK, Row};
 
 use self::shell_rays::{PathBatch, ShellRays};
 use super::block_hits::RegionHits;
-use super::ready::{Base, Ready};
+use super::prepared_surface::{Base, PreparedSurface};
 use super::tiled::Points;
 use crate::shellcast::{BlockRays, ShellCaster};
 use relief_core::raycast::Sides;
@@ -93,7 +93,7 @@ impl Block {
     }
 }
 
-impl Ready<'_> {
+impl PreparedSurface<'_> {
     /// Finds the nearest hits of a region's rays on the surface, if it has shells.
     pub(super) fn see_shells(
         &self,

@@ -4,10 +4,10 @@ use rayon::prelude::*;
 use relief_core::{Cancelled, Lanes};
 use relief_shaders::cpu::{BLOCK, Row};
 
-use super::Done;
+use super::Progress;
 use super::block::{BLOCK_SIDE, places, places_where};
 use super::block_hits::{BlockHits, Cast, RegionHits};
-use super::ready::Ready;
+use super::prepared_surface::PreparedSurface;
 use super::shells::Shells;
 use crate::samples::Sample;
 use relief_core::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHits};
@@ -33,7 +33,7 @@ const LEAST_PIECES: u32 = 4;
 pub struct Tiled<'a> {
     size: [u32; 2],
     samples: &'a [Sample],
-    surfaces: Vec<(&'a Ready<'a>, Option<TileCaster<'a>>)>,
+    surfaces: Vec<(&'a PreparedSurface<'a>, Option<TileCaster<'a>>)>,
     lanes: Lanes,
 }
 
@@ -68,7 +68,12 @@ pub struct VisibleBlock<'a> {
 
 impl<'a> Tiled<'a> {
     /// Creates the casters by tiles of all surfaces, for a picture of the given columns and rows.
-    pub fn new(surfaces: &'a [Ready<'a>], samples: &'a [Sample], size: [u32; 2], lanes: Lanes) -> Self {
+    pub fn new(
+        surfaces: &'a [PreparedSurface<'a>],
+        samples: &'a [Sample],
+        size: [u32; 2],
+        lanes: Lanes,
+    ) -> Self {
         let surfaces = surfaces.iter().map(|surface| (surface, surface.tiles(size, lanes)));
         Self { size, samples, surfaces: surfaces.collect(), lanes }
     }
@@ -80,7 +85,7 @@ impl<'a> Tiled<'a> {
         &self,
         pixels: &mut [P],
         first: u32,
-        done: &Done,
+        done: &Progress,
         look: impl Fn(&VisibleBlock, &mut dyn FnMut(usize, V)) + Sync,
         show: impl Fn(&mut P, usize, V) + Sync,
     ) -> Result<(), Cancelled> {
@@ -125,7 +130,7 @@ impl<'a> Tiled<'a> {
         &self,
         area: Area,
         scratch: &mut Scratch,
-        done: &Done,
+        done: &Progress,
         mut show: impl FnMut(&Points, usize, &VisibleBlock),
     ) -> Result<(), Cancelled> {
         let Scratch { bins, hits, points, seen, shells } = scratch;
@@ -248,7 +253,7 @@ mod tests {
     use relief_shaders::cpu::{Frame, SurfaceSettings};
     use relief_shaders::{Selection, SlotMaps};
 
-    use super::super::ready::picture_rays;
+    use super::super::prepared_surface::picture_rays;
     use super::*;
     use crate::job::JobSurface;
 

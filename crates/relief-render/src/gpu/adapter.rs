@@ -1,4 +1,4 @@
-//! The choice of a GPU.
+//! Choice of a GPU.
 
 #[cfg(not(target_arch = "wasm32"))]
 use std::sync::OnceLock;
@@ -8,7 +8,7 @@ use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, Insta
 use super::GpuError;
 use super::tessellate::STORAGE_BUFFERS;
 
-/// Which of the machine's adapters may be used.
+/// Kind of adapter to use among the machine's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum AdapterChoice {
     /// A hardware adapter: discrete, integrated or virtual, in that order. Never a software one.
@@ -21,7 +21,8 @@ pub enum AdapterChoice {
 }
 
 impl AdapterChoice {
-    /// The place of a kind of adapter in the order of preference; none where it is not wanted.
+    /// Returns the place of a kind of adapter in the order of preference, or `None` if it is not
+    /// wanted.
     fn rank(self, kind: DeviceType) -> Option<u32> {
         let rank = match kind {
             DeviceType::DiscreteGpu => 0,
@@ -38,7 +39,7 @@ impl AdapterChoice {
         wanted.then_some(rank)
     }
 
-    /// The best adapter of that kind.
+    /// Finds the best adapter of the kind.
     pub(super) async fn find(self) -> Result<Adapter, GpuError> {
         let adapters = instance().enumerate_adapters(Backends::all()).await;
         let found = adapters.iter().map(|adapter| described(&adapter.get_info())).collect();
@@ -51,7 +52,7 @@ impl AdapterChoice {
     }
 }
 
-/// The way to the machine's drivers. There is one a process: some drivers crash where several threads load
+/// Returns the `wgpu` instance. There is one a process: some drivers crash if several threads load
 /// and unload them at once (NVIDIA's on Linux), and loading takes long.
 #[cfg(not(target_arch = "wasm32"))]
 fn instance() -> &'static Instance {
@@ -59,7 +60,7 @@ fn instance() -> &'static Instance {
     INSTANCE.get_or_init(new_instance)
 }
 
-/// The way to the browser's GPU, which has one thread.
+/// Returns a new `wgpu` instance. A browser has one thread.
 #[cfg(target_arch = "wasm32")]
 fn instance() -> Instance {
     new_instance()
@@ -72,7 +73,7 @@ fn new_instance() -> Instance {
     })
 }
 
-/// Name, backend and driver in one line.
+/// Describes an adapter in one line: name, backend and driver.
 pub(super) fn described(info: &AdapterInfo) -> String {
     let driver = [info.driver.as_str(), info.driver_info.as_str()].map(str::trim);
     let driver: Vec<&str> = driver.into_iter().filter(|part| !part.is_empty()).collect();
@@ -80,8 +81,8 @@ pub(super) fn described(info: &AdapterInfo) -> String {
     format!("{} ({}{driver})", info.name.trim(), info.backend)
 }
 
-/// What is asked of the device: WebGPU's reduced defaults, and room for maps and meshes as large as the
-/// adapter takes.
+/// Returns the limits to request: WebGPU's reduced defaults, with the adapter's own sizes of
+/// textures and buffers.
 pub(super) fn limits(adapter: &Adapter) -> Limits {
     let (has, reduced) = (adapter.limits(), Limits::downlevel_defaults());
     Limits {
@@ -94,21 +95,22 @@ pub(super) fn limits(adapter: &Adapter) -> Limits {
     }
 }
 
-/// Pixels of a band of rows, which is traced, shaded and read back at once: 24 MiB of records. Larger, and
-/// slow adapters may take so long that the system resets them; smaller, and the mesh is drawn more often than
-/// need be.
+/// Pixels of a band of rows, which is traced, shaded and read back at once: 24 MiB of records. With
+/// larger bands, slow adapters may take so long that the system resets them. With smaller ones, the
+/// mesh is drawn more often.
 pub(super) const BAND_PIXELS: u32 = 1 << 18;
 
-/// Pixels of a band on a graphics card: 96 MiB of records. Each band waits for the one before. With smaller
-/// bands that takes a tenth of a fast card's frame.
+/// Pixels of a band on a graphics card: 96 MiB of records. Each band waits for the one before. With
+/// smaller bands, waiting takes a tenth of a fast card's frame.
 const CARD_BAND_PIXELS: u32 = 1 << 20;
 
-/// Pixels of a band on an adapter of that kind.
+/// Returns the pixels of a band on an adapter of a kind.
 pub(super) fn band_pixels(kind: DeviceType) -> u32 {
     if kind == DeviceType::DiscreteGpu { CARD_BAND_PIXELS } else { BAND_PIXELS }
 }
 
-/// What fast sampling, times of passes and stencil buffers need, where the adapter has it.
+/// Returns the features to request, if the adapter has them: for fast sampling, times of passes and
+/// stencil buffers.
 pub(super) fn features(adapter: &Adapter) -> Features {
     let wanted = Features::FLOAT32_FILTERABLE | Features::TIMESTAMP_QUERY | Features::DEPTH32FLOAT_STENCIL8;
     adapter.features() & wanted

@@ -1,4 +1,4 @@
-//! A GPU that is ready to work, and the few things that every task does with it.
+//! Device and queue of a GPU, with buffers, transfers and error handling.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -11,7 +11,7 @@ use super::textures::STAGING_BYTES;
 use super::wait::{block_on, promise};
 use super::{AdapterChoice, GpuError, adapter};
 
-/// A GPU: a device and its queue. Clones share them.
+/// GPU with an open device and its queue. Clones share them.
 #[derive(Clone, Debug)]
 pub struct Gpu {
     device: wgpu::Device,
@@ -19,13 +19,14 @@ pub struct Gpu {
     description: String,
     filters_f32: bool,
     band_pixels: u32,
-    /// What the driver reports outside of any call; nothing of a device that a caller keeps handlers of.
+    /// Errors that the driver reported outside of any call; `None` for a caller's own device, whose
+    /// handlers the caller keeps.
     troubles: Option<Arc<Mutex<Troubles>>>,
     uploaded: Arc<AtomicU64>,
     built: Arc<AtomicU64>,
 }
 
-/// What the driver reported outside of any call.
+/// Errors that the driver reported outside of any call.
 #[derive(Debug, Default)]
 struct Troubles {
     lost: Option<String>,
@@ -37,7 +38,8 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl Gpu {
-    /// Opens the best adapter of a kind. Waits for it, which the web does not allow: see [`Self::open`].
+    /// Opens the best adapter of a kind, and waits for it. The web does not allow waiting: use
+    /// [`Self::open`] there.
     ///
     /// # Errors
     ///
@@ -79,11 +81,13 @@ impl Gpu {
         Ok(Self { band_pixels, troubles: Some(troubles), ..gpu })
     }
 
-    /// A device and queue of the caller's own, who keeps his own error handlers: errors of what is done here
-    /// are caught, and given as results. `name` is how errors call it.
+    /// Wraps a device and queue of the caller, whose error handlers stay. Errors of Relief's own
+    /// commands are caught and returned as results. `name` describes the device in errors and
+    /// reports.
     ///
-    /// Any limits will do that hold WebGPU's reduced ones, `Limits::downlevel_defaults()`. With the feature
-    /// `FLOAT32_FILTERABLE` fast sampling reads maps in 32-bit floats, without in 16-bit ones.
+    /// The device's limits must be at least WebGPU's reduced ones, `Limits::downlevel_defaults()`.
+    /// With the feature `FLOAT32_FILTERABLE`, fast sampling reads maps in 32-bit floats, without it
+    /// in 16-bit floats.
     pub fn of_device(device: wgpu::Device, queue: wgpu::Queue, name: &str) -> Self {
         Self {
             filters_f32: device.features().contains(wgpu::Features::FLOAT32_FILTERABLE),
@@ -97,17 +101,17 @@ impl Gpu {
         }
     }
 
-    /// The adapter's name, its backend and its driver.
+    /// Returns the adapter's name, its backend and its driver.
     pub fn description(&self) -> &str {
         &self.description
     }
 
-    /// The device.
+    /// Returns the device.
     pub fn device(&self) -> &wgpu::Device {
         &self.device
     }
 
-    /// The device's queue.
+    /// Returns the device's queue.
     pub fn queue(&self) -> &wgpu::Queue {
         &self.queue
     }
@@ -117,33 +121,33 @@ impl Gpu {
         self.filters_f32
     }
 
-    /// Pixels of a picture that are traced, shaded and read back at once.
+    /// Returns the number of pixels that are traced, shaded and read back at once.
     pub(super) fn band_pixels(&self) -> u32 {
         self.band_pixels
     }
 
-    /// Bytes uploaded so far, by all clones.
+    /// Returns the bytes uploaded so far, by all clones.
     pub(super) fn uploaded(&self) -> u64 {
         self.uploaded.load(Ordering::Relaxed)
     }
 
-    /// Counts bytes that are uploaded.
+    /// Counts uploaded bytes.
     pub(super) fn count(&self, bytes: usize) {
         self.uploaded.fetch_add(bytes as u64, Ordering::Relaxed);
     }
 
-    /// Baked maps built here so far, by all clones.
+    /// Returns the number of baked maps built on the GPU so far, by all clones.
     pub(super) fn built(&self) -> u64 {
         self.built.load(Ordering::Relaxed)
     }
 
-    /// Counts a baked map that is built.
+    /// Counts a baked map built on the GPU.
     pub(super) fn count_built(&self) {
         self.built.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// Runs commands and turns whatever the driver says of them into an error: lack of memory first, then a
-    /// loss of the device, as other errors follow from both, then the first refusal.
+    /// Runs commands and returns the driver's errors. Lack of memory comes first, then a loss of
+    /// the device, because other errors follow from both. The first refused command comes last.
     pub(super) async fn guarded<T>(&self, work: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
         self.check()?;
         let refused = self.device.push_error_scope(ErrorFilter::Validation);
@@ -167,7 +171,7 @@ impl Gpu {
         }
     }
 
-    /// The error that was reported since the last call, if any. A loss stays.
+    /// Returns the error that was reported since the last call, if any. A lost device stays lost.
     fn check(&self) -> Result<(), GpuError> {
         let Some(troubles) = &self.troubles else { return Ok(()) };
         let mut troubles = locked(troubles);
@@ -177,7 +181,7 @@ impl Gpu {
         troubles.stray.take().map_or(Ok(()), Err)
     }
 
-    /// Waits until the GPU has done all that it was given. On the web nothing is waited for.
+    /// Waits until the GPU has finished all submitted work. On the web it returns at once.
     pub(super) fn wait(&self) -> Result<(), GpuError> {
         // wgpu panics here when the driver reports a loss; its message is all that is known then.
         let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(PollType::wait_indefinitely())));
@@ -195,13 +199,13 @@ impl Gpu {
         }
     }
 
-    /// Hands over what was written so far, so that its staging memory can be used again.
+    /// Submits all writes so far, so that their staging memory can be reused.
     pub(super) fn flush(&self) -> Result<(), GpuError> {
         self.queue.submit([]);
         self.wait()
     }
 
-    /// Refuses a texture that the adapter cannot hold.
+    /// Fails if a texture is larger than the adapter takes.
     pub(super) fn check_texture(
         &self,
         what: &'static str,
@@ -214,13 +218,13 @@ impl Gpu {
         Ok(())
     }
 
-    /// The most values of `bytes` bytes each that a storage buffer holds.
+    /// Returns the number of values of `bytes` bytes each that a storage buffer holds at most.
     pub(super) fn storage_capacity(&self, bytes: usize) -> u64 {
         let limits = self.device.limits();
         limits.max_storage_buffer_binding_size.min(limits.max_buffer_size) / bytes as u64
     }
 
-    /// An empty buffer.
+    /// Creates an empty buffer.
     pub(super) fn buffer(&self, label: &str, bytes: u64, usage: BufferUsages) -> Buffer {
         let label = Some(label);
         self.device.create_buffer(&BufferDescriptor { label, size: bytes, usage, mapped_at_creation: false })
@@ -232,7 +236,8 @@ impl Gpu {
         self.queue.write_buffer(buffer, offset, bytes);
     }
 
-    /// A buffer of values. It holds one value of zeros when there are none, because buffers cannot be empty.
+    /// Creates a buffer of values. Without values it holds one of zeros, because buffers cannot be
+    /// empty.
     pub(super) fn filled<T: Shared>(
         &self,
         label: &str,
@@ -251,7 +256,7 @@ impl Gpu {
         Ok(buffer)
     }
 
-    /// Waits for the first bytes of a buffer and shows them to `each`.
+    /// Reads the first bytes of a buffer, waits for them, and calls `each` with them.
     pub(super) async fn read(
         &self,
         buffer: &Buffer,

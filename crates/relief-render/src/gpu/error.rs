@@ -1,30 +1,31 @@
-//! What can go wrong on a GPU.
+//! Errors of the GPU backend.
 
 use relief_core::Cancelled;
 use relief_shaders::shadow::of_light_views;
 
 use super::AdapterChoice;
 
-/// Why the GPU gave no result.
+/// Reason why the GPU gave no result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GpuError {
     /// The machine has no adapter of the wanted kind.
     #[error("{}{}", no_adapter(*.wanted), seen(.found))]
     NoAdapter {
-        /// What was asked for.
+        /// Kind of adapter that was asked for.
         wanted: AdapterChoice,
-        /// The adapters that there are, of other kinds.
+        /// Adapters of other kinds that were found.
         found: Vec<String>,
     },
-    /// The adapter is there and refuses to work.
+    /// The adapter was found, and its driver refused to open a device.
     #[error("the GPU {adapter} cannot be used: {reason}; update its driver, or render on the CPU")]
     Device {
         /// Name of the adapter.
         adapter: String,
-        /// What the driver said.
+        /// Reason that the driver gave.
         reason: String,
     },
-    /// The driver gave up on the device: it hung, was reset or unplugged. A new `Gpu` has to be made.
+    /// The driver gave up on the device: it hung, was reset or unplugged. Open a new
+    /// [`Gpu`](super::Gpu).
     #[error("the GPU was lost: {0}; render again, with fewer steps or on the CPU if it happens again")]
     Lost(String),
     /// Memory of the GPU, or of the host for what is read back, ran out.
@@ -91,7 +92,8 @@ pub enum GpuError {
         /// Texels given.
         given: usize,
     },
-    /// A surface's shadows are rays through all surfaces of the scene, which the shaders do not have at once.
+    /// A surface's shadow rays go through all surfaces of the scene, which the shaders cannot bind
+    /// at once.
     #[error(
         "the shadows of surface {} are rays through the whole scene, which the CPU alone traces; choose the \
          shadow {}, or the CPU", surface + 1, of_light_views().or()
@@ -100,8 +102,9 @@ pub enum GpuError {
         /// The surface's number in the scene.
         surface: usize,
     },
-    /// The images of an object are to be counted in a stencil buffer, and this GPU has none beside 32 bits of
-    /// depth, or the device was opened without the feature `DEPTH32FLOAT_STENCIL8`.
+    /// The images of an object are counted in a stencil buffer, and this device has none beside 32
+    /// bits of depth. The GPU cannot do it, or the feature `DEPTH32FLOAT_STENCIL8` was not
+    /// requested.
     #[error(
         "surface {}: this GPU has no stencil buffer beside 32 bits of depth; set 'geometry.pass' to \
          'product'", surface + 1
@@ -110,10 +113,10 @@ pub enum GpuError {
         /// The surface's number in the scene.
         surface: usize,
     },
-    /// A picture without pixels, or of nothing, cannot stay on the GPU.
+    /// The picture has no pixels or shows no surface, and so cannot stay on the GPU.
     #[error("a picture without pixels, or that shows no surface, cannot stay on the GPU")]
     EmptyPicture,
-    /// The driver or wgpu refused a command; a defect, of Relief or of the driver.
+    /// The driver or wgpu refused a command. This is a defect of Relief or of the driver.
     #[error("the GPU refused a command: {0}")]
     Refused(String),
     /// The rendering was cancelled.

@@ -8,25 +8,25 @@ use wgpu::{
     ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType, TextureViewDimension,
 };
 
-/// The format of pictures that stay on the GPU: linear colours.
+/// Format of pictures that stay on the GPU: linear colours.
 pub const PICTURE: TextureFormat = TextureFormat::Rgba16Float;
 
-/// The variables that each pass has a piece of its own of, in the order of their bindings.
+/// Variables of which each pass has its own piece, in the order of their bindings.
 const PER_PASS: [&str; 2] = ["frame", "pass_settings"];
 
-/// The layout of some bindings of one group. In exact sampling there is no sampler.
+/// Creates the layout of bindings of one group. With exact sampling there is no sampler.
 pub fn layout(device: &Device, label: &str, bindings: &[&Binding], sampling: Sampling) -> BindGroupLayout {
     let entries: Vec<BindGroupLayoutEntry> =
         bindings.iter().filter_map(|binding| entry(binding, sampling)).collect();
     device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
 }
 
-/// The bindings of group 0, which every program has.
+/// Returns the bindings of group 0, which every program has.
 pub fn shared() -> Vec<&'static Binding> {
     BINDINGS.iter().filter(|binding| binding.group == 0).collect()
 }
 
-/// The bindings of those names, which are listed.
+/// Returns the bindings with the given names.
 pub fn named(names: &[&str]) -> Vec<&'static Binding> {
     names.iter().filter_map(|name| Binding::named(name)).collect()
 }
@@ -68,7 +68,7 @@ fn entry(binding: &Binding, sampling: Sampling) -> Option<BindGroupLayoutEntry> 
     Some(BindGroupLayoutEntry { binding: binding.number, visibility, ty, count: None })
 }
 
-/// A bind group: for each variable of the layout what is bound to it.
+/// Creates a bind group from pairs of variable and resource.
 pub fn group(
     device: &Device,
     label: &str,

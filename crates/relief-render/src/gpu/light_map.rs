@@ -1,4 +1,5 @@
-//! What lights see, drawn: a layer for each view, and the frames of these views beside the camera's.
+//! Shadow maps drawn on the GPU: a layer for each view, and the frames of the views beside the
+//! camera's.
 
 use relief_shaders::cpu::{Frame, Shared, write_all};
 use wgpu::{
@@ -8,44 +9,44 @@ use wgpu::{
     TextureViewDescriptor, TextureViewDimension,
 };
 
-use super::drawn::Drawn;
+use super::draw_call::DrawCall;
 use super::programs::{DEPTH, KEYS};
 use super::{Gpu, GpuError};
 use crate::job::LightViews;
 
-/// What buffers are written in whole ones of, in bytes.
+/// Granularity of buffer writes, in bytes.
 const WORD: usize = 4;
 
-/// Frames of a picture: the camera's, then the lights' views, a stride apart.
+/// Buffer of a picture's frames: the camera's, then the lights' views, a stride apart.
 #[derive(Debug)]
 pub struct Frames {
     buffer: Buffer,
-    /// How many fit.
-    room: usize,
+    /// Number of frames that fit.
+    capacity: usize,
     stride: usize,
     bytes: Vec<u8>,
 }
 
 impl Frames {
-    /// Room for the camera's.
+    /// Creates a buffer for the camera's frame.
     pub fn new(gpu: &Gpu) -> Self {
-        Self::with_room(gpu, 1)
+        Self::with_capacity(gpu, 1)
     }
 
-    fn with_room(gpu: &Gpu, room: usize) -> Self {
+    fn with_capacity(gpu: &Gpu, capacity: usize) -> Self {
         let least = gpu.device().limits().min_uniform_buffer_offset_alignment as usize;
         let stride = Frame::SIZE.next_multiple_of(least.max(1));
         let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
-        let buffer = gpu.buffer("frames", (stride * room) as u64, usage);
-        Self { buffer, room, stride, bytes: Vec::new() }
+        let buffer = gpu.buffer("frames", (stride * capacity) as u64, usage);
+        Self { buffer, capacity, stride, bytes: Vec::new() }
     }
 
-    /// Writes the frames unless they are there. What of the views is others than before, and whether the
-    /// buffer is another one.
+    /// Writes the frames that changed. Returns whether a view changed, and whether the buffer is a
+    /// new one.
     pub fn set(&mut self, gpu: &Gpu, frame: Frame, views: &[Frame]) -> [bool; 2] {
-        let is_other_buffer = self.room < 1 + views.len();
+        let is_other_buffer = self.capacity < 1 + views.len();
         if is_other_buffer {
-            *self = Self::with_room(gpu, 1 + views.len());
+            *self = Self::with_capacity(gpu, 1 + views.len());
         }
         let mut bytes = vec![0; self.stride * (1 + views.len())];
         for (place, frame) in bytes.chunks_exact_mut(self.stride).zip([frame].iter().chain(views)) {
@@ -64,40 +65,40 @@ impl Frames {
         [other_views, is_other_buffer]
     }
 
-    /// What a pass binds, at the offset of its frame.
+    /// Returns the binding of a pass, at the offset of its frame.
     pub fn resource(&self) -> BindingResource<'_> {
         let size = BufferSize::new(Frame::SIZE as u64);
         BindingResource::Buffer(BufferBinding { buffer: &self.buffer, offset: 0, size })
     }
 
-    /// The offset of a view's frame.
+    /// Returns the offset of a view's frame.
     fn offset(&self, view: usize) -> u32 {
         (self.stride * (1 + view)) as u32
     }
 }
 
-/// What lights see.
+/// Textures of the shadow maps.
 #[derive(Debug)]
 pub struct LightMap {
     size: u32,
     layers: Vec<TextureView>,
     depth: TextureView,
-    /// All layers, to be looked up in.
+    /// View of all layers, for lookups.
     pub view: TextureView,
 }
 
-/// What is drawn of a surface for a light.
+/// Program, bind groups and draw call of a surface that casts shadows.
 pub struct Caster {
     pub program: RenderPipeline,
     pub maps: BindGroup,
     pub mesh: BindGroup,
-    /// The hierarchy of its shells, where it has any.
+    /// BVH of its shells, if any.
     pub shells: Option<BindGroup>,
-    pub drawn: Drawn,
+    pub drawn: DrawCall,
 }
 
 impl LightMap {
-    /// Whether it has room for just these views.
+    /// Whether size and number of layers fit the given views.
     pub fn fits(&self, views: &LightViews) -> bool {
         (self.size, self.layers.len()) == (views.size, views.frames.len())
     }
@@ -106,10 +107,10 @@ impl LightMap {
     ///
     /// # Errors
     ///
-    /// When pictures are larger, or more, than the adapter takes.
+    /// When the shadow maps are larger, or more, than the adapter takes.
     pub fn new(gpu: &Gpu, views: &LightViews) -> Result<Self, GpuError> {
         let (size, count) = (views.size, views.frames.len() as u32);
-        gpu.check_texture("picture that a light sees", [size, size])?;
+        gpu.check_texture("shadow map", [size, size])?;
         let texture = |label, layers, format: TextureFormat, usage| {
             gpu.device().create_texture(&TextureDescriptor {
                 label: Some(label),
@@ -122,8 +123,8 @@ impl LightMap {
                 view_formats: &[],
             })
         };
-        let keys = texture("what lights see", count, KEYS, TextureUsages::TEXTURE_BINDING);
-        let depth = texture("depth of lights", 1, DEPTH, TextureUsages::empty());
+        let keys = texture("shadow maps", count, KEYS, TextureUsages::TEXTURE_BINDING);
+        let depth = texture("shadow map depth", 1, DEPTH, TextureUsages::empty());
         let layer = |number| {
             keys.create_view(&TextureViewDescriptor {
                 dimension: Some(TextureViewDimension::D2),
@@ -141,8 +142,8 @@ impl LightMap {
         })
     }
 
-    /// Draws what the lights see, view after view, so that no submission takes long. `pass` is where the
-    /// settings of such a pass lie.
+    /// Draws the shadow maps one by one, so that no submission takes long. `pass` is the offset of
+    /// the settings of a shadow map's pass.
     pub fn draw(&self, gpu: &Gpu, frames: &Frames, pass: u32, casters: &[Caster]) {
         for (number, layer) in self.layers.iter().enumerate() {
             let mut encoder = gpu.device().create_command_encoder(&Default::default());

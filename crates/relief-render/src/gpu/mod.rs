@@ -1,17 +1,17 @@
-//! The GPU backend: the linked shaders on `wgpu`.
+//! GPU backend: the linked shaders on `wgpu`.
 //!
-//! A picture takes two passes. The first rasterises the base mesh and traces every fragment's ray through the
-//! relief; a fragment whose ray misses the relief is discarded, so that the surface behind it shows. The
-//! second shades each pixel once. Rays are made from pixel and triangle, not from interpolated attributes, so
-//! that the picture differs from the CPU's only where the two disagree on which triangle covers a pixel, and
-//! by the rounding of the GPU's arithmetic.
+//! A picture takes two passes. The first rasterises the base mesh and traces every fragment's ray
+//! through the relief; a fragment whose ray misses the relief is discarded, so that the surface
+//! behind it shows. The second shades each pixel once. Rays are made from pixel and triangle, not
+//! from interpolated attributes. So the picture differs from the CPU's only by rounding, and where
+//! the two disagree on which triangle covers a pixel.
 //!
-//! Pyramids of heights, which two searches read, are built on the GPU, too, and again when the heights
-//! change.
+//! Pyramids of heights, which two searches read, are built on the GPU, too, and rebuilt when the
+//! heights change.
 
 mod adapter;
 mod device;
-mod drawn;
+mod draw_call;
 mod error;
 mod layouts;
 mod light_map;

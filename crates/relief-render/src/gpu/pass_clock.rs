@@ -1,4 +1,4 @@
-//! Timestamps around the passes of a frame.
+//! GPU timestamps around the passes of a frame.
 
 use std::cell::RefCell;
 use std::time::Duration;
@@ -11,28 +11,29 @@ use wgpu::{
 use super::{Gpu, GpuError};
 use crate::frame_time::PassTimes;
 
-/// The most passes that are timed: a set has two timestamps for each, and WebGPU allows 4096.
+/// Greatest number of timed passes. A query set has two timestamps for each, and WebGPU allows
+/// 4096.
 pub const MAX_PASSES: usize = 2048;
 
-/// What a pass does.
+/// Task of a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PassKind {
-    /// It makes triangles.
+    /// Making displaced triangles.
     Make,
-    /// It rasterises and traces.
+    /// Rasterising and tracing.
     Trace,
-    /// It shades.
+    /// Shading.
     Shade,
 }
 
-/// Where a pass writes when it begins and ends.
+/// Timestamp queries of a pass's beginning and end.
 pub struct Timed<'a> {
     pub queries: &'a QuerySet,
     pub begin: u32,
     pub end: u32,
 }
 
-/// What a compute pass is to do so that it is timed.
+/// Returns the descriptor of a compute pass, with timestamps if it is timed.
 pub fn timed_compute(timed: Option<Timed<'_>>) -> ComputePassDescriptor<'_> {
     let timestamp_writes = timed.map(|Timed { queries, begin, end }| ComputePassTimestampWrites {
         query_set: queries,
@@ -42,15 +43,15 @@ pub fn timed_compute(timed: Option<Timed<'_>>) -> ComputePassDescriptor<'_> {
     ComputePassDescriptor { label: None, timestamp_writes }
 }
 
-/// Timestamps around passes.
+/// Timestamps around the passes of one or more frames.
 pub struct PassClock {
     queries: QuerySet,
-    /// The passes so far; more than there is room for once some were left out.
+    /// Passes so far, including those beyond [`MAX_PASSES`] that were not timed.
     passes: RefCell<Vec<PassKind>>,
 }
 
 impl PassClock {
-    /// A clock, where the device has one.
+    /// Creates a clock, or `None` if the device has no timestamps.
     pub fn new(gpu: &Gpu) -> Option<Self> {
         gpu.device().features().contains(Features::TIMESTAMP_QUERY).then(|| Self {
             queries: gpu.device().create_query_set(&QuerySetDescriptor {
@@ -62,7 +63,7 @@ impl PassClock {
         })
     }
 
-    /// Where the next pass writes; nowhere if there is no more room.
+    /// Returns the timestamp queries of the next pass, or `None` beyond [`MAX_PASSES`].
     pub fn next(&self, kind: PassKind) -> Option<Timed<'_>> {
         let mut passes = self.passes.borrow_mut();
         passes.push(kind);
@@ -70,8 +71,9 @@ impl PassClock {
         (passes.len() <= MAX_PASSES).then_some(Timed { queries: &self.queries, begin, end: begin + 1 })
     }
 
-    /// Returns the times of a frame, the mean of `frames`, once all is done. None where it is no time: some
-    /// passes were not timed, the clock went backward, or it stood still.
+    /// Waits for the GPU and returns the times of a frame, the mean of `frames`. Returns `None` if
+    /// the times are not valid: some passes were not timed, the clock went backward, or it stood
+    /// still.
     pub async fn read(self, gpu: &Gpu, frames: u32) -> Result<Option<PassTimes>, GpuError> {
         let passes = self.passes.into_inner();
         if passes.is_empty() || passes.len() > MAX_PASSES {
@@ -101,7 +103,7 @@ impl PassClock {
     }
 }
 
-/// The times of passes of each kind, added up.
+/// Adds up the times of the passes of each kind.
 fn sums(passes: &[PassKind], times: &[u64], period_ns: f64) -> Option<PassTimes> {
     let mut sums = [0u64; 3];
     for (kind, stamps) in passes.iter().zip(times.as_chunks::<2>().0) {

@@ -1,4 +1,4 @@
-//! The stages over a list of rays, and search and refinement over a list of paths.
+//! Runs of the stages over a list of rays, and of search and refinement over a list of paths.
 
 use std::marker::PhantomData;
 use std::time::Duration;
@@ -15,11 +15,12 @@ use super::wait::block_on;
 use super::{Gpu, GpuError};
 use crate::job::JobSurface;
 
-/// Rays of a dispatch: a few rows of the shader's workgroups, and some ten MiB. Larger, and slow adapters may
-/// take so long that the system resets them; smaller, and the waiting in between shows.
+/// Rays of a dispatch: a few rows of the shader's workgroups, and some ten MiB. With larger
+/// dispatches, slow adapters may take so long that the system resets them. With smaller ones,
+/// waiting takes a notable share of the time.
 const RAYS: usize = 4 * PROBE_ROW as usize;
 
-/// Runs stages over rays, and keeps the programs.
+/// Runs stages over lists of rays or paths, and caches the compiled programs.
 #[derive(Debug)]
 pub struct Prober {
     gpu: Gpu,
@@ -27,19 +28,19 @@ pub struct Prober {
 }
 
 impl Prober {
-    /// A prober on that GPU.
+    /// Creates a prober on `gpu`.
     pub fn new(gpu: Gpu) -> Self {
         Self { programs: Programs::new(&gpu), gpu }
     }
 
-    /// Runs a surface's stages over rays of the caller's choice, each with its own triangle, and gives every
-    /// stage's result; all zeros for a ray that never enters the relief. The surface's own triangles are not
-    /// used.
+    /// Runs a surface's stages over rays, each with its own triangle. Returns the results of all
+    /// stages for each ray, in order; all zeros for a ray that never enters the relief. The
+    /// surface's own triangles are not used.
     ///
     /// # Errors
     ///
-    /// When a map is larger than the adapter takes or is malformed, when memory runs out, or when the device
-    /// is lost.
+    /// When a map is larger than the adapter takes or is malformed, when memory runs out, or when
+    /// the device is lost.
     pub fn probe(
         &mut self,
         surface: &JobSurface,
@@ -52,8 +53,9 @@ impl Prober {
         })
     }
 
-    /// Traces paths through a surface's relief by its search and its refinement: the hits that
-    /// [`MethodTracer`](relief_shaders::cpu::MethodTracer) finds. The surface's own triangles are not used.
+    /// Traces paths through a surface's relief by its search and refinement. Returns the hit of
+    /// each path, in order, like [`MethodTracer`](relief_shaders::cpu::MethodTracer). The surface's
+    /// own triangles are not used.
     ///
     /// # Errors
     ///
@@ -70,8 +72,9 @@ impl Prober {
         })
     }
 
-    /// How long [`trace`](Self::trace) takes on the GPU, without what is sent before and read back after. A
-    /// dispatch is a part of the paths. Each is repeated, and its shortest time counts.
+    /// Measures the time of [`trace`](Self::trace) on the GPU, without uploads before and reading
+    /// back after. Each dispatch traces a part of the paths. It runs `rounds` times, and its
+    /// shortest time counts.
     ///
     /// # Errors
     ///
@@ -93,20 +96,21 @@ impl Prober {
         })
     }
 
-    /// A pass of a surface's stages over a list of that kind.
-    async fn pass_over<Given: Shared, Made: Shared>(
+    /// Creates a pass of a surface's stages over a kind of list.
+    async fn pass_over<Input: Shared, Output: Shared>(
         &mut self,
         list: List,
         surface: &JobSurface,
         sampling: Sampling,
-    ) -> Result<Pass<Given, Made>, GpuError> {
+    ) -> Result<Pass<Input, Output>, GpuError> {
         let program = self.programs.over(&self.gpu, list, &surface.selection, sampling).await?;
         let maps = self.maps(surface, sampling).await?;
         let layout = self.programs.layouts.list(list).clone();
         Ok(Pass { program, maps, layout, names: list.names(), kinds: PhantomData })
     }
 
-    /// What the stages of a surface read.
+    /// Uploads the maps and settings that the stages of a surface read, and returns their bind
+    /// group.
     async fn maps(&mut self, surface: &JobSurface, sampling: Sampling) -> Result<BindGroup, GpuError> {
         let builder = self.programs.pyramids(&self.gpu, std::slice::from_ref(surface), sampling).await?;
         let layouts = &self.programs.layouts;
@@ -130,17 +134,17 @@ impl Prober {
             .await
     }
 
-    /// Results of a pass for a list.
-    async fn results<Given: Shared, Made: Shared>(
+    /// Runs a pass over a list and returns its results.
+    async fn results<Input: Shared, Output: Shared>(
         &self,
-        pass: &Pass<Given, Made>,
-        list: &[Given],
-    ) -> Result<Vec<Made>, GpuError> {
+        pass: &Pass<Input, Output>,
+        list: &[Input],
+    ) -> Result<Vec<Output>, GpuError> {
         let mut made = Vec::new();
         made.try_reserve_exact(list.len()).map_err(|_| GpuError::OutOfMemory)?;
         for part in list.chunks(RAYS) {
             let gpu = &self.gpu;
-            let bytes = (part.len() * Made::SIZE) as u64;
+            let bytes = (part.len() * Output::SIZE) as u64;
             let readable = gpu
                 .guarded(|| {
                     let part = pass.part(gpu, part)?;
@@ -153,16 +157,16 @@ impl Prober {
                     Ok(readable)
                 })
                 .await?;
-            gpu.read(&readable, bytes, |bytes| made.extend(read_all::<Made>(bytes))).await?;
+            gpu.read(&readable, bytes, |bytes| made.extend(read_all::<Output>(bytes))).await?;
         }
         Ok(made)
     }
 
-    /// The shortest of some times that a pass takes over a dispatch's part of a list.
-    async fn least_time<Given: Shared, Made: Shared>(
+    /// Returns the shortest time of several runs of a pass over a part of a list.
+    async fn least_time<Input: Shared, Output: Shared>(
         &self,
-        pass: &Pass<Given, Made>,
-        part: &[Given],
+        pass: &Pass<Input, Output>,
+        part: &[Input],
         rounds: u16,
     ) -> Result<Duration, GpuError> {
         let gpu = &self.gpu;
@@ -185,29 +189,29 @@ impl Prober {
     }
 }
 
-/// A program over a list, with what it reads of a surface.
-struct Pass<Given, Made> {
+/// Program over a list, with the bind group of a surface.
+struct Pass<Input, Output> {
     program: ComputePipeline,
     maps: BindGroup,
     layout: BindGroupLayout,
-    /// What the list and the results are bound as.
+    /// Names of the bindings of the list and of the results.
     names: [&'static str; 2],
-    kinds: PhantomData<(Given, Made)>,
+    kinds: PhantomData<(Input, Output)>,
 }
 
-/// The part of a list that a dispatch goes over.
+/// Part of a list for one dispatch.
 struct Part {
     len: usize,
     results: Buffer,
     group: BindGroup,
 }
 
-impl<Given: Shared, Made: Shared> Pass<Given, Made> {
-    /// A part of the list on the GPU, and room for what is made of it.
-    fn part(&self, gpu: &Gpu, list: &[Given]) -> Result<Part, GpuError> {
+impl<Input: Shared, Output: Shared> Pass<Input, Output> {
+    /// Uploads a part of a list, and allocates its results.
+    fn part(&self, gpu: &Gpu, list: &[Input]) -> Result<Part, GpuError> {
         let [given, made] = self.names;
         let list_buffer = gpu.filled(given, list, BufferUsages::STORAGE)?;
-        let bytes = (list.len() * Made::SIZE) as u64;
+        let bytes = (list.len() * Output::SIZE) as u64;
         let results = gpu.buffer(made, bytes, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let bound = [(given, list_buffer.as_entire_binding()), (made, results.as_entire_binding())];
         let group = group(gpu.device(), given, &self.layout, &bound);

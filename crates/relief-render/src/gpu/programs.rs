@@ -1,4 +1,5 @@
-//! Compiled shaders. Each is assembled for what is chosen, compiled when it is first needed, and kept.
+//! Cache of compiled shaders. Each is assembled for a selection of variants and compiled when it is
+//! first needed.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -21,22 +22,22 @@ use super::textures::Precision;
 use super::{Gpu, GpuError};
 use crate::job::JobSurface;
 
-/// Formats of what the first pass writes.
+/// Formats of the targets of the first pass.
 pub const HIT: TextureFormat = TextureFormat::Rgba32Float;
 pub const WHAT: TextureFormat = TextureFormat::Rgba32Sint;
 pub const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 
-/// The format of depths where images are counted beside them.
+/// Format of depths with a stencil buffer, in which images are counted.
 pub const DEPTH_AND_COUNT: TextureFormat = TextureFormat::Depth32FloatStencil8;
 
-/// The format of what lights see.
+/// Format of the shadow maps.
 pub const KEYS: TextureFormat = TextureFormat::R32Float;
 
-/// What a shader is assembled and compiled for.
+/// Key of a compiled shader: sampling and variants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Variant {
     sampling: Sampling,
-    /// The number of each stage's variant.
+    /// Number of each stage's variant.
     numbers: [u32; STAGES.len()],
 }
 
@@ -46,14 +47,14 @@ impl Variant {
     }
 }
 
-/// The layouts of the bind groups.
+/// Layouts of the bind groups.
 #[derive(Clone, Debug)]
 pub struct Layouts {
     exact: BindGroupLayout,
     fast: BindGroupLayout,
     /// Group 1 of the passes of a picture: the triangles.
     pub mesh: BindGroupLayout,
-    /// Group 2 of the passes that trace shells: their hierarchy.
+    /// Group 2 of the passes that trace shells: their BVH.
     pub shells: BindGroupLayout,
     /// Group 2 of the passes that shade and resolve.
     pub traced: BindGroupLayout,
@@ -61,9 +62,9 @@ pub struct Layouts {
     pub shown: BindGroupLayout,
     rays: BindGroupLayout,
     paths: BindGroupLayout,
-    /// Group 1 of the passes that build pyramids: what is read.
+    /// Group 1 of the passes that build pyramids: their input.
     pub pyramid: BindGroupLayout,
-    /// What the passes that tessellate bind, where the GPU can bind as much.
+    /// Group 1 of the passes that tessellate, if the GPU can bind enough buffers.
     pub tessellated: Option<tessellate::Groups>,
 }
 
@@ -87,7 +88,7 @@ impl Layouts {
         }
     }
 
-    /// Group 0 of every program.
+    /// Returns the layout of group 0 of every program.
     pub fn maps(&self, sampling: Sampling) -> &BindGroupLayout {
         match sampling {
             Sampling::Exact => &self.exact,
@@ -95,7 +96,7 @@ impl Layouts {
         }
     }
 
-    /// Group 1 of the programs that go over a list: it, and what they make of it.
+    /// Returns the layout of group 1 of the programs over a list: the list and the results.
     pub fn list(&self, list: List) -> &BindGroupLayout {
         match list {
             List::Rays => &self.rays,
@@ -104,7 +105,7 @@ impl Layouts {
     }
 }
 
-/// A list that a program goes over.
+/// List over which a program runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum List {
     /// Rays, by all stages.
@@ -114,7 +115,7 @@ pub enum List {
 }
 
 impl List {
-    /// What the list is bound as, and what is made of it.
+    /// Returns the names of the bindings of the list and of the results.
     pub fn names(self) -> [&'static str; 2] {
         match self {
             Self::Rays => ["pixels", "probes"],
@@ -130,27 +131,27 @@ impl List {
     }
 }
 
-/// For whom surfaces are traced.
+/// Viewer for which surfaces are traced.
 #[derive(Clone, Copy, Debug)]
 pub enum Viewer {
-    /// For the picture: all that shading needs.
+    /// The camera. Results are all values that shading needs.
     Camera,
-    /// For shadows: the keys of the hits alone.
+    /// A light. Results are the keys of the hits alone.
     Light,
-    /// As for the camera, in a picture in which images of an object are counted.
+    /// The camera, in a picture in which images of an object are counted.
     CameraBesideCounts,
 }
 
-/// All programs of a device.
+/// Compiled programs of a device.
 #[derive(Debug)]
 pub struct Programs {
     pub layouts: Layouts,
-    /// For each that sees: of surfaces seen from their front, and from both sides.
+    /// Programs for each viewer: of one-sided and of two-sided surfaces.
     trace: [[ProgramCache<Variant, RenderPipeline>; 2]; 3],
     stencil: ProgramCache<Variant, StencilPrograms>,
     shade: ProgramCache<Variant, ComputePipeline>,
     lists: ProgramCache<(List, Variant), ComputePipeline>,
-    /// The same for everything that is chosen.
+    /// Programs that do not depend on the selection of variants.
     resolve: ProgramCache<(), ComputePipeline>,
     show: ProgramCache<(), ComputePipeline>,
     pyramid: ProgramCache<(), RenderPipeline>,
@@ -158,8 +159,8 @@ pub struct Programs {
     compiled: u32,
 }
 
-/// Programs by what they were asked for, and by their text: what differs in a stage that a program does not
-/// reach has the same one.
+/// Cache of programs by key and by text. Selections that differ only in stages that a program does
+/// not call share it.
 #[derive(Debug)]
 struct ProgramCache<K, T> {
     by_key: HashMap<K, T>,
@@ -171,7 +172,8 @@ impl<K: Hash + Eq, T: Clone> ProgramCache<K, T> {
         Self { by_key: HashMap::new(), by_text: Vec::new() }
     }
 
-    /// The program, compiled unless it is there. A program that the driver refused is not kept.
+    /// Returns the program of a key, compiled unless it is cached. A program that the driver
+    /// refused is not cached.
     async fn get(
         &mut self,
         gpu: &Gpu,
@@ -200,7 +202,7 @@ impl<K: Hash + Eq, T: Clone> ProgramCache<K, T> {
 }
 
 impl Programs {
-    /// None yet.
+    /// Creates an empty cache of programs.
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             layouts: Layouts::new(gpu.device()),
@@ -216,12 +218,12 @@ impl Programs {
         }
     }
 
-    /// How many programs were compiled so far.
+    /// Returns the number of programs compiled so far.
     pub fn compiled(&self) -> u32 {
         self.compiled
     }
 
-    /// The program that rasterises and traces what one sees.
+    /// Returns the program that rasterises and traces surfaces for a viewer.
     pub async fn trace(
         &mut self,
         gpu: &Gpu,
@@ -238,7 +240,7 @@ impl Programs {
             }
             Viewer::Light => ([Root::Light, Root::LightShells, Root::LightObjects], &[KEYS]),
         };
-        // A triangle that covers the picture is drawn for shells, and its face does not matter.
+        // For shells a triangle that covers the picture is drawn, and its face does not matter.
         let paths = selection.paths();
         let (root, count, faces) = match (paths.proposal, paths.shown) {
             (Proposal::Polygons, _) => (roots[0], 2, (!two_sided).then_some(Face::Back)),
@@ -258,7 +260,7 @@ impl Programs {
         cache.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
     }
 
-    /// The programs that count the images of an object.
+    /// Returns the programs that count the images of an object.
     pub async fn stencil(
         &mut self,
         gpu: &Gpu,
@@ -276,7 +278,7 @@ impl Programs {
         self.stencil.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
     }
 
-    /// The program that shades.
+    /// Returns the program that shades.
     pub async fn shade(
         &mut self,
         gpu: &Gpu,
@@ -290,7 +292,7 @@ impl Programs {
         self.shade.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
     }
 
-    /// The program that adds a sample to those before.
+    /// Returns the program that adds a sample to the sums of the earlier ones.
     pub async fn resolve(&mut self, gpu: &Gpu, sampling: Sampling) -> Result<ComputePipeline, GpuError> {
         let Layouts { mesh, traced, .. } = &self.layouts;
         let groups = [self.layouts.maps(sampling), mesh, traced].map(Clone::clone);
@@ -299,7 +301,7 @@ impl Programs {
         self.resolve.get(gpu, &mut self.compiled, (), text, compile).await
     }
 
-    /// The program that makes a picture of records.
+    /// Returns the program that converts records to a picture.
     pub async fn show(&mut self, gpu: &Gpu, sampling: Sampling) -> Result<ComputePipeline, GpuError> {
         let groups = [self.layouts.maps(sampling), &self.layouts.shown].map(Clone::clone);
         let text = || assemble(&Selection::default(), Root::Show, sampling);
@@ -307,8 +309,8 @@ impl Programs {
         self.show.get(gpu, &mut self.compiled, (), text, compile).await
     }
 
-    /// What builds the pyramids of some surfaces; none where all have the maps that they read, or where
-    /// heights do not lie on the GPU as they are.
+    /// Returns the builder of the surfaces' pyramids. `None` if no pyramid is missing, or if the
+    /// heights are not stored as 32-bit floats on the GPU.
     pub async fn pyramids(
         &mut self,
         gpu: &Gpu,
@@ -333,7 +335,8 @@ impl Programs {
         Ok(Some(Builder { program, layout }))
     }
 
-    /// What tessellates the bases of some surfaces; none where none is to be tessellated.
+    /// Returns the programs that tessellate bases. `None` if no base has to be tessellated, or if
+    /// the GPU cannot do it.
     pub async fn tessellator(
         &mut self,
         gpu: &Gpu,
@@ -373,7 +376,7 @@ impl Programs {
         self.tessellate.get(gpu, &mut self.compiled, sampling, text, compile).await.map(Some)
     }
 
-    /// The program that runs its stages over a list.
+    /// Returns the program that runs stages over a list.
     pub async fn over(
         &mut self,
         gpu: &Gpu,
@@ -402,7 +405,7 @@ fn pipeline_layout(device: &Device, label: &str, groups: &[Option<&BindGroupLayo
     })
 }
 
-/// The label of a root's programs.
+/// Returns the label of a root's programs.
 fn label(root: Root) -> &'static str {
     match root {
         Root::Functions => "functions",
@@ -444,8 +447,8 @@ fn compute_entry(
     })
 }
 
-/// What is strictly nearer is seen: of two hits with the same key the first triangle's counts, as on the CPU.
-/// The shaders write the keys, which grow toward the eye.
+/// Returns the depth test in which only strictly nearer hits win. Ties go to the first triangle, as
+/// on the CPU. The shaders write the keys, which grow toward the eye.
 pub(super) fn nearest(format: TextureFormat) -> DepthStencilState {
     DepthStencilState {
         format,

@@ -1,8 +1,9 @@
-//! Pyramids of least and greatest heights, built on the GPU from the heights that lie there, instead of being
-//! baked on the CPU and uploaded (Oh, Ki and Lee 2006, section 3.1).
+//! Pyramids of least and greatest heights, built on the GPU from its own height map. They need not
+//! be baked on the CPU and uploaded (Oh, Ki and Lee 2006, section 3.1).
 //!
-//! A pyramid has the bits of the map of the kind `pyramid` that the CPU bakes in 32-bit floats, but that a
-//! zero in it is never negative. It is built level by level, each in a pass that reads the one before.
+//! A pyramid has the same bits as the map of kind `pyramid` that the CPU bakes in 32-bit floats,
+//! except that its zeros are never negative. It is built level by level. Each level is a pass that
+//! reads the one before.
 
 use std::sync::Arc;
 
@@ -23,27 +24,27 @@ use super::layouts::group;
 use super::{Gpu, GpuError};
 use crate::job::JobSurface;
 
-/// How the least and the greatest height of a node are stored. Every device renders to it.
+/// Format of a node's least and greatest height. Every device renders to it.
 pub const NODES: TextureFormat = TextureFormat::Rg32Float;
 
-/// Bytes of both.
+/// Bytes of a node.
 pub const NODE_BYTES: u32 = 8;
 
-/// The levels of the kind's texture that are built: the finest is the heights' own.
+/// Levels of the map that are built. Level 0 is the height map itself.
 const LEVELS: MapLevels = MapLevels::ChainFrom(1);
 
-/// What the extremes are taken over.
+/// Samples over which the extremes are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Over {
-    /// Dual cells, which bounds the surface.
+    /// Dual cells. The extremes bound the surface.
     Cells,
-    /// Texels, as published.
+    /// Texels, as in the publication.
     Texels,
-    /// Dual cells of all levels of detail, which bounds the surface of each.
+    /// Dual cells of all mip levels. The extremes bound the surface in each level of detail.
     Levels,
 }
 
-/// What a pyramid is built from.
+/// Source of a pyramid.
 #[derive(Clone, Debug)]
 pub struct Source {
     pub heights: Arc<HeightMap>,
@@ -51,14 +52,14 @@ pub struct Source {
 }
 
 impl Source {
-    /// What is built for a slot of a surface that has no map for it; none where nothing is.
+    /// Returns the source of the pyramid for a slot of a surface, or `None` if the slot needs none.
     pub fn of(surface: &JobSurface, slot: MapSlot) -> Option<Self> {
         let needs = surface.selection.map_needs();
         let over = needs.iter().find(|need| need.slot == slot).and_then(over)?;
         Some(Self { heights: Arc::clone(&surface.height_map), over })
     }
 
-    /// Whether the other gives the same pyramid.
+    /// Whether the other source gives the same pyramid.
     pub fn is_same(&self, other: &Self) -> bool {
         self.over == other.over
             && self.heights.wrap() == other.heights.wrap()
@@ -66,7 +67,8 @@ impl Source {
     }
 }
 
-/// What a needed map is taken over where it is a pyramid that can be built; none for every other map.
+/// Returns the samples of the extremes if a needed map is a pyramid that the GPU can build, else
+/// `None`.
 pub fn over(need: &MapNeed) -> Option<Over> {
     let is_whole = need.input.texture.is_empty() && need.side.is_none();
     if need.input.kind != KIND.name || !is_whole || need.input.levels != LEVELS {
@@ -82,7 +84,7 @@ pub fn over(need: &MapNeed) -> Option<Over> {
     }
 }
 
-/// The program that builds levels, and what it binds.
+/// Program that builds levels, with the layout of its bind group.
 #[derive(Clone, Debug)]
 pub struct Builder {
     pub program: RenderPipeline,
@@ -90,12 +92,12 @@ pub struct Builder {
 }
 
 impl Builder {
-    /// The pyramid of heights that lie on the GPU as 32-bit floats, in all levels where it is over these.
-    /// Nothing is waited for.
+    /// Builds the pyramid of heights that are 32-bit floats on the GPU. With [`Over::Levels`],
+    /// `heights` must hold all mip levels. It does not wait for the GPU.
     ///
     /// # Errors
     ///
-    /// When it is larger than the adapter's textures may be.
+    /// When the pyramid is larger than the adapter's textures may be.
     pub fn build(
         &self,
         gpu: &Gpu,
@@ -150,7 +152,7 @@ impl Builder {
     }
 }
 
-/// Shape of the pyramid of a map with the given columns and rows, as the CPU bakes it.
+/// Returns the layout of the pyramid of a map with the given columns and rows, as the CPU bakes it.
 fn layout(size: [u32; 2]) -> Result<MapLayout, GpuError> {
     let wanted = WantedMap {
         kind: &KIND,
@@ -164,12 +166,12 @@ fn layout(size: [u32; 2]) -> Result<MapLayout, GpuError> {
     wanted.layout(size).map_err(|error| GpuError::Refused(error.to_string()))
 }
 
-/// Columns and rows of a level of nodes.
+/// Returns columns and rows of a level of nodes.
 fn nodes_size(size: [u32; 2], level: u32) -> [u32; 2] {
     size.map(|side| side.div_ceil(1 << level))
 }
 
-/// What each level's pass reads.
+/// Returns the settings of each level's pass.
 fn passes(source: &Source, size: [u32; 2], levels: u32) -> Vec<PyramidPass> {
     let wrap = source.heights.wrap();
     let of_level = |level: u32| {
@@ -186,7 +188,7 @@ fn passes(source: &Source, size: [u32; 2], levels: u32) -> Vec<PyramidPass> {
     (0..levels).map(of_level).collect()
 }
 
-/// A buffer of all passes' settings, and how many bytes each is after the one before.
+/// Creates a buffer of the settings of all passes, and returns it with the stride in bytes.
 fn uniforms(gpu: &Gpu, passes: &[PyramidPass]) -> (Buffer, u64) {
     let alignment = gpu.device().limits().min_uniform_buffer_offset_alignment as usize;
     let stride = PyramidPass::SIZE.next_multiple_of(alignment);
@@ -200,7 +202,7 @@ fn uniforms(gpu: &Gpu, passes: &[PyramidPass]) -> (Buffer, u64) {
     (buffer, stride as u64)
 }
 
-/// A texture of nodes that are not drawn yet. It can be copied from, to be looked at.
+/// Creates an empty texture of nodes. It can be copied from, for tests.
 fn empty(gpu: &Gpu, label: &str, [width, height]: [u32; 2], levels: u32) -> Texture {
     gpu.device().create_texture(&TextureDescriptor {
         label: Some(label),

@@ -1,5 +1,6 @@
-//! Pictures, in two passes for each surface: rasterise and trace, then shade each pixel that it is the
-//! nearest in so far; of several samples each so, and then added up.
+//! Renderer of jobs on a GPU. Each surface takes two passes: one rasterises and traces, the other
+//! shades each pixel in which the surface is the nearest so far. With several samples, this is done
+//! for each sample, and the results are added up.
 
 mod time;
 
@@ -16,7 +17,7 @@ use wgpu::{
     RenderPassTimestampWrites, RenderPipeline, StoreOp, Texture,
 };
 
-use super::drawn::{Drawn, check_triangles};
+use super::draw_call::{DrawCall, check_triangles};
 use super::light_map::{Caster, Frames, LightMap};
 use super::pass_clock::{PassClock, PassKind, Timed, timed_compute};
 use super::programs::{Programs, Viewer};
@@ -30,10 +31,10 @@ use crate::cpu::tessellated::TessellatedCache;
 use crate::job::{Job, JobSurface, Rendering};
 use crate::samples::{Sample, samples};
 
-/// Where the camera's frame lies among all frames.
+/// Offset of the camera's frame in the buffer of all frames.
 const CAMERA: u32 = 0;
 
-/// Renders jobs on a GPU, and keeps there what they have in common: a second frame of the same surfaces
+/// Renders jobs on a GPU and caches there what they share. A second frame of the same surfaces
 /// uploads a camera and compiles nothing.
 #[derive(Debug)]
 pub struct GpuRenderer {
@@ -43,14 +44,14 @@ pub struct GpuRenderer {
     light_map: Option<LightMap>,
     surfaces: Vec<Resident>,
     targets: Option<Targets>,
-    /// Counts the targets that there were, whose buffers every surface binds.
+    /// Number of the current targets and buffers, which every surface binds.
     generation: u64,
-    /// What the CPU tessellates, where this GPU cannot.
+    /// Cache of bases tessellated on the CPU, if this GPU cannot do it.
     tessellated: TessellatedCache,
     work: Work,
 }
 
-/// What a picture took besides the drawing.
+/// Work for a picture besides drawing it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Bytes uploaded.
@@ -61,33 +62,33 @@ pub struct Work {
     pub built: u64,
 }
 
-/// How a surface is traced.
+/// Programs that trace a surface.
 enum Tracer {
-    /// By one program.
+    /// One program.
     Whole(RenderPipeline),
-    /// Slice by slice and image by image.
+    /// Programs that go slice by slice and image by image.
     Counted(Counted),
 }
 
-/// A surface ready to be drawn.
-struct Ready {
+/// Surface ready to be drawn.
+struct DrawableSurface {
     trace: Tracer,
     shade: ComputePipeline,
     maps: BindGroup,
     mesh: BindGroup,
     shells: Option<BindGroup>,
-    drawn: Drawn,
+    drawn: DrawCall,
 }
 
-/// All that the passes of a picture need.
+/// Surfaces and programs of a picture's passes.
 struct Passes {
-    surfaces: Vec<Ready>,
-    /// The program that adds samples up, where there are several.
+    surfaces: Vec<DrawableSurface>,
+    /// Program that adds up samples, if there are several.
     resolve: Option<ComputePipeline>,
 }
 
 impl GpuRenderer {
-    /// A renderer on that GPU that has seen no job.
+    /// Creates a renderer on `gpu` with an empty cache.
     pub fn new(gpu: Gpu) -> Self {
         let (programs, frames) = (Programs::new(&gpu), Frames::new(&gpu));
         let (light_map, surfaces, targets, work) = (None, Vec::new(), None, Work::default());
@@ -95,39 +96,38 @@ impl GpuRenderer {
         Self { gpu, programs, frames, light_map, surfaces, targets, generation: 0, tessellated, work }
     }
 
-    /// The GPU.
+    /// Returns the GPU.
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
     }
 
-    /// Whether this renderer builds a map itself for a surface that needs it and has none, to the bit as the
-    /// CPU bakes it: pyramids of heights, where these lie on the GPU in 32-bit floats.
+    /// Whether the renderer itself builds a map that a surface needs and does not have. It builds
+    /// pyramids of heights that are 32-bit floats on the GPU, to the bit as the CPU bakes them.
     pub fn builds(&self, need: &MapNeed, sampling: Sampling) -> bool {
         Precision::of(&self.gpu, sampling) == Precision::F32 && pyramid::over(need).is_some()
     }
 
-    /// What was made last of a surface whose base is tessellated here: how much, corners and faces.
+    /// Returns the buffers of a surface's last tessellation: totals, corners and faces.
     #[cfg(test)]
     pub(super) fn made(&self, surface: usize) -> Option<[&wgpu::Buffer; 3]> {
         self.surfaces.get(surface)?.made()
     }
 
-    /// What the last picture took besides the drawing.
+    /// Returns the work for the last picture besides drawing it.
     pub fn last_work(&self) -> Work {
         self.work
     }
 
-    /// Renders a job and reads it back. The watch hears of every band of rows. Waits for the GPU, which the
-    /// web does not allow: see [`Self::render_async`].
+    /// Renders a job and reads it back. `watch` gets the progress after every band of rows. It
+    /// waits for the GPU, which the web does not allow: use [`Self::render_async`] there.
     ///
-    /// The picture is the same whenever it is rendered on the same adapter. Against the CPU, exact sampling
-    /// differs where the rasteriser gives a pixel on the edge of two triangles to the other one, and by
-    /// rounding.
+    /// The same adapter always gives the same picture. With exact sampling it differs from the
+    /// CPU's by rounding, and at pixels on edges that the rasteriser gives to the other triangle.
     ///
     /// # Errors
     ///
-    /// When the picture, a map or a mesh is larger than the adapter takes, when a map is malformed, when
-    /// memory runs out, when the device is lost, or when the rendering is cancelled.
+    /// When the picture, a map or a mesh is larger than the adapter takes, or a map is malformed.
+    /// Also when memory runs out, the device is lost, or the rendering is cancelled.
     pub fn render(
         &mut self,
         job: &Job,
@@ -137,7 +137,7 @@ impl GpuRenderer {
         block_on(self.render_async(job, sampling, watch))
     }
 
-    /// [`Self::render`] without waiting.
+    /// Renders a job like [`Self::render`], without blocking the thread.
     ///
     /// # Errors
     ///
@@ -152,7 +152,7 @@ impl GpuRenderer {
         let mut pixels = Vec::new();
         pixels.try_reserve_exact(width as usize * height as usize).map_err(|_| GpuError::OutOfMemory)?;
         let mut sink = |band: &[PixelOut]| {
-            // On all cores, since the first touch of so much memory takes its time.
+            // On all cores, since the first touch of memory takes time.
             pixels.par_extend(band);
             Ok(())
         };
@@ -160,13 +160,14 @@ impl GpuRenderer {
         Ok(Rendering { width, height, pixels })
     }
 
-    /// Renders a job in bands of whole rows, from the top, and hands over each when it is read back. With
-    /// `numbers` all numbers of a pixel are as in a [`Rendering`]; else they belong to one of its samples,
-    /// which takes less time. Waits for the GPU, which the web does not allow.
+    /// Renders a job in bands of whole rows, from the top. `sink` gets each band when it is read
+    /// back. With `numbers`, pixels are the same as in a [`Rendering`]. Without, only the colour
+    /// is; the other values come from one of the pixel's samples, which takes less time. It waits
+    /// for the GPU, which the web does not allow: use [`Self::render_bands_async`] there.
     ///
     /// # Errors
     ///
-    /// As [`Self::render`], and when the sink cancels the rendering.
+    /// See [`Self::render`]; and when `sink` cancels the rendering.
     pub fn render_bands(
         &mut self,
         job: &Job,
@@ -178,7 +179,7 @@ impl GpuRenderer {
         block_on(self.render_bands_async(job, sampling, numbers, watch, sink))
     }
 
-    /// [`Self::render_bands`] without waiting.
+    /// Renders a job like [`Self::render_bands`], without blocking the thread.
     ///
     /// # Errors
     ///
@@ -207,12 +208,13 @@ impl GpuRenderer {
         Ok(())
     }
 
-    /// Draws a job into a picture that stays on the GPU, of linear colours in 16-bit floats, over the frame's
-    /// background. It is drawn over by the next call. Nothing is waited for but compilers and large uploads.
+    /// Draws a job into a texture that stays on the GPU, over the frame's background. It holds
+    /// linear colours in 16-bit floats. The next call draws over it. Only compiling and large
+    /// uploads are waited for.
     ///
     /// # Errors
     ///
-    /// As [`Self::render`], and when the picture is empty.
+    /// See [`Self::render`]; and when the picture is empty.
     pub async fn draw(&mut self, job: &Job, sampling: Sampling) -> Result<&Texture, GpuError> {
         if job.width == 0 || job.height == 0 {
             return Err(GpuError::EmptyPicture);
@@ -221,8 +223,8 @@ impl GpuRenderer {
         let before = self.work_so_far();
         let ready = self.prepare(job, sampling, samples(job.samples, false), None).await?;
         let show = self.programs.show(&self.gpu, sampling).await?;
-        // Every surface's group 0 binds the frame and the passes; without one there is nothing to show but
-        // the background.
+        // Every surface's group 0 binds the frame and the passes. Without a surface there is only
+        // the background to show.
         let maps = ready.surfaces.first().ok_or(GpuError::EmptyPicture)?.maps.clone();
         let (gpu, layouts) = (self.gpu.clone(), self.programs.layouts.clone());
         let targets = self.targets.as_mut().ok_or(GpuError::EmptyPicture)?;
@@ -259,7 +261,7 @@ impl GpuRenderer {
         self.targets.as_mut().ok_or(GpuError::EmptyPicture)
     }
 
-    /// Compiles and uploads what is not there.
+    /// Compiles and uploads what is not cached.
     async fn prepare(
         &mut self,
         job: &Job,
@@ -318,7 +320,7 @@ impl GpuRenderer {
                     (targets.size, targets.counts) == (size, counts) && targets.samples == samples
                 };
                 if !targets.as_ref().is_some_and(fit) {
-                    // What was there goes first, so that both need not fit.
+                    // The old targets are dropped first, so that both need not fit into memory.
                     drop(targets.take());
                     *targets = Some(Targets::new(&gpu, size, samples, counts, layouts)?);
                     *generation += 1;
@@ -370,7 +372,7 @@ impl GpuRenderer {
         // After an error it is not known what arrived.
         let uploaded = uploaded.inspect_err(|_| self.forget())?;
         let ready = programs.into_iter().zip(uploaded);
-        let surfaces = ready.map(|((trace, shade), (maps, mesh))| Ready {
+        let surfaces = ready.map(|((trace, shade), (maps, mesh))| DrawableSurface {
             trace,
             shade,
             maps: maps.seen,
@@ -381,7 +383,7 @@ impl GpuRenderer {
         Ok(Passes { surfaces: surfaces.collect(), resolve })
     }
 
-    /// Forgets what lies on the GPU, but for programs.
+    /// Drops all data on the GPU except programs.
     fn forget(&mut self) {
         self.surfaces.clear();
         self.targets = None;
@@ -390,7 +392,7 @@ impl GpuRenderer {
         self.generation += 1;
     }
 
-    /// Traces, shades and reads back the rows of a band.
+    /// Traces and shades the rows of a band, and reads them back.
     async fn read_band(
         &mut self,
         ready: &Passes,
@@ -420,8 +422,8 @@ impl GpuRenderer {
     }
 }
 
-/// Traces and shades the rows of a band, sample after sample, so that no submission takes long; `finish` ends
-/// the last one.
+/// Traces and shades the rows of a band, sample after sample, so that no submission takes long.
+/// `finish` records the end of the last one.
 fn submit_band(
     gpu: &Gpu,
     targets: &Targets,
@@ -461,7 +463,7 @@ fn submit_band(
 fn trace(
     encoder: &mut CommandEncoder,
     targets: &Targets,
-    surface: &Ready,
+    surface: &DrawableSurface,
     pass: &Pass,
     is_first: bool,
     timed: Option<Timed>,

@@ -1,5 +1,5 @@
-//! What of a surface lies on the GPU. A part is uploaded, or built there, when it is another one than before:
-//! by its address, or of settings by their bytes.
+//! Cache of a surface's data on the GPU. A part is uploaded, or built there, when it changed. Maps
+//! and meshes are compared by address, settings by their bytes.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use relief_shaders::cpu::{Shared, SurfaceSettings, write_all};
 use relief_shaders::wgsl::Sampling;
 use wgpu::{BindGroup, BindGroupLayout, BindingResource, Buffer, BufferUsages, Sampler, TextureView};
 
-use super::drawn::Drawn;
+use super::draw_call::DrawCall;
 use super::layouts::group;
 use super::pass_clock::PassClock;
 use super::programs::Layouts;
@@ -21,7 +21,7 @@ use super::{Gpu, GpuError, pyramid, shells};
 use crate::job::{JobSurface, Triangles};
 use crate::mipmaps::Mipmaps;
 
-/// A uniform buffer and what was written last.
+/// Uniform buffer and the bytes that were written last.
 #[derive(Debug)]
 pub struct Uniform {
     buffer: Buffer,
@@ -29,13 +29,13 @@ pub struct Uniform {
 }
 
 impl Uniform {
-    /// One of zeros.
+    /// Creates a uniform buffer of zeros.
     pub fn new<T: Shared>(gpu: &Gpu, label: &str) -> Self {
         let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
         Self { buffer: gpu.buffer(label, T::SIZE as u64, usage), bytes: Vec::new() }
     }
 
-    /// Writes a value unless it is there. True when it was not.
+    /// Writes a value unless the buffer holds it. Returns whether it changed.
     pub fn set<T: Shared>(&mut self, gpu: &Gpu, value: T) -> bool {
         let bytes = write_all(&[value]);
         let is_other = bytes != self.bytes;
@@ -46,30 +46,30 @@ impl Uniform {
         is_other
     }
 
-    /// What is bound.
+    /// Returns the binding of the buffer.
     pub fn resource(&self) -> BindingResource<'_> {
         self.buffer.as_entire_binding()
     }
 }
 
-/// A map on the GPU, and what it was made from.
+/// Texture of a map, and the map from which it was made.
 #[derive(Debug)]
-struct Held<T> {
+struct CachedTexture<T> {
     of: Option<T>,
     view: TextureView,
 }
 
-/// What the map of a slot is made from.
+/// Source of a slot's map.
 #[derive(Clone, Debug)]
 enum SlotSource {
-    /// It is uploaded.
+    /// The map is uploaded.
     Baked(Arc<BakedMap>),
-    /// It is built here.
+    /// The map is built on the GPU.
     Pyramid(pyramid::Source),
 }
 
 impl SlotSource {
-    /// What a slot of a surface reads, if anything.
+    /// Returns the source of a surface's slot, or `None` if the slot is not read.
     fn of(surface: &JobSurface, slot: MapSlot, builder: Option<&Builder>) -> Option<Self> {
         let given = surface.maps.iter().find(|(of, _)| *of == slot);
         let built = || pyramid::Source::of(surface, slot).filter(|_| builder.is_some());
@@ -88,14 +88,14 @@ impl SlotSource {
     }
 }
 
-/// Holds another map where it is another one. True when it is.
+/// Uploads a map if it is another one than before. Returns whether it was.
 fn hold<T: Clone>(
-    held: &mut Option<Held<T>>,
+    held: &mut Option<CachedTexture<T>>,
     of: Option<&T>,
     is_same: impl Fn(&T, &T) -> bool,
     upload: impl FnOnce() -> Result<TextureView, GpuError>,
 ) -> Result<bool, GpuError> {
-    let is_held = |held: &Held<T>| match (&held.of, of) {
+    let is_held = |held: &CachedTexture<T>| match (&held.of, of) {
         (Some(a), Some(b)) => is_same(a, b),
         (None, None) => true,
         _ => false,
@@ -103,66 +103,66 @@ fn hold<T: Clone>(
     if held.as_ref().is_some_and(is_held) {
         return Ok(false);
     }
-    // What was held goes first, so that both need not fit.
+    // The old one is dropped first, so that both need not fit into memory.
     *held = None;
-    *held = Some(Held { of: of.cloned(), view: upload()? });
+    *held = Some(CachedTexture { of: of.cloned(), view: upload()? });
     Ok(true)
 }
 
-/// A surface on the GPU.
+/// Data of a surface on the GPU.
 #[derive(Debug)]
 pub struct Resident {
     settings: Uniform,
     precision: Option<Precision>,
-    heights: Option<Held<Arc<HeightMap>>>,
-    /// How many levels of the height map are there.
+    heights: Option<CachedTexture<Arc<HeightMap>>>,
+    /// Number of the height map's mip levels on the GPU.
     height_levels: u32,
-    holes: Option<Held<Arc<TexelMask>>>,
-    color: Option<Held<Arc<Mipmaps>>>,
-    normals: Option<Held<Arc<Mipmaps>>>,
-    slots: [Option<Held<SlotSource>>; MapSlot::ALL.len()],
+    holes: Option<CachedTexture<Arc<TexelMask>>>,
+    color: Option<CachedTexture<Arc<Mipmaps>>>,
+    normals: Option<CachedTexture<Arc<Mipmaps>>>,
+    slots: [Option<CachedTexture<SlotSource>>; MapSlot::ALL.len()],
     sampler: Option<(Wrap, Sampler)>,
     mesh: Option<(Arc<Triangles>, BindGroup)>,
     shells: Option<Shells>,
     tessellated: Option<Tessellated>,
-    /// Group 0, with what it was made for. None where a part has changed.
+    /// Group 0, with the sampling and the number of [`Common`] for which it was made.
     maps: Option<(Sampling, u64, MapGroups)>,
 }
 
-/// Group 0 of a surface, for the camera, and for lights, which do not see what lights see.
+/// Group 0 of a surface: for the camera, and for lights, which do not read shadow maps.
 #[derive(Clone, Debug)]
 pub struct MapGroups {
     pub seen: BindGroup,
     pub by_lights: BindGroup,
-    /// Whether they, or the settings, are others than for the last picture.
+    /// Whether the groups or the settings changed since the last picture.
     pub changed: bool,
 }
 
-/// The triangles of a surface, ready to be drawn.
+/// Triangles of a surface, ready to be drawn.
 #[derive(Debug)]
 pub struct ResidentMesh {
     /// Group 1.
     pub group: BindGroup,
-    /// Group 2 of the pass that traces, where there are shells.
+    /// Group 2 of the pass that traces, if there are shells.
     pub shells: Option<BindGroup>,
-    pub drawn: Drawn,
-    /// Whether they are others than for the last picture.
+    pub drawn: DrawCall,
+    /// Whether the triangles changed since the last picture.
     pub is_other: bool,
 }
 
-/// What group 0 binds besides a surface's own things. It is another one when its number is.
+/// Bindings of group 0 that all surfaces share. They changed if `number` did.
 pub struct Common<'a> {
     pub number: u64,
     pub frame: BindingResource<'a>,
     pub passes: BindingResource<'a>,
-    /// What builds pyramids, where there are any to build.
+    /// Builder of pyramids, if any have to be built.
     pub builder: Option<&'a Builder>,
-    /// What lights see, where shadows are looked up there.
+    /// Shadow maps, if surfaces read them.
     pub light_map: Option<&'a TextureView>,
 }
 
 impl Resident {
-    /// Nothing yet.
+    /// Creates a surface without any data on the GPU.
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             settings: Uniform::new::<SurfaceSettings>(gpu, "surface settings"),
@@ -181,7 +181,7 @@ impl Resident {
         }
     }
 
-    /// Uploads what is not there, and gives group 0.
+    /// Uploads the maps and settings that changed, and returns group 0.
     pub fn maps(
         &mut self,
         gpu: &Gpu,
@@ -193,8 +193,8 @@ impl Resident {
         let changed = self.hold_all(gpu, surface, sampling, common.builder)?;
         let mut settings = surface.settings;
         for (map, held) in settings.maps.iter_mut().zip(&self.slots) {
-            // The job has no map that could say so.
-            if matches!(held, Some(Held { of: Some(SlotSource::Pyramid(_)), .. })) {
+            // The job has no map with this size.
+            if matches!(held, Some(CachedTexture { of: Some(SlotSource::Pyramid(_)), .. })) {
                 map.texel_bytes = pyramid::NODE_BYTES;
             }
         }
@@ -215,7 +215,7 @@ impl Resident {
         Ok(groups)
     }
 
-    /// Group 1: the triangles, which are uploaded, or made here where they are to be made.
+    /// Uploads or tessellates the triangles, and returns group 1 with their draw call.
     pub fn mesh(
         &mut self,
         gpu: &Gpu,
@@ -232,11 +232,11 @@ impl Resident {
             let (group, is_other) = self.uploaded(gpu, triangles, &layouts.mesh)?;
             shells::hold(&mut self.shells, gpu, surface, &layouts.shells)?;
             let shells = self.shells.as_ref().map(|shells| shells.group.clone());
-            return Ok(ResidentMesh { group, shells, drawn: Drawn::of(surface), is_other });
+            return Ok(ResidentMesh { group, shells, drawn: DrawCall::of(surface), is_other });
         };
         (self.mesh, self.shells) = (None, None);
         if !self.tessellated.as_ref().is_some_and(|known| known.fits(gpu, of)) {
-            // What was held goes first, so that both need not fit.
+            // The old one is dropped first, so that both need not fit into memory.
             self.tessellated = None;
         }
         let is_new = self.tessellated.is_none();
@@ -246,11 +246,12 @@ impl Resident {
         };
         let is_other_surface = is_new || maps.changed;
         let is_other = tessellated.make(gpu, of, tessellator, &maps.by_lights, is_other_surface, clock);
-        let drawn = Drawn::Indirect(tessellated.drawn().clone());
+        let drawn = DrawCall::Indirect(tessellated.drawn().clone());
         Ok(ResidentMesh { group: tessellated.mesh().clone(), shells: None, drawn, is_other })
     }
 
-    /// How many triangles were made last of a base that is tessellated here, once that is done.
+    /// Waits for the GPU and returns the number of triangles tessellated last; 0 for other
+    /// surfaces.
     pub async fn made_triangles(&self, gpu: &Gpu) -> Result<u64, GpuError> {
         match &self.tessellated {
             Some(tessellated) => tessellated.triangles(gpu).await,
@@ -258,13 +259,14 @@ impl Resident {
         }
     }
 
-    /// What was made last where the base is tessellated here.
+    /// Returns the buffers of the last tessellation, if any.
     #[cfg(test)]
     pub fn made(&self) -> Option<[&Buffer; 3]> {
         self.tessellated.as_ref().map(Tessellated::made)
     }
 
-    /// The triangles that are uploaded. True where they are others than for the last picture.
+    /// Uploads triangles unless they are cached. Returns their bind group, and whether they
+    /// changed.
     fn uploaded(
         &mut self,
         gpu: &Gpu,
@@ -276,7 +278,7 @@ impl Resident {
         {
             return Ok((group.clone(), false));
         }
-        // What was held goes first, so that both need not fit.
+        // The old one is dropped first, so that both need not fit into memory.
         self.mesh = None;
         let faces = gpu.filled("mesh_faces", triangles.faces(), BufferUsages::STORAGE)?;
         let corners = gpu.filled("mesh_corners", triangles.corners(), BufferUsages::STORAGE)?;
@@ -287,7 +289,7 @@ impl Resident {
         Ok((group, true))
     }
 
-    /// Uploads and builds the maps that are not there. True when one was another one.
+    /// Uploads and builds the maps that changed. Returns whether any did.
     fn hold_all(
         &mut self,
         gpu: &Gpu,
@@ -324,9 +326,9 @@ impl Resident {
         })?;
         for (place, slot) in MapSlot::ALL.into_iter().enumerate() {
             let of = SlotSource::of(surface, slot, builder);
-            // The searches of view and shadow read the same map as a rule: it is there once.
+            // The searches of view and shadow usually read the same map. It is uploaded once.
             let (before, rest) = self.slots.split_at_mut(place);
-            let is_same = |held: &&Held<SlotSource>| {
+            let is_same = |held: &&CachedTexture<SlotSource>| {
                 held.of.as_ref().zip(of.as_ref()).is_some_and(|(a, b)| a.is_same(b))
             };
             let shared = before.iter().flatten().find(is_same).map(|held| held.view.clone());

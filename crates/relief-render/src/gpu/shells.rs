@@ -1,4 +1,4 @@
-//! The hierarchy of boxes around a surface's shells, on the GPU.
+//! BVH of a surface's shells on the GPU.
 
 use std::sync::Arc;
 
@@ -13,13 +13,14 @@ use super::{Gpu, GpuError};
 use crate::job::{JobSurface, Triangles};
 use crate::shellcast::{Bounds, hierarchy};
 
-/// The most triangles: a node tells of the one above in 28 bits, and there are twice as many nodes.
+/// Greatest number of triangles. A node stores its parent in 28 bits, and there are twice as many
+/// nodes as triangles.
 pub const MOST_TRIANGLES: u64 = 1 << 27;
 
-/// In place of the axis of a node that is a leaf.
+/// Value in place of the axis of a leaf.
 const LEAF: u32 = 3;
 
-/// The hierarchy of a surface's shells.
+/// BVH of a surface's shells.
 #[derive(Debug)]
 pub struct Shells {
     triangles: Arc<Triangles>,
@@ -28,7 +29,8 @@ pub struct Shells {
     pub group: BindGroup,
 }
 
-/// Builds and uploads the hierarchy of a surface that has shells, unless it is there.
+/// Builds and uploads the BVH of a surface's shells, unless it is cached. For surfaces without
+/// shells, it drops a cached one.
 pub fn hold(
     held: &mut Option<Shells>,
     gpu: &Gpu,
@@ -44,7 +46,7 @@ pub fn hold(
     if held.as_ref().is_some_and(is_there) {
         return Ok(());
     }
-    // What was held goes first, so that both need not fit.
+    // The old one is dropped first, so that both need not fit into memory.
     *held = None;
     let nodes = nodes(&hierarchy(&bounds.boxes(triangles)), bounds.both_sides);
     let nodes = gpu.filled("shell_nodes", &nodes, BufferUsages::STORAGE)?;
@@ -53,12 +55,12 @@ pub fn hold(
     Ok(())
 }
 
-/// The nodes as the shaders have them, of triangles that are seen from both sides or not.
+/// Converts a BVH to nodes for the shaders. `both_sides` marks the triangles as two-sided.
 fn nodes(bvh: &Bvh2, both_sides: bool) -> Vec<ShellNode> {
     let sides = if both_sides { SHELL_BOTH_SIDES } else { 0 };
     let mut nodes = Vec::with_capacity(bvh.nodes.len());
     let empty = ShellNode { low: [0.0; 3].into(), first: 0, high: [0.0; 3].into(), above: 0 };
-    // Nodes of `bvh`, their places, and their data about the node above.
+    // Nodes of `bvh`, their indices in `nodes`, and their data about the parent.
     let mut waiting = Vec::new();
     if !bvh.nodes.is_empty() {
         nodes.push(empty);

@@ -1,5 +1,5 @@
-//! Images of an object, counted in a stencil buffer: slice by slice, from front to back, a pass for each
-//! image.
+//! Counting of a depth object's images in a stencil buffer: slice by slice, from front to back,
+//! with a pass for each image.
 //!
 //! Kautz and Seidel 2001, section 4.1.
 
@@ -13,30 +13,30 @@ use wgpu::{
 use super::programs::{DEPTH_AND_COUNT, HIT, WHAT};
 use crate::job::JobSurface;
 
-/// The programs of these passes.
+/// Programs of the passes over a slice.
 #[derive(Clone, Debug)]
 pub struct StencilPrograms {
-    /// Counts what an image sees, where all before it do.
+    /// Adds 1 to the count where an image holds the point, and all images before it do.
     test: RenderPipeline,
-    /// The same for the last one: writes what is seen.
+    /// Does so for the last image, and writes the hit.
     hit: RenderPipeline,
-    /// Takes the count back where not all do.
+    /// Resets the count where not all images hold the point.
     clear: RenderPipeline,
 }
 
-/// What of a surface is counted.
+/// Slices and images of a surface, with the programs that count them.
 #[derive(Clone, Debug)]
 pub struct Counted {
-    /// The programs.
+    /// Programs of the passes.
     pub programs: StencilPrograms,
-    /// The ends of the slices among the triangles, from front to back.
+    /// Ends of the slices among the triangles, from front to back.
     ends: Vec<u32>,
-    /// How many images there are.
+    /// Number of images.
     images: u32,
 }
 
 impl StencilPrograms {
-    /// Compiles them, of the program of the root `Stencil`.
+    /// Compiles the programs from the module of the root `Stencil`.
     pub fn new(device: &Device, label: &str, module: &ShaderModule, layout: &PipelineLayout) -> Self {
         let names = Root::Stencil.functions();
         let program = |place: usize, depth_compare, stencil: StencilFaceState, writes: bool| {
@@ -93,7 +93,7 @@ impl StencilPrograms {
 }
 
 impl Counted {
-    /// What of a surface is counted by these programs.
+    /// Creates the slices and images of a surface.
     pub fn of(surface: &JobSurface, programs: StencilPrograms) -> Self {
         Self { programs, ends: surface.triangles.slices().to_vec(), images: surface.settings.solids }
     }

@@ -1,4 +1,4 @@
-//! What the passes of a picture write: textures and buffers of a band of its rows.
+//! Targets of a picture's passes: textures and buffers for a band of its rows.
 
 use relief_shaders::cpu::{PassSettings, Record, Shared, write_all};
 use wgpu::{
@@ -25,20 +25,20 @@ pub struct Band {
 #[derive(Clone, Copy, Debug)]
 pub struct Pass {
     pub band: Band,
-    /// Where its settings lie in the buffer of all passes.
+    /// Offset of the pass's settings in the buffer of all passes.
     pub offset: u32,
     pub is_last: bool,
 }
 
-/// The targets of pictures of one size.
+/// Targets of pictures of one size.
 #[derive(Debug)]
 pub struct Targets {
     pub size: [u32; 2],
-    /// Of every pixel.
+    /// Samples of every pixel.
     pub samples: Vec<Sample>,
     /// Whether there is a stencil buffer beside the depths.
     pub counts: bool,
-    /// The passes of each band, from the top.
+    /// Passes of each band, from the top.
     pub bands: Vec<Vec<Pass>>,
     pub hit: TextureView,
     pub what: TextureView,
@@ -48,17 +48,18 @@ pub struct Targets {
     /// Group 2 of the passes that shade and resolve.
     pub traced: BindGroup,
     passes: Buffer,
-    /// For reading back; made when something is.
+    /// Buffer for reading back, created when first needed.
     readable: Option<Buffer>,
-    /// Where the settings lie of a pass over all of a picture that a light sees.
+    /// Offset of the settings of a pass over all of a shadow map.
     pub whole: u32,
-    /// The picture that stays on the GPU, with group 1 of the pass that shows; made when it is asked for.
+    /// Picture that stays on the GPU, with group 1 of the pass that shows it. Created when first
+    /// needed.
     shown: Option<(Texture, BindGroup)>,
 }
 
 impl Targets {
-    /// The targets of pictures of that size, which is not empty, with those samples; with a stencil buffer if
-    /// images of objects are counted.
+    /// Creates the targets of pictures of a size, which is not empty, and with the given samples.
+    /// With `counts` they have a stencil buffer, in which images of objects are counted.
     ///
     /// # Errors
     ///
@@ -77,7 +78,7 @@ impl Targets {
             texture.create_view(&TextureViewDescriptor::default())
         };
         let stride = gpu.device().limits().min_uniform_buffer_offset_alignment.max(PassSettings::SIZE as u32);
-        // One more is for what lights see.
+        // One more is for the shadow maps.
         let count = u64::from(height.div_ceil(rows)) * samples.len() as u64 + 1;
         if count * u64::from(stride) > gpu.device().limits().max_buffer_size.min(u64::from(u32::MAX)) {
             return Err(GpuError::TooManyPasses { samples: samples.len(), width, height });
@@ -130,26 +131,26 @@ impl Targets {
         })
     }
 
-    /// What a pass binds of the buffer of all passes, at the offset of its band.
+    /// Returns the binding of the buffer of all passes' settings, at the offset of a pass.
     pub fn passes(&self) -> BindingResource<'_> {
         let size = BufferSize::new(PassSettings::SIZE as u64);
         BindingResource::Buffer(BufferBinding { buffer: &self.passes, offset: 0, size })
     }
 
-    /// Bytes of a band's records, and of the sums of its colours.
+    /// Returns the bytes of a band's records, and of its sums of colours.
     pub fn bytes(&self, band: Band) -> [u64; 2] {
         let pixels = u64::from(self.size[0]) * u64::from(band.rows);
         [pixels * Record::SIZE as u64, pixels * SUM_BYTES]
     }
 
-    /// The buffer that a band's records are read back from.
+    /// Returns the buffer from which a band's records are read back.
     pub fn readable(&mut self, gpu: &Gpu) -> &Buffer {
         let bytes = self.records.size();
         let usage = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
         self.readable.get_or_insert_with(|| gpu.buffer("records to read", bytes, usage))
     }
 
-    /// The picture that stays on the GPU, and group 1 of the pass that shows it.
+    /// Returns the picture that stays on the GPU, and group 1 of the pass that shows it.
     pub fn shown(&mut self, gpu: &Gpu, layouts: &Layouts) -> &(Texture, BindGroup) {
         let (size, records) = (self.size, &self.records);
         self.shown.get_or_insert_with(|| {
@@ -167,8 +168,8 @@ impl Targets {
     }
 }
 
-/// Settings of every pass, a stride apart, over targets of the given rows. The last ones are for a pass over
-/// all of a shadow map.
+/// Creates the buffer of every pass's settings, a stride apart, over targets of the given rows. The
+/// last settings are for a pass over all of a shadow map.
 fn passes(
     gpu: &Gpu,
     [width, height]: [u32; 2],
@@ -182,7 +183,8 @@ fn passes(
     for (pass, sample) in bands.iter().flat_map(|band| band.iter().zip(samples)) {
         let [right, down] = sample.offset;
         let Band { first_row, rows: in_band } = pass.band;
-        // The targets show the picture from the band's first row on, moved against the sample's offset.
+        // The targets show the picture from the band's first row on, moved against the sample's
+        // offset.
         let across = 2.0 * right / width as f32;
         let along = 2.0 * (first_row as f32 + down) / rows as f32;
         let settings = PassSettings {
@@ -233,13 +235,13 @@ fn target(
     })
 }
 
-/// Refuses pictures whose rows are too long for the adapter.
+/// Fails if a picture's rows are too long for the adapter.
 pub fn check(gpu: &Gpu, size: [u32; 2]) -> Result<(), GpuError> {
     let fits = size[0] <= gpu.device().limits().max_texture_dimension_2d;
     if fits { Ok(()) } else { check_whole(gpu, size) }
 }
 
-/// Refuses pictures that the adapter cannot hold at once.
+/// Fails if the adapter cannot hold a picture in one texture.
 pub fn check_whole(gpu: &Gpu, size: [u32; 2]) -> Result<(), GpuError> {
     gpu.check_texture("picture", size)
 }

@@ -1,5 +1,5 @@
-//! Displaced triangles made on the GPU, for each view: what is not seen is left out, what remains is counted,
-//! numbered, made and drawn, and nothing of it is read back.
+//! Tessellation on the GPU, for each view. Base triangles that are not visible are culled; the rest
+//! is counted, numbered, made and drawn. Nothing is read back.
 
 use std::sync::Arc;
 
@@ -19,11 +19,11 @@ use crate::prepare::{Capacity, TessellatedBase, Tessellation};
 /// Storage buffers that a pass binds.
 pub const STORAGE_BUFFERS: u32 = 8;
 
-/// Where the numbers of groups lie in what is known of all that is made.
+/// Offsets of the numbers of workgroups in the totals, in bytes.
 const POINT_GROUPS: u64 = 16;
 const TRIANGLE_GROUPS: u64 = 32;
 
-/// What passes over the counts of a base bind.
+/// Bindings of the passes that count.
 pub const COUNTING: &[&str] = &[
     "tessellation",
     "base_vertices",
@@ -35,7 +35,7 @@ pub const COUNTING: &[&str] = &[
     "made_totals",
 ];
 
-/// What passes bind that make points and triangles.
+/// Bindings of the passes that make points and triangles.
 pub const MAKING: &[&str] = &[
     "tessellation",
     "base_vertices",
@@ -48,7 +48,7 @@ pub const MAKING: &[&str] = &[
     "made_faces",
 ];
 
-/// The programs of the passes.
+/// Programs of the passes.
 #[derive(Clone, Debug)]
 pub struct Tessellator {
     pub begin: ComputePipeline,
@@ -64,19 +64,19 @@ pub struct Tessellator {
     pub swept: ComputePipeline,
 }
 
-/// Group 1 of the passes that count, and of those that make.
+/// Layouts of group 1: of the passes that count, and of the passes that make points and triangles.
 #[derive(Clone, Debug)]
 pub struct Groups {
     pub counting: BindGroupLayout,
     pub making: BindGroupLayout,
 }
 
-/// Whether a device can bind all that the passes bind.
+/// Whether a device can bind enough storage buffers for the passes.
 pub fn is_possible(device: &Device) -> bool {
     device.limits().max_storage_buffers_per_shader_stage >= STORAGE_BUFFERS
 }
 
-/// A base on the GPU, with room for what is made of it.
+/// Base on the GPU, with the buffers of its points and triangles.
 #[derive(Debug)]
 pub struct Tessellated {
     base: Arc<TessellatedBase>,
@@ -92,7 +92,8 @@ pub struct Tessellated {
 }
 
 impl Tessellated {
-    /// Creates a base with memory for its tessellation by a view, or as much as the GPU's buffers hold.
+    /// Creates a base with memory for its tessellation by a view, or as much as the GPU's buffers
+    /// hold.
     ///
     /// # Errors
     ///
@@ -161,28 +162,28 @@ impl Tessellated {
         })
     }
 
-    /// Whether it is of that base and has just the room that is asked for.
+    /// Whether base and capacity fit the given tessellation.
     pub fn fits(&self, gpu: &Gpu, of: &Tessellation) -> bool {
         Arc::ptr_eq(&self.base, &of.base) && capacity(gpu, of).is_ok_and(|capacity| capacity == self.capacity)
     }
 
-    /// How much was made, its corners and its faces.
+    /// Returns the buffers of the totals, the corners and the faces.
     #[cfg(test)]
     pub fn made(&self) -> [&Buffer; 3] {
         [&self.totals, &self.made[0], &self.made[1]]
     }
 
-    /// What is drawn: the triangles, as other meshes have them.
+    /// Returns the bind group of the triangles, the same as of other meshes.
     pub fn mesh(&self) -> &BindGroup {
         &self.mesh
     }
 
-    /// How much of it is drawn: the arguments of an indirect draw.
+    /// Returns the buffer with the arguments of the indirect draw.
     pub fn drawn(&self) -> &Buffer {
         &self.drawn
     }
 
-    /// How many triangles were made, once that is done.
+    /// Waits for the GPU and returns the number of triangles made last.
     pub async fn triangles(&self, gpu: &Gpu) -> Result<u64, GpuError> {
         let size = TessellationTotals::SIZE as u64;
         let readable = gpu
@@ -199,8 +200,8 @@ impl Tessellated {
         Ok(made.into())
     }
 
-    /// Makes the triangles of a view, unless they are there. True when they were not, or when the surface's
-    /// maps or settings are others. Nothing is waited for.
+    /// Makes the triangles of a view, unless they are cached. Returns whether they were made; they
+    /// are also made if the surface's maps or settings changed. It does not wait for the GPU.
     pub fn make(
         &mut self,
         gpu: &Gpu,
@@ -229,7 +230,7 @@ impl Tessellated {
             pass.set_bind_group(0, maps, &[0, 0]);
             pass.set_bind_group(1, &self.making, &[]);
             if grid.is_swept == 1 {
-                // It says where points inside are, before these are displaced.
+                // This pass places the inner points, before they are displaced.
                 let [columns, rows] = in_rows(grid.patches);
                 pass.set_pipeline(&tessellator.swept);
                 pass.dispatch_workgroups(columns, rows, 1);
@@ -266,18 +267,18 @@ impl Tessellated {
     }
 }
 
-/// Columns and rows of groups for the given number of invocations.
+/// Returns columns and rows of workgroups for a number of invocations.
 fn groups_for(count: u32) -> [u32; 2] {
     in_rows(count.div_ceil(TESSELLATE_GROUP))
 }
 
-/// Columns and rows of the given number of groups.
+/// Returns columns and rows of a number of workgroups.
 fn in_rows(groups: u32) -> [u32; 2] {
     let in_row = TESSELLATE_ROW / TESSELLATE_GROUP;
     [groups.min(in_row), groups.div_ceil(in_row)]
 }
 
-/// What the GPU's buffers hold of what a view asks for.
+/// Returns the capacity that a view asks for, reduced to the GPU's buffers.
 fn capacity(gpu: &Gpu, of: &Tessellation) -> Result<Capacity, GpuError> {
     let Tessellation { base, grid } = of;
     let (vertices, patches) = (base.vertices.len() as u64, base.patches.len() as u64);
@@ -288,7 +289,7 @@ fn capacity(gpu: &Gpu, of: &Tessellation) -> Result<Capacity, GpuError> {
         let limit = corners.min(of_base);
         return Err(GpuError::TooManyVertices { count: base.vertices.len(), limit });
     }
-    // The number of a triangle travels as a signed integer, a vertex's as an unsigned one; a triangle has at
+    // Triangle numbers are signed 32-bit integers, vertex numbers unsigned ones. A triangle has at
     // most three edges for itself.
     let triangles = faces.min(u64::from(u32::MAX / 6)).min(grid.most_triangles.into());
     let limit = triangles.min(of_patches / 3).min(tallies / 4);

@@ -1,4 +1,5 @@
-//! What does not go well, what is kept from frame to frame, and the least limits, on a software adapter.
+//! Tests of errors, of the cache from frame to frame, and of the least limits, on a software
+//! adapter.
 
 use std::sync::{Arc, Mutex};
 
@@ -26,8 +27,8 @@ mod prepass;
 mod shells;
 mod tessellate;
 
-/// A software GPU of the test's own. Without one the test says that it skips, unless the environment variable
-/// `RELIEF_REQUIRE_GPU` is 1: then it fails.
+/// Opens a software GPU for a test. Without one the test reports that it skips, unless the
+/// environment variable `RELIEF_REQUIRE_GPU` is 1: then it fails.
 pub(super) fn software() -> Option<Gpu> {
     match Gpu::new(AdapterChoice::Software) {
         Ok(gpu) => Some(gpu),
@@ -41,7 +42,7 @@ pub(super) fn software() -> Option<Gpu> {
     }
 }
 
-/// The same opened by the caller, with exactly those limits and no feature.
+/// Opens the software adapter as a caller does, with exactly those limits and no feature.
 pub(super) fn own(limits: Limits) -> Option<Gpu> {
     software()?;
     let adapter = block_on(AdapterChoice::Software.find()).expect("there is one");

@@ -1,4 +1,4 @@
-//! Maps as textures.
+//! Upload of maps to textures.
 
 use std::borrow::Cow;
 
@@ -16,27 +16,27 @@ use wgpu::{
 use super::{Gpu, GpuError};
 use crate::mipmaps::Mipmaps;
 
-/// Bytes that are handed to the driver at once; as many wait in its staging memory. Smaller uploads wait more
-/// often.
+/// Bytes that are handed to the driver at once, and the size of its staging memory. With smaller
+/// uploads the CPU waits more often.
 pub const STAGING_BYTES: usize = 16 << 20;
 
-/// How the maps that fast sampling filters are stored.
+/// Format of the maps that fast sampling filters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
-    /// As they are.
+    /// 32-bit floats, unchanged.
     F32,
-    /// As 16-bit floats, which every GPU can filter.
+    /// 16-bit floats, which every GPU can filter.
     F16,
 }
 
 impl Precision {
-    /// Precision of maps that are read with a sampling.
+    /// Returns the precision of maps for a sampling.
     pub fn of(gpu: &Gpu, sampling: Sampling) -> Self {
         if sampling == Sampling::Fast && !gpu.filters_f32() { Precision::F16 } else { Precision::F32 }
     }
 }
 
-/// Height map with the given number of its levels.
+/// Uploads a height map with a number of its mip levels.
 pub fn heights(
     gpu: &Gpu,
     map: &HeightMap,
@@ -57,7 +57,7 @@ pub fn heights(
     Ok(view(&texture, false))
 }
 
-/// The holes of a map, a byte a texel; a single texel where there are none.
+/// Uploads the holes of a map, a byte a texel; a single texel if there are none.
 pub fn holes(gpu: &Gpu, holes: Option<&TexelMask>) -> Result<TextureView, GpuError> {
     let size = holes.map_or([1, 1], |holes| [holes.width(), holes.height()]);
     gpu.check_texture("holes", size)?;
@@ -71,7 +71,7 @@ pub fn holes(gpu: &Gpu, holes: Option<&TexelMask>) -> Result<TextureView, GpuErr
     Ok(view(&flat(gpu, "holes", size, TextureFormat::R8Unorm, &texels)?, false))
 }
 
-/// A colour or a normal map with its levels; a single texel where there is none.
+/// Uploads a colour or normal map with its levels; a single texel if there is none.
 pub fn picture(
     gpu: &Gpu,
     what: &'static str,
@@ -86,7 +86,7 @@ pub fn picture(
     };
     let [width, height] = size;
     let area = u64::from(width) * u64::from(height);
-    // Of the finest level a single layer may be all that is ever read.
+    // The finest level may have a single layer, if no other is ever read.
     let finest = [1, all].into_iter().find(|layers| texels.len() as u64 == area * *layers as u64);
     if texels.is_empty() || finest.is_none() {
         return Err(GpuError::WrongLength { what, width, height, given: texels.len() });
@@ -108,7 +108,7 @@ pub fn picture(
     Ok(view(&texture, layers))
 }
 
-/// The baked map of a slot; a single texel where none is read.
+/// Uploads the baked map of a slot; a single texel if none is read.
 pub fn baked(gpu: &Gpu, slot: MapSlot, map: Option<&BakedMap>) -> Result<TextureView, GpuError> {
     let Some(map) = map else {
         return Ok(view(&flat(gpu, slot.name(), [1, 1], TextureFormat::R32Float, &[0; 4])?, true));
@@ -136,7 +136,7 @@ pub fn baked(gpu: &Gpu, slot: MapSlot, map: Option<&BakedMap>) -> Result<Texture
     Ok(view(&texture, true))
 }
 
-/// The sampler of fast sampling, which continues maps as their wrap says.
+/// Creates the sampler of fast sampling, which continues maps by their wrap.
 pub fn sampler(gpu: &Gpu, wrap: Wrap) -> Sampler {
     let mode = match wrap {
         Wrap::Repeat => AddressMode::Repeat,
@@ -163,7 +163,7 @@ fn stored(values: &[f32], precision: Precision) -> Cow<'_, [u8]> {
     }
 }
 
-/// A texture of one layer and level.
+/// Creates and fills a texture of one layer and level.
 fn flat(
     gpu: &Gpu,
     label: &str,
@@ -176,7 +176,7 @@ fn flat(
     Ok(texture)
 }
 
-/// All of a texture, of layers or of the only one.
+/// Returns the view of all of a texture, as an array of layers or as its only layer.
 pub fn view(texture: &Texture, layers: bool) -> TextureView {
     let dimension = if layers { TextureViewDimension::D2Array } else { TextureViewDimension::D2 };
     texture.create_view(&TextureViewDescriptor { dimension: Some(dimension), ..Default::default() })
@@ -201,7 +201,7 @@ fn texture(
     })
 }
 
-/// Uploads the layers of a level from the first on, row by row, some rows at a time.
+/// Uploads the layers of a level from the first on, some rows at a time.
 fn upload_level(
     gpu: &Gpu,
     texture: &Texture,

@@ -1,4 +1,5 @@
-//! Futures without a runtime: how this thread waits for one, and how a callback fulfils one.
+//! Futures without a runtime: waiting for a future on this thread, and futures fulfilled by
+//! callbacks.
 
 use std::future::Future;
 use std::pin::{Pin, pin};
@@ -6,8 +7,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::task::{Context, Poll, Wake, Waker};
 use std::thread::{self, Thread};
 
-/// Runs a future to its end on this thread, which sleeps meanwhile. Not for the web, where nothing goes on
-/// while a thread sleeps.
+/// Runs a future to its end on this thread, which sleeps meanwhile, and returns its output. It does
+/// not work on the web, where nothing goes on while a thread sleeps.
 pub fn block_on<F: Future>(future: F) -> F::Output {
     struct Unpark(Thread);
 
@@ -27,26 +28,26 @@ pub fn block_on<F: Future>(future: F) -> F::Output {
     }
 }
 
-/// What a callback will give, or what it gave.
+/// Value of a callback, once it has given it.
 struct Promise<T> {
     given: Option<T>,
     waker: Option<Waker>,
 }
 
-/// The callback's side.
+/// Sender of the value, for the callback.
 pub struct Giver<T>(Arc<Mutex<Promise<T>>>);
 
-/// The side that waits. It waits for ever when the callback is never called.
+/// Future of the value. It never ends if the callback is never called.
 pub struct Taker<T>(Arc<Mutex<Promise<T>>>);
 
-/// Both sides of a value to come.
+/// Creates the sender and the future of a value.
 pub fn promise<T>() -> (Giver<T>, Taker<T>) {
     let promise = Arc::new(Mutex::new(Promise { given: None, waker: None }));
     (Giver(Arc::clone(&promise)), Taker(promise))
 }
 
 impl<T> Giver<T> {
-    /// Gives the value.
+    /// Sends the value and wakes the future.
     pub fn give(self, value: T) {
         let mut promise = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         promise.given = Some(value);

@@ -37,7 +37,7 @@ const FINEST_TEXELS: f64 = 0.25;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GeometryError {
     /// The triangles cannot be made. The text names a setting that makes fewer.
-    #[error("its displaced triangles cannot be made: {0}; {1} makes fewer")]
+    #[error("its displaced triangles cannot be made: {0}; choose {1} for fewer triangles")]
     Mesh(MesherError, &'static str),
     /// The surface cannot be sliced.
     #[error("it cannot be sliced: {0}")]
@@ -210,7 +210,7 @@ fn no_finer(view: View, surface: &Surface) -> View {
 
 /// Displaced triangles, and the memory that they take.
 #[derive(Debug)]
-struct Known {
+struct CachedTriangles {
     of: DisplacedSource,
     triangles: Arc<Triangles>,
     bytes: u64,
@@ -218,7 +218,7 @@ struct Known {
 
 /// Base that backends tessellate, the same for all views.
 #[derive(Debug)]
-struct KnownBase {
+struct CachedBase {
     of: DisplacedSource,
     base: Arc<TessellatedBase>,
 }
@@ -226,8 +226,8 @@ struct KnownBase {
 /// Cache of the displaced triangles of a scene's surfaces, from one picture to the next.
 #[derive(Debug, Default)]
 pub struct Displaced {
-    known: Vec<Known>,
-    bases: Vec<KnownBase>,
+    known: Vec<CachedTriangles>,
+    bases: Vec<CachedBase>,
 }
 
 impl Displaced {
@@ -277,7 +277,7 @@ impl Displaced {
                         None => {
                             TessellatedBase::new(&of.mesh, &of.map, &of.coarser(levels), &watch).map(|base| {
                                 let base = Arc::new(base);
-                                self.bases.push(KnownBase { of: of.clone(), base: Arc::clone(&base) });
+                                self.bases.push(CachedBase { of: of.clone(), base: Arc::clone(&base) });
                                 base
                             })
                         }
@@ -290,7 +290,7 @@ impl Displaced {
                 GeometryError::Cancelled(cancelled) => cancelled.into(),
                 source => RenderError::Geometry { surface, source },
             })?;
-            self.known.push(Known { of, triangles: Arc::clone(&triangles), bytes });
+            self.known.push(CachedTriangles { of, triangles: Arc::clone(&triangles), bytes });
             Ok(Some(triangles))
         });
         each.collect()

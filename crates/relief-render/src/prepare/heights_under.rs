@@ -68,8 +68,8 @@ mod tests {
         HeightMap::from_fn(size[0], size[1], wrap, of).expect("heights from 0 to 1")
     }
 
-    /// Distance of a level's surface from the stated range of a triangle, at many points of it and up to
-    /// `beyond` of the finest texels beside them.
+    /// Returns the distance of a level's surface from the stated range of a triangle. It is taken
+    /// at many points of the triangle, and up to `beyond` finest texels beside them.
     fn outside(map: &HeightMap, level: u32, uv: [DVec2; 3], beyond: f64, said: [f32; 2]) -> f64 {
         let seen = map.level(level);
         let finest = DVec2::new(map.width().into(), map.height().into());

@@ -58,14 +58,14 @@ pub struct Preparer {
 }
 
 /// State while a job is made.
-struct Making<'a> {
+struct JobBuilder<'a> {
     scene: &'a Scene,
     before: &'a Preparer,
     triangles: TriangleCache,
     pictures: Pictures,
 }
 
-impl Making<'_> {
+impl JobBuilder<'_> {
     /// Creates a surface of a job with a number. `triangles` are drawn; without them, the triangles
     /// of its mesh.
     fn surface(
@@ -164,7 +164,7 @@ impl Preparer {
     /// When the displaced triangles of a surface cannot be made, or the work was cancelled.
     pub fn job(&mut self, scene: &Scene, watch: &Watch) -> Result<Job, RenderError> {
         let displaced = self.displaced.of_scene(scene, watch)?;
-        let mut making = Making {
+        let mut builder = JobBuilder {
             scene,
             before: self,
             triangles: TriangleCache::default(),
@@ -178,20 +178,20 @@ impl Preparer {
         let maps = self.maps.iter().chain(std::iter::repeat(&none));
         for ((surface, displaced), maps) in scene.surfaces().iter().zip(displaced).zip(maps) {
             let colors = surface.colors().filter(|_| displaced.is_none());
-            let whole = making.surface(surfaces.len(), surface, maps, displaced);
+            let whole = builder.surface(surfaces.len(), surface, maps, displaced);
             match colors {
                 None => surfaces.push(whole),
                 Some(colors) => {
                     for part in parts.of(colors, &whole.triangles, &self.parts) {
                         let of_material = surface.of_material(&colors.materials[part.material]);
                         let triangles = Some(part.triangles);
-                        surfaces.push(making.surface(surfaces.len(), &of_material, maps, triangles));
+                        surfaces.push(builder.surface(surfaces.len(), &of_material, maps, triangles));
                     }
                 }
             }
             owners.resize(surfaces.len(), surface);
         }
-        let Making { triangles, pictures, .. } = making;
+        let JobBuilder { triangles, pictures, .. } = builder;
         (self.triangles, self.pictures, self.parts) = (triangles, pictures, parts);
         let [width, height] = scene.size();
         let light_views = LightViews::new(scene.lights(), scene.camera(), [width, height], &mut surfaces);
@@ -346,8 +346,8 @@ fn surface_settings(
     }
 }
 
-/// Returns four values of a surface's depth object: the number of its images, the number of images
-/// that decide what is solid, the kind of their cells, and the difference of heights at a jump.
+/// Returns values of a surface's depth object: numbers of all images, and of the images that decide
+/// what is solid; the kind of their cells; the height difference at a jump.
 fn images(surface: &Surface) -> ([u32; 2], u32, f32) {
     match (surface.object(), surface.selection().object_cells()) {
         (Some(shown), Some(ObjectCells { cells, jump_texels, solid, .. })) => {

@@ -1,5 +1,5 @@
-//! Slices through relief, which the geometry `slices` makes from base meshes and height maps. Slices through
-//! objects, which `object-slices` makes from the box around them.
+//! Slices through relief, which the geometry `slices` makes from base meshes and height maps, and
+//! slices through objects, which `object-slices` makes from the box around them.
 
 use std::sync::Arc;
 

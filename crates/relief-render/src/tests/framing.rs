@@ -1,4 +1,4 @@
-//! Cameras that are fitted to what is seen.
+//! Cameras fitted to the visible surfaces.
 
 use relief_core::mesh::{Placement, Vertex, rectangle, sphere};
 use relief_core::object::{ImageObject, JumpCells, View as ImageView};
@@ -101,7 +101,7 @@ fn check(what: &str, surface: &Surface, view: View, size: [u32; 2]) {
     check_within(what, surface, view, size, 0.02);
 }
 
-/// The same where margins are wider by at most such a part of the picture.
+/// Checks framing where margins may be wider by at most a part of the picture.
 fn check_within(what: &str, surface: &Surface, view: View, size: [u32; 2], wider: f64) {
     for parallel in [false, true] {
         let builder = framed(surface.clone(), Framing::Seen, view, size);

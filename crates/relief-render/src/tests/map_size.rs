@@ -1,4 +1,5 @@
-//! Pictures with one pixel for each texel, and pictures in the proportions of what is seen from above.
+//! Pictures with one pixel for each texel, and pictures in the proportions of the scene seen from
+//! above.
 
 use super::*;
 use crate::renderer::Renderer;

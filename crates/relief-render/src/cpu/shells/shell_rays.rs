@@ -6,7 +6,7 @@ use relief_shaders::surface::FOLDED;
 
 use super::super::block::{lanes_for, places, places_where};
 use super::super::block_hits::RegionHits;
-use super::super::ready::Ready;
+use super::super::prepared_surface::PreparedSurface;
 use super::ShellRay;
 
 /// Least number of a shell's rays that are searched by themselves. Fewer are batched with the rays
@@ -44,7 +44,7 @@ pub struct PathBatch {
 
 impl ShellRays {
     /// Creates a side of a triangle's shell with at most a block of rays.
-    pub fn new(surface: &Ready, side: f32, looks: &[ShellRay], seen: &mut RegionHits) -> Self {
+    pub fn new(surface: &PreparedSurface, side: f32, looks: &[ShellRay], seen: &mut RegionHits) -> Self {
         let mut points = [[0.0; BLOCK]; 2];
         for (at, ShellRay { block, place, .. }) in looks.iter().enumerate() {
             for (to, from) in points.iter_mut().zip(&seen.of(*block).points) {
@@ -67,14 +67,14 @@ impl ShellRays {
         }
     }
 
-    fn enter(&mut self, surface: &Ready, lanes: Lanes) {
+    fn enter(&mut self, surface: &PreparedSurface, lanes: Lanes) {
         let Self { triangle, side, points, rest, at, paths, .. } = self;
         let rays = TriangleRays { triangle, side: *side, points };
         surface.program.enter_block(rays, *rest, lanes_for(*rest, lanes), at, paths);
     }
 
     /// Goes on to the segments with a number. Returns whether there are any.
-    fn go_on(&mut self, surface: &Ready, number: u32, lanes: Lanes) -> bool {
+    fn go_on(&mut self, surface: &PreparedSurface, number: u32, lanes: Lanes) -> bool {
         let Self { triangle, side, points, rest, searched, at, paths, .. } = self;
         *rest &= places_where(|place| at.segments[place] > number);
         *searched = 0;
@@ -90,7 +90,7 @@ impl ShellRays {
     }
 
     /// Stores the hits on these segments that are the nearest so far.
-    fn keep(&mut self, surface: &Ready, number: u32, lanes: Lanes, seen: &mut RegionHits) {
+    fn keep(&mut self, surface: &PreparedSurface, number: u32, lanes: Lanes, seen: &mut RegionHits) {
         let Self { triangle, side, looks, searched, points, at, paths, hits, keys, .. } = self;
         for (sums, costs) in self.costs.iter_mut().zip(&hits.cost) {
             places(*searched).for_each(|place| sums[place] += costs[place]);
@@ -129,7 +129,7 @@ impl ShellRays {
     }
 }
 
-impl Ready<'_> {
+impl PreparedSurface<'_> {
     /// Traces rays in several shells together and stores the hits that are the nearest so far.
     pub(super) fn look_together(
         &self,

@@ -96,8 +96,8 @@ fn twice_area(piece: [Point; 3], parts: [u32; 3]) -> f64 {
     (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])
 }
 
-/// Pieces tile a triangle whose sides have the given numbers of parts: no edge is there twice, they use every point of
-/// the border and as many inside as said, and their areas add up.
+/// Checks that pieces tile a triangle whose sides have the given numbers of parts: no edge is there
+/// twice, they use every point of the border and as many inside as said, and their areas add up.
 fn assert_tiled(parts: [u32; 3], points: u32, pieces: &[[Point; 3]], least: f64) {
     let border: u32 = parts.iter().sum();
     let number = |(side, at, _): Point| match side {

@@ -1,4 +1,4 @@
-//! The pyramids that are built beside those that are baked, and when they are built.
+//! Comparison of built and baked pyramids, and tests of when they are built.
 
 use relief_bake::baked_map;
 use relief_core::{BakedMap, ByteSize, Watch, Wrap};
@@ -23,7 +23,7 @@ type Reader = (&'static str, &'static str);
 /// In the finest level of detail.
 const FINEST: Reader = ("pyramid", "none");
 
-/// What reads a pyramid, and what that is over.
+/// Methods and settings that read a pyramid, with the samples of its extremes.
 const READERS: [(Reader, Over); 3] = [
     (FINEST, Over::Cells),
     (("pyramid-texels", "none"), Over::Texels),
@@ -105,8 +105,8 @@ fn built(gpu: &Gpu, builder: &Builder, map: &Arc<HeightMap>, over: Over) -> Vec<
     (0..texture.mip_level_count()).map(|level| read_level(gpu, &texture, level)).collect()
 }
 
-/// How many values of each level differ in a bit, zeros of either sign being the same. `None` where the
-/// levels are not of the same sizes.
+/// Number of values of each level that differ in a bit; zeros of either sign are the same. `None`
+/// where the levels are not of the same sizes.
 fn differences(built: &[Vec<f32>], baked: &BakedMap) -> Option<Vec<usize>> {
     let relief_core::MapTexels::F32(values) = baked.texels() else { return None };
     let same_levels = built.len() == baked.places().len();

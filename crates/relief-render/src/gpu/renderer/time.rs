@@ -1,4 +1,4 @@
-//! How long frames take.
+//! Timing of frames.
 
 use std::time::Duration;
 
@@ -12,18 +12,18 @@ use crate::frame_time::FrameTime;
 use crate::job::Job;
 use crate::samples::samples;
 
-/// Frames in a row take about so long together where they are timed: handing over the first and waiting for
-/// the last, some 0.2 ms, are hardly a part of it.
+/// Time of the frames that are timed in a row. Submitting the first and waiting for the last take
+/// some 0.2 ms, hardly a part of it.
 const ROW: Duration = Duration::from_millis(25);
 
-/// The most frames in a row.
+/// Most frames in a row.
 const MOST_FRAMES: u32 = 32;
 
 impl GpuRenderer {
-    /// Draws a job as it would be read back, waits until it is done, and says how long that took, without
-    /// compiling, uploading and reading back. A short frame is drawn several times, handed over one after the
-    /// other as programs do it: so the GPU has the next one when it is done with one, and none waits for the
-    /// CPU. Waits for the GPU, which the web does not allow.
+    /// Measures the time of a frame, without compiling, uploading and reading back. A short frame
+    /// is drawn several times in a row, as programs do it. So the GPU has the next frame when it is
+    /// done with one, and does not wait for the CPU. The call waits for the GPU, which the web does
+    /// not allow.
     ///
     /// # Errors
     ///
@@ -36,7 +36,7 @@ impl GpuRenderer {
         let gpu = self.gpu.clone();
         let clock = PassClock::new(&gpu);
         let ready = self.prepare(job, sampling, samples(job.samples, false), clock.as_ref()).await?;
-        // What was uploaded has arrived, and what is made is there, before the clock starts.
+        // All uploads have arrived, and all triangles are made, before the clock starts.
         gpu.flush()?;
         let mut time = self.time_frames(&ready, 1, clock).await?;
         let passes = self.targets()?.bands.iter().map(Vec::len).sum::<usize>() * ready.surfaces.len();
@@ -54,7 +54,7 @@ impl GpuRenderer {
         Ok(time)
     }
 
-    /// Hands over the given number of frames one after the other, and waits until the last is done.
+    /// Submits a number of frames one after the other, and waits until the last is done.
     async fn time_frames(
         &mut self,
         ready: &Passes,
@@ -83,7 +83,7 @@ impl GpuRenderer {
     }
 }
 
-/// Number of frames that are timed together, from the time and the traces of one alone.
+/// Returns the number of frames that are timed together, from the time and the traces of one alone.
 fn frames_in_a_row(alone: Duration, traces: usize) -> u32 {
     let frames = ROW.as_nanos() / alone.as_nanos().max(1);
     // A frame traces and shades.

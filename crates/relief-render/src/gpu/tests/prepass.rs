@@ -1,4 +1,5 @@
-//! The prepass that other programs run before their own passes: to the bit the `z` of the pictures.
+//! Prepass that other programs run before their own passes: its depths are the `z` of pictures, to
+//! the bit.
 
 use std::sync::Arc;
 
@@ -46,7 +47,7 @@ fn scene(surface: &str, depth_buffer: DepthBuffer, projection: Projection) -> Sc
     builder.build().expect("a scene")
 }
 
-/// What the prepass leaves in a depth buffer that is cleared to what is farthest away.
+/// Returns the depth buffer after the prepass. It is cleared to the farthest depth.
 fn depths(gpu: &Gpu, job: &Job, clip: Clip) -> Vec<f32> {
     let (surface, layouts) = (&job.surfaces[0], Layouts::new(gpu.device()));
     let count = surface.triangles.len() as u32;

@@ -1,4 +1,5 @@
-//! Shells on a GPU, where rays go down a hierarchy, beside the CPU, where blocks of rays do.
+//! Comparison of shells on a GPU, where rays traverse a BVH, and on the CPU, where blocks of rays
+//! do.
 
 use std::sync::Arc;
 
@@ -28,7 +29,7 @@ fn scene(surface: &str, eye: DVec3, projection: Projection, two_sided: bool) -> 
     Scene::builder(surface).camera(camera).samples(1).size(160, 120).build().expect("a scene")
 }
 
-/// What a pixel shows, to the bit.
+/// Returns the bits of a pixel's values.
 fn shown(pixel: &PixelOut) -> ([u32; 4], [u32; 6]) {
     let PixelOut { hit, uv, height, t, z, position, reads, steps, bytes, .. } = pixel;
     ([*hit, *reads, *steps, *bytes], [uv.x, uv.y, *height, *t, *z, position.x].map(f32::to_bits))

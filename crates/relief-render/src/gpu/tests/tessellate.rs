@@ -1,4 +1,4 @@
-//! Triangles made on a GPU are those that the CPU makes.
+//! Comparison of triangles made on a GPU and on the CPU.
 
 use std::sync::Arc;
 

@@ -72,7 +72,7 @@ impl Aim {
 }
 
 /// A surface ready to be traced.
-pub struct Ready<'a> {
+pub struct PreparedSurface<'a> {
     pub(super) program: Program<'a>,
     rays: PictureRays,
     triangles: &'a Triangles,
@@ -98,7 +98,7 @@ pub struct Ready<'a> {
     pub(super) shorter_m: f32,
 }
 
-impl<'a> Ready<'a> {
+impl<'a> PreparedSurface<'a> {
     /// Prepares a surface for a frame. `light_map` holds the shadow maps, if the surface reads
     /// them.
     pub fn new(
@@ -147,7 +147,8 @@ impl<'a> Ready<'a> {
         }
     }
 
-    /// Returns the caster by tiles for a picture of the given columns and rows, if the base has one.
+    /// Returns the caster by tiles for a picture of the given columns and rows, if the base has
+    /// one.
     pub fn tiles(&self, size: [u32; 2], lanes: Lanes) -> Option<TileCaster<'_>> {
         match &self.base {
             Base::Polygons(caster) => Some(TileCaster::new(caster, self.rays, size, self.sides, lanes)),
@@ -283,7 +284,7 @@ impl<'a> Ready<'a> {
 
 /// All surfaces of a scene, for rays from lights.
 pub struct SceneRays<'a> {
-    pub surfaces: Vec<Ready<'a>>,
+    pub surfaces: Vec<PreparedSurface<'a>>,
     /// Distance in metres that leads out of the scene from any of its points.
     pub reach_m: f32,
 }
@@ -299,8 +300,8 @@ impl<'a> SceneRays<'a> {
         let reach_m = if across.is_finite() { across * 1.01 } else { 1.0 };
         let frame = frame_of_rays(reach_m);
         let ready = job.surfaces.iter().zip(accelerations);
-        let surfaces =
-            ready.map(|(surface, acceleration)| Ready::for_light(surface, frame, acceleration.clone()));
+        let surfaces = ready
+            .map(|(surface, acceleration)| PreparedSurface::for_light(surface, frame, acceleration.clone()));
         Self { surfaces: surfaces.collect(), reach_m: reach_m as f32 }
     }
 }

@@ -1,4 +1,4 @@
-//! What is drawn of a surface.
+//! Draw calls of surfaces.
 
 use relief_shaders::cpu::{Corner, Face, Shared, ShellNode};
 use relief_shaders::surface::Proposal;
@@ -7,17 +7,17 @@ use wgpu::{Buffer, RenderPass};
 use super::{Gpu, GpuError, shells};
 use crate::job::JobSurface;
 
-/// How much is drawn.
+/// Size of a draw call.
 #[derive(Clone, Debug)]
-pub enum Drawn {
+pub enum DrawCall {
     /// Numbers of vertices and instances.
     Direct([u32; 2]),
-    /// As many as a buffer says, which the GPU wrote.
+    /// Buffer with the arguments of an indirect draw, which the GPU wrote.
     Indirect(Buffer),
 }
 
-impl Drawn {
-    /// Draws it.
+impl DrawCall {
+    /// Records the draw call.
     pub fn draw(&self, pass: &mut RenderPass) {
         match self {
             Self::Direct([vertices, instances]) => pass.draw(0..*vertices, 0..*instances),
@@ -25,7 +25,8 @@ impl Drawn {
         }
     }
 
-    /// The triangles of a surface that has them; for shells one that covers the picture.
+    /// Returns the draw call of a surface's triangles. For shells it is a single triangle that
+    /// covers the picture.
     pub fn of(surface: &JobSurface) -> Self {
         let count = surface.triangles.len() as u32;
         let drawn = match surface.selection.paths().proposal {
@@ -36,8 +37,8 @@ impl Drawn {
     }
 }
 
-/// Refuses more triangles than the GPU takes. The number of a triangle travels as a signed integer, a
-/// vertex's number as an unsigned one.
+/// Fails if a surface has more triangles or vertices than the GPU takes. Triangle numbers are
+/// signed 32-bit integers in the shaders, vertex numbers unsigned ones.
 pub fn check_triangles(gpu: &Gpu, surface: &JobSurface) -> Result<(), GpuError> {
     let (count, corners) = (surface.triangles.len(), surface.triangles.corners().len());
     let of_kind = match surface.selection.paths().proposal {
