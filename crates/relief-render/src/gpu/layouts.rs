@@ -11,7 +11,7 @@ use wgpu::{
 /// Format of pictures that stay on the GPU: linear colours.
 pub const PICTURE: TextureFormat = TextureFormat::Rgba16Float;
 
-/// Variables of which each pass has its own piece, in the order of their bindings.
+/// Variables with a separate piece for each pass, in the order of their bindings.
 const PER_PASS: [&str; 2] = ["frame", "pass_settings"];
 
 /// Creates the layout of bindings of one group. With exact sampling there is no sampler.
