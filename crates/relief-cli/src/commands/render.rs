@@ -29,7 +29,7 @@ use crate::{advice, interrupt, lanes, say};
 
 /// Arguments of `relief render`. Flags override the scene file.
 #[derive(Args)]
-#[command(after_help = "Examples:\n  relief render --height data/bricks.png -o bricks.png\n  \
+#[command(after_help = "Examples:\n  relief render data/bricks.png -o bricks.png\n  \
     relief render scenes/jacksboro.toml --size 1600x1200 --samples 16 -o jacksboro.png\n  \
     relief render --height dem.tif --view top --projection orthographic -o map.png\n  \
     relief render --height map.exr --method occlusion --set search.steps=64 --aov aov.exr -o map.png\n  \
