@@ -125,7 +125,7 @@ pub fn of_scene(error: &SceneError) -> Option<Advice> {
         SceneError::TooMuchMemory { .. }
         | SceneError::TooManySurfaces { .. }
         | SceneError::TooMuchToTrace { .. }
-        | SceneError::TooMuchForLights { .. } => Some(Advice::everywhere("use --max-memory")),
+        | SceneError::TooMuchForShadowMaps { .. } => Some(Advice::everywhere("use --max-memory")),
         SceneError::Read(error) => of_read(&error.problem),
         SceneError::Picture(error) => of_picture(&error.problem),
         SceneError::Mesh(error) => of_mesh(&error.problem),

@@ -1,4 +1,4 @@
-//! What is seen beside the surfaces.
+//! Backgrounds: the colours of pixels that no surface covers.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,26 +8,28 @@ use relief_core::registry::UnknownName;
 
 use crate::light::checked_colour;
 
-/// What pixels show that no surface covers.
+/// Background of a picture, shown by pixels that no surface covers.
 ///
-/// Its text is `R,G,B`, `gradient` or `environment`.
+/// As text: `R,G,B`, `gradient` or `environment`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Background {
-    /// The same everywhere: linear red, green and blue, each at least 0.
+    /// One colour everywhere: linear red, green and blue, each at least 0.
     Color(Vec3),
-    /// One colour at the picture's upper edge and another at its lower edge, with a blend between them.
+    /// Vertical gradient between two linear colours: the first at the picture's upper edge, the
+    /// second at its lower edge.
     Gradient([Vec3; 2]),
-    /// The scene's surroundings, or a generated sky where it has none. Parallel rays see one point of them.
+    /// Environment map of the scene, or a generated sky if it has none. Under an orthographic
+    /// camera all pixels show the same point of it.
     Environment,
 }
 
-/// What is wrong with the text of a [`Background`].
+/// Reason why a text is no [`Background`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BackgroundError {
-    /// It is neither a colour nor a name.
+    /// The text is neither a colour nor a name.
     #[error("write it as R,G,B, or as gradient or environment")]
     Form,
-    /// A part of a colour is negative or not finite.
+    /// A component of the colour is negative or not finite.
     #[error("each part of a colour must be finite and not negative")]
     Colour,
     /// There is no background of that name.
@@ -36,14 +38,15 @@ pub enum BackgroundError {
 }
 
 impl Background {
-    /// The backdrop of a studio: bright, a little darker toward the lower edge.
+    /// Gradient of the look `studio`: bright, a little darker toward the lower edge.
     pub const GRADIENT: Self =
         Background::Gradient([Vec3::new(0.83, 0.86, 0.90), Vec3::new(0.66, 0.69, 0.73)]);
 
-    /// The names of those that are no colours.
+    /// Names of the backgrounds that are not a single colour.
     pub const NAMES: [&str; 2] = ["gradient", "environment"];
 
-    /// The colours at the upper and at the lower edge; black where the surroundings are seen.
+    /// Returns the linear colours at the picture's upper and lower edge, in this order. Both are
+    /// black for [`Background::Environment`], whose colours depend on the direction.
     pub fn colours(&self) -> [Vec3; 2] {
         match *self {
             Background::Color(colour) => [colour; 2],

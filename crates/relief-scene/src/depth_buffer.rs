@@ -1,25 +1,25 @@
-//! Depth buffers of other programs: what they hold for a depth.
+//! Depth buffers of other programs: the values that they store for a depth.
 
 use std::fmt;
 use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
 
-/// Which end of a depth buffer is near.
+/// End of a depth buffer's range that is near.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Clip {
     /// 0 is near, 1 is far.
     #[default]
     Standard,
-    /// 1 is near, 0 is far: in floats, depths far away have more bits so.
+    /// 1 is near, 0 is far. Stored as floats, far depths are more precise this way.
     Reversed,
 }
 
 impl Clip {
-    /// Every choice, in the order in which help lists them.
+    /// Both choices, in the order in which help lists them.
     pub const ALL: [Clip; 2] = [Clip::Standard, Clip::Reversed];
 
-    /// The name used on the command line and in scenes.
+    /// Returns the name used on the command line and in scene files.
     pub const fn name(self) -> &'static str {
         match self {
             Clip::Standard => "standard",
@@ -43,20 +43,22 @@ impl FromStr for Clip {
     }
 }
 
-/// The depth buffer that a picture's `z` are of. It says nothing of what is seen: what is nearer than its
-/// near plane, or farther than its far one, has the `z` of that plane.
+/// Depth buffer for a picture's AOV `z`. It does not clip: a point nearer than the near plane, or
+/// farther than the far plane, has the `z` of that plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DepthBuffer {
-    /// Which end is near.
+    /// End of the range that is near. Default: [`Clip::Standard`].
     pub clip: Clip,
-    /// Metres from the eye, along the view axis, to the near plane; around the scene where it is not given.
+    /// Distance from the eye to the near plane along the view axis, in metres. Default: just before
+    /// the scene.
     pub near_m: Option<f64>,
-    /// Metres to the far plane, in perspective also infinity; around the scene where it is not given.
+    /// Distance from the eye to the far plane along the view axis, in metres; may be infinite in
+    /// perspective. Default: just behind the scene.
     pub far_m: Option<f64>,
 }
 
 impl DepthBuffer {
-    /// The key of a plane that is impossible, with its value and what it must be.
+    /// Returns the key of an invalid plane, its value, and the values that are valid.
     pub(crate) fn problem(&self, is_orthographic: bool) -> Option<(&'static str, f64, &'static str)> {
         let near = self.near_m.unwrap_or(0.0);
         let is_near = near.is_finite() && (is_orthographic || self.near_m.is_none_or(|near| near > 0.0));
@@ -71,13 +73,16 @@ impl DepthBuffer {
         (is_orthographic && far.is_infinite()).then_some(("far", far, "finite, as parallel rays need it"))
     }
 
-    /// What the buffer holds for a depth d is the first number, the second over d, and the third times d.
-    /// `scene` are the depths of the nearest and the farthest of a scene.
+    /// Returns `[a, b, c]` such that the buffer holds `a + b / d + c d` for a depth `d` in metres.
+    ///
+    /// `scene` holds the depths in metres of the nearest and the farthest point of the scene. They
+    /// stand in for planes that are not given. `c` is 0 in perspective, `b` is 0 with parallel
+    /// rays.
     pub fn coefficients(&self, is_orthographic: bool, scene: [f64; 2]) -> [f64; 3] {
         let near = self.near_m.unwrap_or(scene[0]);
         let around = if scene[1] > near { scene[1] } else { near + near.abs().max(1.0) };
         let far = self.far_m.unwrap_or(around);
-        // From 0 at the near plane to 1 at the far one.
+        // Maps the near plane to 0 and the far plane to 1.
         let [always, over, times] = if is_orthographic {
             let inverse = 1.0 / (far - near);
             [-near * inverse, 0.0, inverse]

@@ -1,11 +1,12 @@
-//! Scenes: everything that a picture is made of, without a renderer.
+//! Scenes for displacement mapping: surfaces, lights, materials, cameras and looks, without a
+//! renderer.
 //!
-//! * [`Scene`] is complete, loaded and checked. Renderers take it. A [`SceneBuilder`] makes one in a
-//!   program.
-//! * [`SceneSpec`] describes a scene and leaves gaps. A scene file is one description; the command's
-//!   flags are another, which overrides the first. [`SceneSpec::load`] reads the files that it names
-//!   and returns a [`Scene`].
-//! * [`keys`] lists every key of a scene file with its type and meaning.
+//! * [`Scene`] is complete, loaded and checked. Renderers take it. A [`SceneBuilder`] makes one in
+//!   a program.
+//! * [`SceneSpec`] describes a scene and leaves gaps. A scene file is one description. The command's
+//!   flags are another and override the file. [`SceneSpec::load`] reads the named files and returns
+//!   a [`Scene`].
+//! * [`keys`] lists every key of a scene file with its type, default and meaning.
 //!
 //! ```
 //! use relief_core::{HeightMap, Wrap, mesh::torus};
@@ -18,8 +19,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Lights, materials, surroundings, backgrounds, depth buffers and tone curves are values of their own,
-//! each in a module of its name.
+//! Lights, materials, environment maps, backgrounds, depth buffers and tone curves each have a
+//! module.
 
 pub mod background;
 pub mod depth_buffer;

@@ -1,78 +1,84 @@
-//! Lights.
+//! Lights of a scene: directional lights and point lights.
 //!
-//! Light is measured relative to a white surface: an irradiance of 1 makes a diffuse surface of colour 1 that
-//! faces the light appear with the linear picture value 1. Colours are linear, red, green, blue.
+//! Light is measured relative to a white surface. Under an irradiance of 1, a diffuse surface of
+//! colour 1 that faces the light has the linear picture value 1. Colours are linear red, green and
+//! blue.
 
 use glam::{DVec3, Vec3};
 pub use relief_shaders::MAX_LIGHTS;
 
-/// Something that lights a scene.
+/// Light of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
-    /// A light infinitely far away.
+    /// Light infinitely far away.
     Directional {
         /// Unit vector from the scene toward the light.
         toward: DVec3,
         /// Irradiance on a surface that faces the light.
         irradiance: Vec3,
-        /// How large the light's disc appears: its diameter in degrees.
+        /// Apparent diameter of the light's disc in degrees, from 0 to [`MAX_DIAMETER_DEG`].
         diameter_deg: f64,
     },
-    /// A light at a point.
+    /// Light at a point.
     Point {
         /// Position in metres.
         position_m: DVec3,
-        /// Irradiance on a surface that faces the light from 1 m away; it falls with the square of the
-        /// distance.
+        /// Irradiance on a surface that faces the light at a distance of 1 m. It falls with the
+        /// square of the distance.
         intensity: Vec3,
-        /// Radius of the disc, turned to what it lights, that shines; 0 for a point.
+        /// Radius in metres of a shining disc that faces the lit point. 0 for a point.
         radius_m: f64,
     },
 }
 
-/// Diameter of the sun's disc, and of the moon's, in degrees. Default of a light that is infinitely far away.
+/// Apparent diameter of the sun and of the moon in degrees. Default of directional lights.
 pub const SUN_DEG: f64 = 0.53;
 
-/// The largest diameter of a light that is infinitely far away, in degrees.
+/// Largest diameter of a directional light in degrees.
 pub const MAX_DIAMETER_DEG: f64 = 90.0;
 
-/// Why there is no such light.
+/// Reason why a light is invalid.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LightError {
     /// The direction is 0 or not finite.
-    #[error("{0} is no direction toward a light: it must be finite and not zero")]
+    #[error("the direction toward a light is {0}: it must be finite and not zero")]
     NoDirection(DVec3),
-    /// The position is not finite.
-    #[error("a light at {0}: its position must be finite")]
+    /// The position is infinite or NaN.
+    #[error("the position of a light is {0}: it must be finite")]
     BadPosition(DVec3),
     /// A colour is negative or not finite.
-    #[error("a light of {0}: each part must be finite and not negative")]
+    #[error("the colour is {0}: each part must be finite and not negative")]
     BadColour(Vec3),
     /// A light's diameter is out of range.
-    #[error("a light of {0} degrees: it must be from 0 to {MAX_DIAMETER_DEG} degrees wide")]
+    #[error("the diameter of a light is {0} degrees: it must be from 0 to {MAX_DIAMETER_DEG} degrees")]
     BadDiameter(f64),
     /// A light's radius is negative or not finite.
-    #[error("a light with a radius of {0} m: it must be finite and not negative")]
+    #[error("the radius of a light is {0} m: it must be finite and not negative")]
     BadRadius(f64),
-    /// A light at a point is given a diameter in degrees, or one infinitely far away a radius in metres.
+    /// A point light has a diameter in degrees, or a directional light a radius in metres.
     #[error(
-        "the size of a light at a position is its radius in metres, of another one its diameter in degrees"
+        "a light at a position has a radius in metres, a light with a direction a diameter in degrees: give \
+         only the one that fits"
     )]
     OtherSize,
-    /// A light has both or neither of a direction and a position.
-    #[error("a light has either a direction or a position")]
+    /// A light has both a direction and a position, or neither.
+    #[error("a light needs either a direction or a position: give exactly one of them")]
     DirectionOrPosition,
     /// There are more lights than [`MAX_LIGHTS`].
-    #[error("{0} lights are too many: at most {MAX_LIGHTS} are possible")]
+    #[error("the scene has {0} lights: give at most {MAX_LIGHTS}")]
     TooMany(usize),
 }
 
 impl Light {
-    /// A light infinitely far away in the direction `toward`, of any length, as large as the sun appears.
+    /// Creates a light infinitely far away.
+    ///
+    /// `toward` points from the scene to the light; its length does not matter. The diameter is
+    /// [`SUN_DEG`].
     ///
     /// # Errors
     ///
-    /// When the direction is 0 or not finite, or a part of the irradiance is negative or not finite.
+    /// When the direction is 0 or not finite, or a component of the irradiance is negative or not
+    /// finite.
     pub fn directional(toward: DVec3, irradiance: Vec3) -> Result<Self, LightError> {
         // Scaled first, so that neither very long nor very short vectors lose their direction.
         let scaled = toward / toward.abs().max_element();
@@ -80,9 +86,11 @@ impl Light {
         Ok(Light::Directional { toward, irradiance: checked_colour(irradiance)?, diameter_deg: SUN_DEG })
     }
 
-    /// The same light, infinitely far away, with a disc of that diameter in degrees, from 0 to
-    /// [`MAX_DIAMETER_DEG`]. Shadows of the whole disc are soft: those that look at one of its points only
-    /// take its centre.
+    /// Sets the apparent diameter of a directional light's disc in degrees, from 0 to
+    /// [`MAX_DIAMETER_DEG`].
+    ///
+    /// Shadow variants that sample the whole disc become soft. Variants that trace a single ray use
+    /// its centre.
     ///
     /// # Errors
     ///
@@ -95,7 +103,7 @@ impl Light {
         Ok(Light::Directional { toward, irradiance, diameter_deg })
     }
 
-    /// The same light at a point with a disc of that radius in metres. Its intensity stays the same.
+    /// Sets the radius of a point light's disc in metres. The intensity does not change.
     ///
     /// # Errors
     ///
@@ -108,11 +116,14 @@ impl Light {
         Ok(Light::Point { position_m, intensity, radius_m })
     }
 
-    /// A light at a point, in metres, with the irradiance that it gives at 1 m.
+    /// Creates a point light at a position in metres.
+    ///
+    /// `intensity` is the irradiance on a surface that faces it at a distance of 1 m. The radius is
+    /// 0.
     ///
     /// # Errors
     ///
-    /// When the position is not finite, or a part of the intensity is negative or not finite.
+    /// When the position is not finite, or a component of the intensity is negative or not finite.
     pub fn point(position_m: DVec3, intensity: Vec3) -> Result<Self, LightError> {
         if !position_m.is_finite() {
             return Err(LightError::BadPosition(position_m));
@@ -121,7 +132,7 @@ impl Light {
     }
 }
 
-/// The colour, unless a part of it is negative or not finite.
+/// Returns the colour, or an error if a component is negative or not finite.
 pub(crate) fn checked_colour(colour: Vec3) -> Result<Vec3, LightError> {
     if colour.is_finite() && colour.min_element() >= 0.0 {
         Ok(colour)

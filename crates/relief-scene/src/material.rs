@@ -1,20 +1,22 @@
-//! The material: Blinn-Phong.
+//! Blinn-Phong materials with optional refraction.
 
 use glam::Vec3;
 
-/// Greatest index of refraction, germanium's. A vacuum has the least, 1.
+/// Greatest index of refraction, germanium's. The least is 1, a vacuum's.
 pub const MAX_IOR: f32 = 4.0;
 
-/// The greatest shininess. It is a whole number so that shaders can raise to it by multiplication alone, with
-/// the same bits everywhere; beyond this a highlight is smaller than a pixel.
+/// Greatest shininess. Shininess is a whole number so that shaders raise to it by multiplication
+/// alone, with the same bits everywhere. A highlight beyond this is smaller than a pixel.
 pub const MAX_SHININESS: u32 = 1024;
 
-/// A Blinn-Phong material that may be transparent: under irradiance `E` from direction `L`, seen from `V`,
-/// with `h` half-way between, `E (diffuse (N·L) + specular (N·h)^shininess)`.
+/// Blinn-Phong material that may be transparent.
 ///
-/// Colours are linear, red, green, blue, each part from 0 to 1. Of a transparent one a part of the light that
-/// enters is refracted in place of being scattered; what is seen by it, and how much is reflected of the
-/// surroundings, the ambient light `environment` says.
+/// Under irradiance `E` from direction `L`, seen from `V`, with `h` half-way between, its light is
+/// `E (diffuse (N·L) + specular (N·h)^shininess)`.
+///
+/// Colours are linear red, green and blue, each from 0 to 1. A transparent material refracts a part
+/// of the light that enters instead of scattering it. The ambient variant `environment` computes
+/// refraction and reflection from the environment map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     diffuse: Vec3,
@@ -24,15 +26,15 @@ pub struct Material {
     ior: f32,
 }
 
-/// Why there is no such material.
+/// Reason why a material is invalid.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MaterialError {
-    /// A colour is not between 0 and 1.
+    /// A component of a colour is not from 0 to 1.
     #[error("the {what} colour is {colour}: each part must be from 0 to 1")]
     BadColour {
-        /// Which colour.
+        /// Name of the colour: `diffuse` or `specular`.
         what: &'static str,
-        /// Its value.
+        /// Value of the colour.
         colour: Vec3,
     },
     /// The shininess is out of range.
@@ -47,12 +49,14 @@ pub enum MaterialError {
 }
 
 impl Material {
-    /// A material of those colours; `shininess` is a whole number from 1 to [`MAX_SHININESS`]. Where a scene
-    /// has a colour picture, `diffuse` multiplies it.
+    /// Creates an opaque material from linear colours, each component from 0 to 1.
+    ///
+    /// `shininess` is a whole number from 1 to [`MAX_SHININESS`]. If the surface has a colour
+    /// picture, `diffuse` multiplies it.
     ///
     /// # Errors
     ///
-    /// When a part of a colour or the shininess is out of range.
+    /// When a component of a colour or the shininess is out of range.
     pub fn new(diffuse: Vec3, specular: Vec3, shininess: u32) -> Result<Self, MaterialError> {
         for (what, colour) in [("diffuse", diffuse), ("specular", specular)] {
             if !(colour.cmpge(Vec3::ZERO) & colour.cmple(Vec3::ONE)).all() {
@@ -65,12 +69,14 @@ impl Material {
         Ok(Self { diffuse, specular, shininess, ..Self::default() })
     }
 
-    /// The same with a part of the light that is refracted, not scattered, from 0 to 1 (by default 0), and an
-    /// index of refraction, from 1 to [`MAX_IOR`] (by default 1.5, as of glass).
+    /// Sets the refracted part of the light and the index of refraction.
+    ///
+    /// `transmission` is from 0 (default) to 1; the rest is scattered. `ior` is from 1 to
+    /// [`MAX_IOR`]. Its default is 1.5, the index of glass.
     ///
     /// # Errors
     ///
-    /// When one of them is out of range.
+    /// When `transmission` or `ior` is out of range.
     pub fn with_transmission(self, transmission: f32, ior: f32) -> Result<Self, MaterialError> {
         if !(0.0..=1.0).contains(&transmission) {
             return Err(MaterialError::BadTransmission(transmission));
@@ -81,40 +87,45 @@ impl Material {
         Ok(Self { transmission, ior, ..self })
     }
 
-    /// The same of another diffuse colour, whose parts are cut off at 0 and 1.
+    /// Replaces the diffuse colour, each component clamped to 0..1.
     #[must_use]
     pub(crate) fn with_diffuse(self, diffuse: Vec3) -> Self {
         Self { diffuse: diffuse.clamp(Vec3::ZERO, Vec3::ONE), ..self }
     }
 
-    /// The part of the light that is scattered in all directions.
+    /// Returns the linear diffuse colour: the part of the light that is scattered in all
+    /// directions, from 0 to 1. Default: 0.4 each.
     pub fn diffuse(&self) -> Vec3 {
         self.diffuse
     }
 
-    /// The strength of the highlight.
+    /// Returns the linear specular colour: the strength of the highlight, from 0 to 1. Default: 0.1
+    /// each.
     pub fn specular(&self) -> Vec3 {
         self.specular
     }
 
-    /// The exponent of the highlight: greater is smaller.
+    /// Returns the exponent of the highlight, from 1 to [`MAX_SHININESS`]. Greater exponents give
+    /// smaller highlights. Default: 32.
     pub fn shininess(&self) -> u32 {
         self.shininess
     }
 
-    /// The part of the light that is refracted, not scattered.
+    /// Returns the part of the light that is refracted instead of scattered, from 0 to 1. Default:
+    /// 0.
     pub fn transmission(&self) -> f32 {
         self.transmission
     }
 
-    /// The index of refraction.
+    /// Returns the index of refraction, from 1 to [`MAX_IOR`]. Default: 1.5.
     pub fn ior(&self) -> f32 {
         self.ior
     }
 }
 
 impl Default for Material {
-    /// Grey with a faint, broad highlight, so that the default light leaves room for brighter slopes.
+    /// Grey with a faint, broad highlight. The grey leaves a margin for brighter slopes under the
+    /// default light.
     fn default() -> Self {
         let (diffuse, specular) = (Vec3::splat(0.4), Vec3::splat(0.1));
         Self { diffuse, specular, shininess: 32, transmission: 0.0, ior: 1.5 }
@@ -122,7 +133,8 @@ impl Default for Material {
 }
 
 impl Material {
-    /// Returns the material of a surface with colours of its own, which it darkens only a little.
+    /// Returns the default material for a surface with a colour picture. Its diffuse colour is 0.8
+    /// instead of 0.4, so that it darkens the picture only a little.
     pub fn under_colours() -> Self {
         Self { diffuse: Vec3::splat(0.8), ..Self::default() }
     }

@@ -1,18 +1,22 @@
-//! The side of a shadow map: as fine as the frame's pixels ask for, and no finer than the setting allows.
+//! Sizes of shadow maps and of their filters, in texels.
+//!
+//! A shadow map follows the size of the picture, up to the setting `shadow.size`.
 
-/// Texels of a shadow map along the longer side of a frame, for each of its pixels: 2048 for 800. With steps,
-/// maps of 2048 texels are whole for frames from 673 pixels on.
+/// Texels of a shadow map for each pixel of the frame's longer side: 2048 texels for 800 pixels.
+/// With [`STEPS`], frames from 673 pixels on get maps of 2048 texels.
 const TEXELS_A_PIXEL: f64 = 2.56;
 
-/// The smallest side that a frame asks for, in texels. The edges of shadows are a larger part of a smaller
-/// frame, so its texels are finer beside its pixels.
+/// Side in texels for the smallest frames. Edges of shadows cover a larger part of a small frame,
+/// so its texels are finer relative to its pixels.
 const SMALLEST: f64 = 256.0;
 
-/// Steps of a quarter octave: a frame that is resized by little keeps its maps.
+/// Steps of a quarter octave. A frame that is resized slightly keeps its maps.
 const STEPS: [f64; 4] = [1.0, 1.189_207_115_002_721, std::f64::consts::SQRT_2, 1.681_792_830_507_429];
 
-/// The side of the shadow maps of a frame of these columns and rows, in texels: at most `most`, which is the
-/// setting `shadow.size`.
+/// Returns the side in texels of the square shadow maps for a picture of `frame` columns and rows.
+///
+/// The side is about 2.56 texels for each pixel of the longer side, rounded up to a quarter octave,
+/// and at least 256. It is at most `most`, the setting `shadow.size`.
 pub fn shadow_map_side(most: u32, frame: [u32; 2]) -> u32 {
     let asked = f64::from(frame[0].max(frame[1])) * TEXELS_A_PIXEL;
     let octaves = std::iter::successors(Some(SMALLEST), |side| Some(2.0 * side));
@@ -20,9 +24,11 @@ pub fn shadow_map_side(most: u32, frame: [u32; 2]) -> u32 {
     sides.find(|side| *side >= asked.min(most.into())).map_or(most, |side| most.min(side as u32))
 }
 
-/// The width of a filter in texels of a shadow map whose side is `side`, where it was chosen for a side of
-/// `most`. A filter keeps its width in the scene, but stays at least a texel wide where it was, so that
-/// edges are averaged over neighbours.
+/// Returns the width of a shadow filter, in texels of a map with `side` texels a side.
+///
+/// `texels` is the width chosen for a map of `most` texels a side. The filter keeps its width in
+/// the scene. It stays at least one texel wide if it was, so that edges are averaged over
+/// neighbours.
 pub fn filter_texels(texels: f32, most: u32, side: u32) -> f32 {
     if side == most {
         return texels;

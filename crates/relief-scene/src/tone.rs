@@ -1,25 +1,26 @@
-//! How much light becomes which colour on a screen.
+//! Tone curves, from linear light to colours of a screen.
 
 use std::fmt;
 use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
 
-/// A tone curve: from linear light of any amount to linear colours of a screen, from 0 to 1.
+/// Tone curve: maps linear light, which has no upper limit, to linear colours of a screen from 0 to
+/// 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Tone {
-    /// Colours as they are; what is brighter than the screen is cut off.
+    /// Leaves colours unchanged. A screen clips components above 1.
     #[default]
     None,
-    /// AgX (Troy Sobotka, 2022) as three.js has it: bright colours become pale, none is cut off.
+    /// AgX (Troy Sobotka, 2022) as in three.js. Bright colours become pale; none is clipped.
     Agx,
 }
 
 impl Tone {
-    /// Every curve, in the order in which help lists them.
+    /// All curves, in the order in which help lists them.
     pub const ALL: [Tone; 2] = [Tone::None, Tone::Agx];
 
-    /// The name used on the command line and in scenes.
+    /// Returns the name used on the command line and in scene files.
     pub const fn name(self) -> &'static str {
         match self {
             Tone::None => "none",
@@ -27,7 +28,8 @@ impl Tone {
         }
     }
 
-    /// The colour of that light, in linear sRGB.
+    /// Returns the colour of `light`. Both are linear sRGB: red, green, blue. [`Tone::None`]
+    /// returns `light` itself, which may exceed 1.
     pub fn apply(self, light: [f32; 3]) -> [f32; 3] {
         match self {
             Tone::None => light,
@@ -59,7 +61,7 @@ const TO_REC2020: Rows = [[0.6274, 0.3293, 0.0433], [0.0691, 0.9195, 0.0113], [0
 const FROM_REC2020: Rows =
     [[1.6605, -0.5876, -0.0728], [-0.1246, 1.1329, -0.0083], [-0.0182, -0.1006, 1.1187]];
 
-/// Draws the primaries together, so that bright colours lose saturation, and apart again.
+/// Moves the primaries together, so that bright colours lose saturation, and apart again.
 const INSET: Rows = [
     [0.856_627_15, 0.095_121_24, 0.048_251_606],
     [0.137_318_97, 0.761_242, 0.101_439_04],
@@ -71,10 +73,11 @@ const OUTSET: Rows = [
     [-0.141_329_76, -0.110_606_64, 1.251_936_4],
 ];
 
-/// The stops of light that the curve spans.
+/// Range of the curve in stops of light.
 const STOPS: [f32; 2] = [-12.473_93, 4.026_069];
 
-/// Coefficients of the curve over the part of the stops, from the sixth power down: a fit of its shape.
+/// Coefficients of a polynomial fitted to the curve, highest power (6) first. Its argument goes
+/// from 0 to 1 over [`STOPS`].
 const CURVE: [f32; 7] = [15.5, -40.14, 31.96, -6.868, 0.4298, 0.1191, -0.002_32];
 
 fn agx(light: [f32; 3]) -> [f32; 3] {
@@ -95,7 +98,7 @@ fn times(rows: &Rows, [red, green, blue]: [f32; 3]) -> [f32; 3] {
 mod tests {
     use super::*;
 
-    /// Light, and its colour in three.js (r160 to r180), computed from its shader in 64-bit floats.
+    /// Light and its colour in three.js (r160 to r180), computed from its shader in 64-bit floats.
     const RAMP: &[([f32; 3], [f32; 3])] = &[
         ([1.0 / 4096.0; 3], [0.0; 3]),
         ([0.0009765625, 0.0009765625, 0.0009765625], [0.000102, 0.000102, 0.000102]),

@@ -104,7 +104,7 @@ fn check(what: &str, surface: &Surface, view: View, size: [u32; 2]) {
 /// Checks framing where margins may be wider by at most a part of the picture.
 fn check_within(what: &str, surface: &Surface, view: View, size: [u32; 2], wider: f64) {
     for parallel in [false, true] {
-        let builder = framed(surface.clone(), Framing::Seen, view, size);
+        let builder = framed(surface.clone(), Framing::Visible, view, size);
         let builder = if parallel { builder.fitted_orthographic_camera(view) } else { builder };
         let margins = margins(&pixels(builder), size);
         let differ = differ(margins, size);
@@ -187,10 +187,10 @@ fn a_map_covers_much_of_the_picture_and_a_cube_shows_three_faces() {
     let size = [800, 600];
     let plane = Surface::new(built(Builtin::Plane), hills(0.05));
     let hits = |pixels: &[PixelOut]| pixels.iter().filter(|pixel| pixel.hit == 1).count();
-    let covered = hits(&pixels(framed(plane, Framing::Seen, View::ThreeQuarter, size))) as f64 / 480_000.0;
+    let covered = hits(&pixels(framed(plane, Framing::Visible, View::ThreeQuarter, size))) as f64 / 480_000.0;
     assert!((0.45..0.6).contains(&covered), "{covered}");
     let flat = HeightMap::new(1, 1, vec![1.0], Wrap::Repeat).expect("a map");
-    let cube = framed(Surface::new(built(Builtin::Cube), flat), Framing::Seen, View::ThreeQuarter, size);
+    let cube = framed(Surface::new(built(Builtin::Cube), flat), Framing::Visible, View::ThreeQuarter, size);
     let faces = pixels(cube);
     for face in [Vec3::X, Vec3::Y, Vec3::Z] {
         let is_there = |pixel: &&PixelOut| {
@@ -231,7 +231,7 @@ fn degenerate_scenes_have_a_camera() {
     for (number, surface) in surfaces.into_iter().enumerate() {
         for view in View::ALL {
             for parallel in [false, true] {
-                let builder = framed(surface.clone(), Framing::Seen, view, [64, 48]);
+                let builder = framed(surface.clone(), Framing::Visible, view, [64, 48]);
                 let builder = if parallel { builder.fitted_orthographic_camera(view) } else { builder };
                 let scene = builder.build();
                 let camera = *scene.unwrap_or_else(|error| panic!("{number}, {view}: {error}")).camera();
@@ -239,7 +239,7 @@ fn degenerate_scenes_have_a_camera() {
             }
         }
     }
-    let narrow = framed(flat(), Framing::Seen, View::ThreeQuarter, [64, 48]);
+    let narrow = framed(flat(), Framing::Visible, View::ThreeQuarter, [64, 48]);
     let error = narrow.fitted_camera(View::ThreeQuarter, 0.0).build().expect_err("no field of view");
     assert_eq!(error.key, "fov");
 }
@@ -262,7 +262,7 @@ proptest! {
         let triangles = (2..vertices.len() as u32).map(|last| [0, last - 1, last]).collect();
         let Ok(mesh) = Mesh::new(vertices, triangles) else { return Ok(()) };
         let surface = Surface::new(mesh.clone(), hills(0.1));
-        let scene = framed(surface, Framing::Seen, view, size).fitted_camera(view, fov).build();
+        let scene = framed(surface, Framing::Visible, view, size).fitted_camera(view, fov).build();
         let scene = scene.expect("a scene");
         let camera = scene.camera();
         let [width, height] = size.map(f64::from);

@@ -108,7 +108,7 @@ fn pictures_from_above_have_the_proportions_of_what_is_seen() {
     for (sides, size) in
         [([40, 10], [800, 200]), ([10, 40], [200, 800]), ([7, 7], [800, 800]), ([1, 3000], [1, 800])]
     {
-        let scene = seen(sides[0], sides[1], Framing::Seen).build().expect("a scene");
+        let scene = seen(sides[0], sides[1], Framing::Visible).build().expect("a scene");
         assert_eq!(scene.size(), size, "{sides:?}");
         if size[0] > 1 {
             let misses = pixels(&scene).iter().filter(|pixel| pixel.hit == 0).count();
@@ -118,10 +118,10 @@ fn pictures_from_above_have_the_proportions_of_what_is_seen() {
         assert_eq!(scene.size(), [800, 600], "{sides:?}");
     }
     // A given size stays, and so does the size of other views.
-    let given = seen(40, 10, Framing::Seen).size(64, 64).build().expect("a scene");
+    let given = seen(40, 10, Framing::Visible).size(64, 64).build().expect("a scene");
     assert_eq!(given.size(), [64, 64]);
-    let front = seen(40, 10, Framing::Seen).fitted_orthographic_camera(View::Front);
+    let front = seen(40, 10, Framing::Visible).fitted_orthographic_camera(View::Front);
     assert_eq!(front.build().expect("a scene").size(), [800, 600]);
-    let perspective = seen(40, 10, Framing::Seen).fitted_camera(View::Top, 40.0);
+    let perspective = seen(40, 10, Framing::Visible).fitted_camera(View::Top, 40.0);
     assert_eq!(perspective.build().expect("a scene").size(), [800, 600]);
 }

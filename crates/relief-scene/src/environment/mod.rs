@@ -1,4 +1,4 @@
-//! Surroundings: light that comes from far away, another one from every direction.
+//! Environment maps: light from far away, different in every direction.
 
 mod cube;
 mod lobes;
@@ -13,18 +13,19 @@ use relief_io::Picture;
 
 use self::sphere::Sphere;
 
-/// Texels of a face's side in the last level, which holds what surfaces scatter: that is smooth, and between
-/// texels it is wrong by less than a hundredth.
+/// Side in texels of a face in the last level, which holds the light that diffuse surfaces scatter.
+/// This light is smooth: between texels its error is below a hundredth.
 const LAST_SIDE: u32 = 16;
 
-/// The most texels of a face's side: a fifth of a degree each.
+/// Largest side of a face in texels: a fifth of a degree each.
 const MOST_SIDE: u32 = 512;
 
-/// Surroundings, ready to be lit by: the faces of a cube, in levels that hold the light of ever wider lobes.
+/// Environment map: the six faces of a cube, with mip levels that hold the light within ever wider
+/// lobes.
 ///
-/// Radiance is in the units of ambient light: a white surface in surroundings of 1 shows 1. Directions are
-/// the world's, `y` up. In the picture of a whole sphere the middle is seen along `-z`, a quarter of
-/// the width right of it along `x`, the upper row along `y`.
+/// Radiance has the unit of ambient light: a white surface in an environment of 1 shows 1.
+/// Directions are in world space, `y` up. In the equirectangular picture the middle is seen along
+/// `-z`, a quarter of the width to its right along `x`, and the upper row along `y`.
 ///
 /// ```
 /// # fn main() -> Result<(), relief_scene::environment::EnvironmentError> {
@@ -44,46 +45,48 @@ pub struct Environment {
     map: Arc<BakedMap>,
 }
 
-/// Why a picture shows no surroundings.
+/// Reason why a picture is no environment map.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum EnvironmentError {
-    /// It is not twice as wide as high.
+    /// The picture is not twice as wide as high.
     #[error(
-        "{width}x{height} texels are no surroundings: a picture of a whole sphere is twice as wide as high"
+        "the environment map has {width}x{height} texels: use an equirectangular picture, which is twice as \
+         wide as high"
     )]
     Proportions {
-        /// Columns.
+        /// Width in texels.
         width: u32,
-        /// Rows.
+        /// Height in texels.
         height: u32,
     },
     /// A texel is NaN or infinite.
-    #[error("the texel at ({column}, {row}) is not finite")]
+    #[error("the texel at ({column}, {row}) of the environment map is not finite: give it a finite colour")]
     NotFinite {
-        /// Its column.
+        /// Column of the texel, from 0.
         column: usize,
-        /// Its row.
+        /// Row of the texel, from 0.
         row: usize,
     },
-    /// There are not as many texels as the sides say.
-    #[error("a picture of {width}x{height} texels was given {given} of them")]
+    /// The number of texels does not match width and height.
+    #[error("{given} texels are given for a picture of {width}x{height}: give as many as it has")]
     Length {
-        /// Columns.
+        /// Width in texels.
         width: u32,
-        /// Rows.
+        /// Height in texels.
         height: u32,
-        /// Texels given.
+        /// Number of texels given.
         given: usize,
     },
 }
 
 impl Environment {
-    /// Surroundings from an equirectangular picture in linear light, which is twice as wide as high. Colours
-    /// below 0 count as 0; opacity does not count.
+    /// Creates an environment map from an equirectangular picture in linear light, twice as wide as
+    /// high. Colours below 0 count as 0. Opacity is ignored.
     ///
     /// # Errors
     ///
-    /// When the picture has other proportions or too few texels, or one is not finite.
+    /// When the picture has other proportions or the wrong number of texels, or a texel is not
+    /// finite.
     pub fn from_equirectangular(picture: &Picture) -> Result<Self, EnvironmentError> {
         let Picture { width, height, ref texels } = *picture;
         if height == 0 || u64::from(width) != 2 * u64::from(height) {
@@ -99,7 +102,8 @@ impl Environment {
         Ok(Self::of(&Sphere::of(picture)))
     }
 
-    /// A generated sky: blue, pale at the horizon, above brown ground, without a sun. It is made once.
+    /// Returns a generated sky without a sun: blue, pale at the horizon, above brown ground. It is
+    /// made once and shared.
     pub fn sky() -> Arc<Self> {
         static SKY: OnceLock<Arc<Environment>> = OnceLock::new();
         Arc::clone(SKY.get_or_init(|| Arc::new(Self::of(&Sphere::of(&sky::picture())))))
@@ -112,7 +116,7 @@ impl Environment {
         let mut values = Vec::with_capacity((layout.texels() * 4) as usize);
         for level in 0..levels {
             let side = side >> level;
-            // As wide as a texel in the middle of a face.
+            // The width of a texel in the middle of a face.
             let width = 2.0 / f64::from(side);
             let texels = match level {
                 0 => cube::faces(side, |toward| sphere.mean(toward, width)),
@@ -129,18 +133,19 @@ impl Environment {
         Self { map: Arc::new(map.expect("as many values as six faces in all levels have")) }
     }
 
-    /// The faces of the cube as the shaders read them: as layers in the order `x`, `-x`, `y`, `-y`, `z`,
-    /// `-z`, with the axes that cube maps of GPUs have; outer texels lie on the edges of the cube.
+    /// Returns the faces of the cube as the shaders read them: layers in the order `x`, `-x`, `y`,
+    /// `-y`, `z`, `-z`, with the axes of cube maps on GPUs. The outer texels lie on the edges of
+    /// the cube.
     pub fn map(&self) -> &Arc<BakedMap> {
         &self.map
     }
 
-    /// What is taken for each texel of a picture while surroundings are made of it, and what is kept at most,
-    /// in bytes.
+    /// Memory in bytes: for each texel of a picture while its environment map is made, and of the
+    /// finished map at most.
     pub(crate) const BYTES: [u64; 2] = [Sphere::BYTES, 16 * 6 * 4 / 3 * (MOST_SIDE as u64).pow(2)];
 }
 
-/// Texels of a face's side for a picture so wide: about as fine.
+/// Returns the side in texels of a face that is about as fine as a picture `width` columns wide.
 fn side_for(width: u32) -> u32 {
     1 << (width / 4).clamp(2 * LAST_SIDE, MOST_SIDE).ilog2()
 }

@@ -1,23 +1,23 @@
-//! A generated sky.
+//! Generated sky for scenes without an environment map.
 
 use std::f32::consts::PI;
 
 use relief_io::Picture;
 
-/// Columns and rows: the sky is smooth.
+/// Columns and rows. Few are enough, as the sky is smooth.
 const SIZE: [u32; 2] = [512, 256];
 
 const ZENITH: [f32; 3] = [0.10, 0.19, 0.42];
 const HORIZON: [f32; 3] = [0.52, 0.57, 0.62];
 const GROUND: [f32; 3] = [0.13, 0.11, 0.09];
 
-/// How much of the height above the horizon is as pale as it: the exponent is larger where it is less.
+/// Exponent of the pale band above the horizon. Larger exponents make it narrower.
 const PALE: i32 = 4;
 
-/// Where the ground ends, as the `y` of a direction: a little below the horizon, and not at once.
+/// Height of the blend from ground to sky, as the `y` of a direction below the horizon.
 const EDGE: f32 = 0.04;
 
-/// The sky as a picture of a whole sphere, the same in all columns.
+/// Returns the sky as an equirectangular picture, the same in all columns.
 pub fn picture() -> Picture {
     let [width, height] = SIZE;
     let row = |row: u32| {

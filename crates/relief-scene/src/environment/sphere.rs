@@ -1,4 +1,4 @@
-//! An equirectangular picture as light from all directions.
+//! Light from all directions, read from an equirectangular picture.
 
 use std::f64::consts::{PI, TAU};
 
@@ -6,31 +6,32 @@ use glam::DVec3;
 use relief_core::area_mean::{coarser, coarser_size};
 use relief_io::Picture;
 
-/// The fewest columns of the finest level, and of the last: as many as the smallest cube needs.
+/// Fewest columns of the finest and of the last level, as the smallest cube needs them.
 const LEAST_WIDTH: u32 = 128;
 /// See [`LEAST_WIDTH`].
 const LAST_WIDTH: u32 = 64;
 
-/// A picture of a whole sphere, in levels each of half the columns and rows of the one before.
+/// Equirectangular picture with mip levels, each half as wide and high as the one before.
 pub struct Sphere {
     levels: Vec<Level>,
 }
 
-/// A level.
+/// Mip level of an equirectangular picture.
 pub struct Level {
-    /// Of each row.
+    /// Vertical position of each row.
     pub rows: Vec<Row>,
-    /// Of each column the sine and the cosine of the angle by which it lies to the right of the middle.
+    /// Sine and cosine of each column's angle to the right of the middle.
     pub columns: Vec<[f64; 2]>,
-    /// Row by row from above: a texel's light times the part of the sphere that it covers, and that part.
+    /// Row by row from above: a texel's light times the part of the sphere that it covers, then
+    /// that part.
     pub texels: Vec<[f32; 4]>,
 }
 
-/// Where a row lies: parts of a unit direction.
+/// Position of a row: components of a unit direction.
 pub struct Row {
     /// Along `y`.
     pub up: f64,
-    /// Across it.
+    /// Horizontal length.
     pub flat: f64,
 }
 
@@ -47,24 +48,25 @@ impl Level {
         Self { rows: (0..height).map(row).collect(), columns: (0..width).map(column).collect(), texels }
     }
 
-    /// The place among columns of an angle to the right of the middle; whole numbers are their centres.
+    /// Returns the column at an angle in radians to the right of the middle. Whole numbers are
+    /// centres of columns.
     pub fn column_of(&self, angle: f64) -> f64 {
         self.columns_of(angle + PI) - 0.5
     }
 
-    /// How many columns an angle is.
+    /// Returns the number of columns that an angle in radians spans.
     pub fn columns_of(&self, angle: f64) -> f64 {
         angle / TAU * self.columns.len() as f64
     }
 
-    /// The light from a direction, between the four texels around it.
+    /// Returns the light from a unit direction, interpolated between the four nearest texels.
     fn between(&self, toward: DVec3) -> [f64; 3] {
         let (columns, rows) = (self.columns.len(), self.rows.len());
         let across = self.column_of(toward.x.atan2(-toward.z));
         let down = toward.y.clamp(-1.0, 1.0).acos() / PI * rows as f64 - 0.5;
         let texel = |column: f64, row: f64| {
             let (row, last) = (row as isize, rows as isize - 1);
-            // Beyond a pole lies the other side.
+            // Beyond a pole, rows continue on the other side.
             let (row, turn) = if row < 0 {
                 (-1 - row, columns / 2)
             } else if row > last {
@@ -94,11 +96,12 @@ impl Level {
 }
 
 impl Sphere {
-    /// What a texel of the picture takes while this is made and used, besides the picture: a level, all that
-    /// follow, and the one that is at hand.
+    /// Bytes for each texel of the picture while the sphere is made and used, besides the picture:
+    /// a level, all that follow, and the one in work.
     pub const BYTES: u64 = 16 * 4 / 3 + 4;
 
-    /// Of a picture of finite colours that is twice as wide as high. A small one is interpolated.
+    /// Creates the levels from a picture of finite colours that is twice as wide as high. A small
+    /// picture is enlarged by interpolation.
     pub fn of(picture: &Picture) -> Self {
         let mut size = [picture.width, picture.height];
         let mut texels = weighted(picture);
@@ -116,7 +119,7 @@ impl Sphere {
         Self { levels }
     }
 
-    /// Columns of the finest level.
+    /// Returns the number of columns of the finest level.
     pub fn width(&self) -> u32 {
         self.levels[0].columns.len() as u32
     }
@@ -127,7 +130,8 @@ impl Sphere {
         self.levels.iter().rev().find(fine).unwrap_or(&self.levels[0])
     }
 
-    /// The mean light around a direction, over a square of that side, which is small.
+    /// Returns the mean light over a small square around a unit direction. `side` is the square's
+    /// side at distance 1.
     pub fn mean(&self, toward: DVec3, side: f64) -> [f32; 3] {
         // Three texels of the level are about as wide as the square.
         let level = self.level((2.0 * TAU / side) as u32);
@@ -145,7 +149,7 @@ impl Sphere {
     }
 }
 
-/// A picture's light, times the part of the sphere that a texel covers, and that part.
+/// Returns the light of each texel times the part of the sphere that it covers, then that part.
 fn weighted(picture: &Picture) -> Vec<[f32; 4]> {
     let height = f64::from(picture.height);
     let rows = picture.texels.chunks(picture.width.max(1) as usize).enumerate();
@@ -160,7 +164,7 @@ fn weighted(picture: &Picture) -> Vec<[f32; 4]> {
     texels.collect()
 }
 
-/// A level in more texels.
+/// Interpolates a level at more texels.
 fn enlarged(small: &Level, [width, height]: [u32; 2]) -> Picture {
     let large = Level::new(Vec::new(), [width, height]);
     let texels = large.rows.iter().flat_map(|row| {

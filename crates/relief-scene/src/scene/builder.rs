@@ -1,6 +1,6 @@
-//! Scenes made by programs.
+//! Builder of scenes for programs.
 
-use super::framing::{Framing, fitted_to_seen, proportional_size};
+use super::framing::{Framing, fitted_to_visible, proportional_size};
 use super::limits::{DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_SAMPLES};
 use super::picture_size::check_size;
 use super::surface_spec::environment;
@@ -17,40 +17,40 @@ use relief_core::camera::{Camera, CameraError};
 use relief_shaders::{AMBIENT, STAGES, SelectionError};
 use std::sync::{Arc, LazyLock};
 
-/// The position of the eye where only the target is given, in metres.
+/// Default position of the eye in metres if only the target is given.
 pub(super) const DEFAULT_EYE: DVec3 = DVec3::new(0.6, 0.9, 1.1);
-/// The default vertical field of view, in degrees.
+/// Default vertical field of view in degrees.
 pub(super) const DEFAULT_FOV: f64 = 40.0;
-/// What surroundings and light that is refracted need.
-pub(super) static SEEN: LazyLock<String> =
+/// Stage and variant that environment maps and refraction need.
+pub(super) static AMBIENT_ENVIRONMENT: LazyLock<String> =
     LazyLock::new(|| format!("{} {}", STAGES[AMBIENT].key, environment()));
-/// The default method.
+/// Default method.
 pub(super) const DEFAULT_METHOD: &str = "exact";
 /// Default method of depth objects.
 pub(super) const DEFAULT_METHOD_OF_OBJECTS: &str = "depth-object";
-/// The default width and height, in pixels.
+/// Default width and height in pixels.
 pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
 
-/// A scene under construction; made by [`Scene::builder`].
+/// Builder of a [`Scene`]; see [`Scene::builder`].
 #[derive(Clone, Debug)]
 #[must_use = "a builder makes no scene until it is built"]
 pub struct SceneBuilder {
     surfaces: Vec<Surface>,
     camera: CameraChoice,
-    /// Unless it is the look's.
+    /// `None` stands for the look's framing.
     framing: Option<Framing>,
     depth_buffer: DepthBuffer,
     look: Look,
     /// Whether surfaces get the sky and the shadows of the look.
     adapts_surfaces: bool,
     lights: Option<Vec<Light>>,
-    /// Toward the look's light, in place of the look's own direction.
+    /// Direction toward the look's light. `None` stands for the look's direction.
     light_toward: Option<DVec3>,
     light_angle: f64,
     ambient: Option<Vec3>,
     environment: Option<Arc<Environment>>,
     background: Option<Background>,
-    /// Unless the proportions of what is seen, or the default, are to say it.
+    /// `None` stands for the default, or for the proportions of the visible scene.
     size: Option<[u32; 2]>,
     samples: u32,
     exposure: Option<f32>,
@@ -61,30 +61,30 @@ pub struct SceneBuilder {
     culls: bool,
 }
 
-/// A camera, or how one is to be fitted.
+/// Camera, or the way to fit one.
 #[derive(Clone, Copy, Debug)]
 enum CameraChoice {
     Given(Camera),
-    /// From there, or from where the look has it.
+    /// Fitted in a view. `None` stands for the look's view.
     Fitted(Option<View>, Fit),
 }
 
 impl Scene {
-    /// Starts a scene that shows a surface; everything else has its default, which the builder's functions
-    /// state.
+    /// Returns a builder of a scene that shows one surface, with defaults for everything else. Each
+    /// function of the builder states its default.
     pub fn builder(surface: Surface) -> SceneBuilder {
         SceneBuilder::showing(vec![surface])
     }
 
-    /// A builder of a scene that differs from this one. What is not changed is shared with it, so that a
-    /// renderer that has seen this one need not make it ready again.
+    /// Returns a builder that starts with this scene's values. Unchanged parts are shared with this
+    /// scene, so a renderer need not prepare them again.
     pub fn to_builder(&self) -> SceneBuilder {
         SceneBuilder::of(self)
     }
 }
 
 impl SceneBuilder {
-    /// A scene that shows these surfaces.
+    /// Creates a builder of a scene that shows these surfaces.
     pub(super) fn showing(surfaces: Vec<Surface>) -> Self {
         Self {
             surfaces,
@@ -135,169 +135,180 @@ impl SceneBuilder {
         }
     }
 
-    /// One more surface.
+    /// Adds a surface.
     pub fn surface(mut self, surface: Surface) -> Self {
         self.surfaces.push(surface);
         self
     }
 
-    /// These surfaces in place of all others. A scene shows at least one.
+    /// Replaces all surfaces. A scene needs at least one.
     pub fn surfaces(mut self, surfaces: Vec<Surface>) -> Self {
         self.surfaces = surfaces;
         self
     }
 
-    /// The look: light, sky, background, tone curve and camera, as far as nothing else is said of them by the
-    /// other functions. By default [`Look::Plain`].
+    /// Sets the look: the defaults of light, sky, background, exposure, tone curve and camera.
+    /// Default: [`Look::Plain`].
     ///
-    /// Looks with a sky are for surfaces of the ambient light `constant`, which is what nobody chose: these
-    /// get `sky`, or `hemisphere` where they have no relief to read. With several surfaces the ones with the shadow
-    /// `ray` get `map`, so that they throw shadows on each other. A builder of a scene that exists
-    /// ([`Scene::to_builder`]) says everything else already.
+    /// Looks with a sky change surfaces with the ambient variant `constant`, the default: they get
+    /// `sky`, or `hemisphere` without a relief. If there are several surfaces, those with the
+    /// shadow `ray` get `map`, so that they cast shadows on each other. A builder from
+    /// [`Scene::to_builder`] already has values for everything else.
     pub fn look(mut self, look: Look) -> Self {
         self.look = look;
         self
     }
 
-    /// The same for surfaces that have the look's sky and shadows already, unless other ones were named.
+    /// Sets the look for surfaces that already have its sky and shadows, or others by name.
     pub(super) fn look_beside_surfaces(mut self, look: Look) -> Self {
         (self.look, self.adapts_surfaces) = (look, false);
         self
     }
 
-    /// The camera. By default one that sees all of the scene from where the look has it, with a field of view
-    /// of 40 degrees.
+    /// Sets the camera. Default: the look's view, fitted to the scene, with a vertical field of
+    /// view of 40 degrees.
     pub fn camera(mut self, camera: Camera) -> Self {
         self.camera = CameraChoice::Given(camera);
         self
     }
 
-    /// The camera that looks from there and sees all of the scene as large as the picture allows, with a
-    /// vertical field of view in degrees.
+    /// Fits a perspective camera: in `view`, it shows the whole scene as large as the picture
+    /// allows. `fov_degrees` is the vertical field of view.
     pub fn fitted_camera(mut self, view: View, fov_degrees: f64) -> Self {
         self.camera = CameraChoice::Fitted(Some(view), Fit::Perspective(fov_degrees));
         self
     }
 
-    /// The same with parallel rays, as on a map.
+    /// Fits a camera with parallel rays: in `view`, it shows the whole scene as large as the
+    /// picture allows.
     pub fn fitted_orthographic_camera(mut self, view: View) -> Self {
         self.camera = CameraChoice::Fitted(Some(view), Fit::Orthographic);
         self
     }
 
-    /// What a fitted camera goes by.
+    /// Sets the extent of the scene that a fitted camera shows. Default: [`Framing::Volume`] in
+    /// [`Look::Plain`], otherwise [`Framing::Visible`].
     pub fn framing(mut self, framing: Framing) -> Self {
         self.framing = Some(framing);
         self
     }
 
-    /// Sets the depth buffer for the picture's `z`. Default: 0 is near, with planes around the scene.
+    /// Sets the depth buffer for the picture's AOV `z`. Default: 0 is near, with planes around the
+    /// scene.
     pub fn depth_buffer(mut self, depth_buffer: DepthBuffer) -> Self {
         self.depth_buffer = depth_buffer;
         self
     }
 
-    /// The lights, at most [`MAX_LIGHTS`]; they may be none. By default the look's: in [`Look::Plain`] one
-    /// from the direction (-0.6, 0.6, -0.1) with irradiance 1.
+    /// Sets the lights, at most [`MAX_LIGHTS`]; may be empty. Default: the look's. [`Look::Plain`]
+    /// has one from the direction (-0.6, 0.6, -0.1) with irradiance 1.
     pub fn lights(mut self, lights: Vec<Light>) -> Self {
         self.lights = Some(lights);
         self
     }
 
-    /// The direction toward the look's light, in the world and of any length. The light keeps its colour. A
-    /// look without a light gets a white one of irradiance 1. By default the direction is the look's.
+    /// Sets the direction toward the look's light, in world space and of any length. The light
+    /// keeps its colour. A look without a light gets a white one of irradiance 1. Default: the
+    /// look's direction.
     pub fn light_toward(mut self, direction: DVec3) -> Self {
         self.light_toward = Some(direction);
         self
     }
 
-    /// The diameter of the look's light in degrees, from 0 to 90. By default 0.53, the sun's.
+    /// Sets the apparent diameter of the look's light in degrees, from 0 to 90. Default: 0.53, the
+    /// sun's.
     pub fn light_angle(mut self, degrees: f64) -> Self {
         self.light_angle = degrees;
         self
     }
 
-    /// The surroundings, which surfaces with the ambient light `environment` see in place of the radiance
-    /// that is the same from everywhere. By default a generated sky.
+    /// Sets the environment map. Surfaces with the ambient variant `environment` see it instead of
+    /// constant ambient light. Default: a generated sky.
     pub fn environment(mut self, environment: impl Into<Arc<Environment>>) -> Self {
         self.environment = Some(environment.into());
         self
     }
 
-    /// Irradiance from everywhere, linear. By default the look's: of [`Look::Plain`] 0.12.
+    /// Sets the linear ambient irradiance. Default: the look's, 0.12 each in [`Look::Plain`].
     pub fn ambient(mut self, ambient: Vec3) -> Self {
         self.ambient = Some(ambient);
         self
     }
 
-    /// What pixels show that no surface covers. By default the look's: in [`Look::Plain`] dark grey, 0.05.
+    /// Sets the background, shown by pixels that no surface covers. Default: the look's, dark grey
+    /// (0.05) in [`Look::Plain`].
     pub fn background(mut self, background: impl Into<Background>) -> Self {
         self.background = Some(background.into());
         self
     }
 
-    /// Width and height of the picture in pixels, each from 1 to
-    /// [`MAX_IMAGE_SIDE`](super::MAX_IMAGE_SIDE). By default 800 and 600. From the view `top` by parallel
-    /// rays the default is 800 for the longer side, in the scene's proportions, except in [`Look::Plain`].
+    /// Sets width and height of the picture in pixels, each from 1 to
+    /// [`MAX_IMAGE_SIDE`](super::MAX_IMAGE_SIDE). Default: 800 and 600.
+    ///
+    /// In the view `top` with parallel rays, the default is 800 for the longer side in the scene's
+    /// proportions, except in [`Look::Plain`].
     pub fn size(mut self, width: u32, height: u32) -> Self {
         self.size = Some([width, height]);
         self
     }
 
-    /// Sets the samples per pixel, from 1 to [`MAX_SAMPLES`]. The colour is their mean in linear light; all
-    /// other values belong to the pixel's centre. Default: 4.
+    /// Sets the samples per pixel, from 1 to [`MAX_SAMPLES`]. The colour is their mean in linear
+    /// light. All other values belong to the pixel's centre. Default: 4.
     pub fn samples(mut self, samples: u32) -> Self {
         self.samples = samples;
         self
     }
 
-    /// Stops by which light is brightened, from -[`MAX_EXPOSURE`] to [`MAX_EXPOSURE`]. By default the look's:
-    /// of [`Look::Plain`] 0.
+    /// Sets the exposure in stops, from -[`MAX_EXPOSURE`] to [`MAX_EXPOSURE`]. Each stop doubles
+    /// the light. Default: the look's, 0 in [`Look::Plain`].
     pub fn exposure(mut self, stops: f32) -> Self {
         self.exposure = Some(stops);
         self
     }
 
-    /// The tone curve, which follows. By default the look's: of [`Look::Plain`] none.
+    /// Sets the tone curve, which follows the exposure. Default: the look's, none in
+    /// [`Look::Plain`].
     pub fn tone(mut self, tone: Tone) -> Self {
         self.tone = Some(tone);
         self
     }
 
-    /// What computes the picture. By default a GPU if there is one, else the CPU.
+    /// Sets the backend that computes the picture. Default: a GPU if there is one, otherwise the
+    /// CPU.
     pub fn backend(mut self, backend: BackendChoice) -> Self {
         self.backend = backend;
         self
     }
 
-    /// How textures are read. By default exactly.
+    /// Sets the sampling of textures. Default: exact.
     pub fn sampling(mut self, sampling: Sampling) -> Self {
         self.sampling = sampling;
         self
     }
 
-    /// The most memory that all displaced triangles may take, with what is built on them: a picture that
-    /// needs more is refused before it is taken. By default 4 GiB.
+    /// Sets the memory limit for all displaced triangles and what is built on them. A picture that
+    /// needs more is refused before memory is allocated. Default: 4 GiB.
     pub fn geometry_memory(mut self, memory: ByteSize) -> Self {
         self.geometry_memory = memory;
         self
     }
 
-    /// Whether displaced triangles that are made for the camera (the geometry `remesh`) are left out where it
-    /// cannot see them, if no light looks at them either. By default they are; the picture is the same.
+    /// Sets whether displaced triangles of the geometry `remesh` are left out if neither the camera
+    /// nor a light can see them. The picture does not change. Default: `true`.
     pub fn culls(mut self, culls: bool) -> Self {
         self.culls = culls;
         self
     }
 
-    /// The scene.
+    /// Checks all values and returns the scene.
     ///
     /// # Errors
     ///
-    /// When there is no surface, the size, the samples or the exposure are out of range, there are too many
-    /// lights, a colour is negative or not finite, or what a surface selects cannot trace view rays; when
-    /// surroundings are given that no surface sees, or a surface refracts light and sees none; when normals
-    /// are chosen for a surface that uses its vertices' normals.
+    /// When there is no surface or there are too many lights; when size, samples or exposure is out
+    /// of range, or a colour is negative or not finite; when a surface's selection cannot trace
+    /// view rays; when an environment map is given that no surface sees, or a surface refracts
+    /// light without seeing one; when a normal map or creases are chosen for a surface that uses
+    /// its vertices' normals.
     pub fn build(mut self) -> Result<Scene, ValueError> {
         let look = self.look.parts();
         let framing = self.framing.unwrap_or(look.framing);
@@ -355,20 +366,20 @@ impl SceneBuilder {
                 }
             }
             if surface.material().transmission() > 0.0 && !surface.selection().sees_environment() {
-                return Err(ValueProblem::Needs(&SEEN).of("transmission"));
+                return Err(ValueProblem::Needs(&AMBIENT_ENVIRONMENT).of("transmission"));
             }
         }
         let is_seen = background == Background::Environment
             || self.surfaces.iter().any(|surface| surface.selection().sees_environment());
         if self.environment.is_some() && !is_seen {
-            return Err(ValueProblem::Needs(&SEEN).of("environment"));
+            return Err(ValueProblem::Needs(&AMBIENT_ENVIRONMENT).of("environment"));
         }
         let camera = match self.camera {
             CameraChoice::Given(camera) => camera,
             CameraChoice::Fitted(view, fit) => {
                 let fitted = match framing {
                     Framing::Volume => fitted,
-                    Framing::Seen => fitted_to_seen,
+                    Framing::Visible => fitted_to_visible,
                 };
                 fitted(&self.surfaces, view.unwrap_or(look.view), fit, size).map_err(|error| {
                     let key = if matches!(error, CameraError::BadFov(_)) { "fov" } else { "view" };
@@ -410,10 +421,10 @@ impl SceneBuilder {
     }
 }
 
-/// The error of a selection, with the key of the scene that it comes from.
+/// Returns the error of a selection with the scene's key that caused it.
 pub(super) fn of_selection(error: SelectionError) -> ValueError {
     let key = match &error {
-        // A name is unknown of a method, or of a stage by its title.
+        // An unknown name is a method's, or a stage's by its title.
         SelectionError::Unknown(unknown) => {
             STAGES.iter().find(|stage| stage.title == unknown.kind).map_or("method", |stage| stage.key)
         }

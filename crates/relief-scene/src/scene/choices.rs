@@ -1,13 +1,13 @@
-//! Choices that are names.
+//! Choices of a scene that are written as names: backend and projection.
 
 use relief_core::registry::UnknownName;
 use std::fmt;
 use std::str::FromStr;
 
-/// What computes the picture.
+/// Backend that computes the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum BackendChoice {
-    /// A GPU if there is one, else the CPU.
+    /// A GPU if there is one, otherwise the CPU.
     #[default]
     Auto,
     /// The CPU, on all its cores.
@@ -17,10 +17,10 @@ pub enum BackendChoice {
 }
 
 impl BackendChoice {
-    /// Every choice, in the order in which help lists them.
+    /// All choices, in the order in which help lists them.
     pub const ALL: [BackendChoice; 3] = [BackendChoice::Auto, BackendChoice::Cpu, BackendChoice::Gpu];
 
-    /// The name used on the command line and in scenes.
+    /// Returns the name used on the command line and in scene files.
     pub const fn name(self) -> &'static str {
         match self {
             BackendChoice::Auto => "auto",
@@ -45,7 +45,7 @@ impl FromStr for BackendChoice {
     }
 }
 
-/// How a camera makes a plane picture of space.
+/// Projection of a camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ProjectionChoice {
     /// All rays come from the eye.
@@ -56,10 +56,10 @@ pub enum ProjectionChoice {
 }
 
 impl ProjectionChoice {
-    /// Every choice, in the order in which help lists them.
+    /// All choices, in the order in which help lists them.
     pub const ALL: [ProjectionChoice; 2] = [ProjectionChoice::Perspective, ProjectionChoice::Orthographic];
 
-    /// The name used on the command line and in scenes.
+    /// Returns the name used on the command line and in scene files.
     pub const fn name(self) -> &'static str {
         match self {
             ProjectionChoice::Perspective => "perspective",

@@ -1,30 +1,31 @@
-//! Where a colour picture lies: by coordinates of its own, and with a wrap of its own.
+//! Placement of a colour picture: texture coordinates and wrap of its own.
 
 use glam::{DMat2, DVec2};
 use relief_core::Wrap;
 use relief_core::mesh::Mesh;
 use relief_io::{MeshColors, MeshMaterial};
 
-/// How far numbers of affine maps may be apart that are one.
+/// Largest difference of entries of affine maps that count as the same.
 const SAME: f64 = 1e-4;
 
-/// Where a colour picture lies on a surface.
+/// Placement of a colour picture on a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColorPlace {
-    /// Two rows that make the picture's coordinates of the surface's texture coordinates `(u, v, 1)`.
+    /// Two rows of an affine map. Their products with the surface's texture coordinates `(u, v, 1)`
+    /// are the picture's coordinates.
     pub rows: [[f32; 3]; 2],
-    /// How the picture goes on beyond its sides, along both of its axes. None: as the height map does.
+    /// Wrap along both axes of the picture. `None` stands for the height map's wrap.
     pub wrap: Option<[Wrap; 2]>,
 }
 
 impl Default for ColorPlace {
-    /// By the surface's texture coordinates, with the height map's wrap.
+    /// The surface's texture coordinates and the height map's wrap.
     fn default() -> Self {
         Self { rows: MeshMaterial::IDENTITY, wrap: None }
     }
 }
 
-/// An affine map of texture coordinates.
+/// Affine map of texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Affine {
     linear: DMat2,
@@ -32,11 +33,11 @@ pub struct Affine {
 }
 
 impl Affine {
-    /// The map that changes nothing.
+    /// Identity.
     pub const SAME: Affine = Affine { linear: DMat2::IDENTITY, offset: DVec2::ZERO };
 
-    /// That from a mesh's texture coordinates to those by which the picture of a triangle lies. None where
-    /// the mesh's have no area.
+    /// Returns the map from a triangle's texture coordinates in the mesh to those of its picture.
+    /// `None` if the triangle has no area in the mesh's coordinates.
     pub fn of_triangle(mesh: &Mesh, colors: &MeshColors, triangle: u32) -> Option<Self> {
         let Some(corners) = colors.uvs.get(triangle as usize) else { return Some(Self::SAME) };
         let [a, b, c] = mesh.corners(triangle).map(|corner| corner.uv.as_dvec2());
@@ -50,19 +51,19 @@ impl Affine {
         (linear.is_finite() && map.offset.is_finite()).then_some(map)
     }
 
-    /// Whether both are one, but for rounding.
+    /// Returns whether both maps are the same except for rounding.
     pub fn is_near(&self, other: &Self) -> bool {
         self.linear.abs_diff_eq(other.linear, SAME) && self.offset.abs_diff_eq(other.offset, SAME)
     }
 
-    /// This map, and a material's transform after it.
+    /// Returns this map followed by a material's transform.
     pub fn then(&self, [u, v]: [[f32; 3]; 2]) -> Self {
         let [u, v] = [u, v].map(|row| row.map(f64::from));
         let linear = DMat2::from_cols_array(&[u[0], v[0], u[1], v[1]]);
         Self { linear: linear * self.linear, offset: linear * self.offset + DVec2::new(u[2], v[2]) }
     }
 
-    /// The rows that make the coordinates.
+    /// Returns both rows as in [`ColorPlace::rows`].
     pub fn rows(&self) -> [[f32; 3]; 2] {
         let Self { linear, offset } = self;
         let row = |axis: usize| [linear.x_axis[axis], linear.y_axis[axis], offset[axis]].map(|n| n as f32);

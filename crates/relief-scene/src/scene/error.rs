@@ -1,4 +1,4 @@
-//! What can be wrong with a scene.
+//! Errors of reading, completing and loading a scene.
 
 use super::{Look, MapSizeProblem, ObjectProblem};
 use crate::environment::EnvironmentError;
@@ -14,51 +14,51 @@ use relief_shaders::shadow::of_light_views;
 use relief_shaders::{SURFACE, SelectionError, Variants};
 use std::path::PathBuf;
 
-/// Why a scene cannot be read, completed or loaded.
+/// Reason why a scene cannot be read, completed or loaded.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
     /// The scene file cannot be read.
     #[error("{}: cannot be read: {source}", path.display())]
     Io {
-        /// The scene file.
+        /// Path of the scene file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         source: std::io::Error,
     },
-    /// The scene file is no TOML, has an unknown key, or a value of the wrong kind.
+    /// The scene file is not TOML, has an unknown key, or has a value of the wrong type.
     #[error("{}: {source}", path.display())]
     Toml {
-        /// The scene file.
+        /// Path of the scene file.
         path: PathBuf,
-        /// What is wrong, with the line.
+        /// Error of the TOML reader, with the line.
         source: Box<toml::de::Error>,
     },
-    /// The scene file has an unknown key, or surfaces that are none.
+    /// The scene file has an unknown key, or `surfaces` is not a list of tables.
     #[error("{}, line {line}: {what}", path.display())]
     Key {
-        /// The scene file.
+        /// Path of the scene file.
         path: PathBuf,
-        /// The line of the key, counted from 1.
+        /// Line of the key, counted from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the problem.
         what: String,
     },
     /// A key of the scene file has a value that cannot be used.
     #[error("{}, line {line}: {source}", path.display())]
     InFile {
-        /// The scene file.
+        /// Path of the scene file.
         path: PathBuf,
-        /// The line of the value, counted from 1.
+        /// Line of the value, counted from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the problem.
         source: ValueError,
     },
-    /// The file of a mesh has keys of its surface that cannot be used.
+    /// The file of a mesh has keys for its surface that cannot be used.
     #[error("{}: extras.relief of its material: {what}", path.display())]
     MeshKeys {
-        /// The mesh's file.
+        /// Path of the mesh's file.
         path: PathBuf,
-        /// What is wrong, with the key.
+        /// Description of the problem, with the key.
         what: String,
     },
     /// A value cannot be used.
@@ -67,13 +67,13 @@ pub enum SceneError {
     /// No height map is named.
     #[error("the scene has no height map{}: name one by the key 'height'", .0.map_or(String::new(), |number| format!(" for surface {}", number + 1)))]
     NoHeightMap(
-        /// The number of the surface that has none, where the scene has several.
+        /// Index of the surface without a height map, if the scene has several.
         Option<usize>,
     ),
     /// A height map cannot be read.
     #[error(transparent)]
     Read(#[from] ReadError),
-    /// A colour map, a normal map or surroundings cannot be read.
+    /// A colour map, a normal map or an environment map cannot be read.
     #[error(transparent)]
     Picture(ReadError),
     /// A base mesh cannot be read.
@@ -82,18 +82,18 @@ pub enum SceneError {
     /// An object cannot be read.
     #[error(transparent)]
     Object(#[from] ObjectFileError),
-    /// A picture shows no surroundings.
+    /// A picture is no environment map.
     #[error("{}: {source}", path.display())]
     Environment {
-        /// The picture.
+        /// Path of the picture.
         path: PathBuf,
-        /// What is wrong.
+        /// Description of the problem.
         source: EnvironmentError,
     },
     /// A map that a surface reads cannot be baked.
     #[error(transparent)]
     Maps(#[from] MapsError),
-    /// The picture would take more memory than allowed.
+    /// The picture would need more memory than the limit.
     #[error(
         "a picture of {width}x{height} pixels needs {} MiB of memory, {limit} are allowed: make it smaller or raise the limit",
         mebibytes(*needed)
@@ -105,77 +105,77 @@ pub enum SceneError {
         height: u32,
         /// Bytes that rendering needs for its pixels.
         needed: u64,
-        /// Bytes that may be used.
+        /// Memory limit.
         limit: ByteSize,
     },
-    /// The surfaces would take more memory than allowed, whatever lies on them.
+    /// The surfaces themselves, without their maps, would need more memory than the limit.
     #[error(
         "{count} surfaces need {} MiB of memory, {limit} are allowed: use fewer surfaces or raise the limit",
         needed.div_ceil(1 << 20)
     )]
     TooManySurfaces {
-        /// How many surfaces.
+        /// Number of surfaces.
         count: usize,
-        /// Bytes that they need.
+        /// Bytes that the surfaces need.
         needed: u64,
-        /// What is allowed.
+        /// Memory limit.
         limit: ByteSize,
     },
-    /// What lights see would take more memory than allowed.
+    /// The shadow maps would need more memory than the limit.
     #[error(
-        "what lights see needs {} MiB of memory, {} MiB of the {limit} allowed are left for it: choose fewer \
+        "shadow maps need {} MiB of memory, {} MiB of the {limit} allowed are left for them: choose fewer \
          texels for the shadow {}, or raise the limit",
         mebibytes(*needed), left / BYTES_PER_MEBIBYTE, of_light_views().or()
     )]
-    TooMuchForLights {
-        /// Bytes that it needs.
+    TooMuchForShadowMaps {
+        /// Bytes that the shadow maps need.
         needed: u64,
-        /// Bytes that the picture leaves for it.
+        /// Bytes left by the picture.
         left: u64,
-        /// Bytes that may be used in all.
+        /// Memory limit.
         limit: ByteSize,
     },
-    /// The height map can be read, and rendering it would take more memory than allowed.
+    /// Rendering the height map would need more memory than the limit.
     #[error(
         "{}: rendering {width}x{height} texels needs {} MiB of memory, {} MiB of the {limit} allowed are left for them: use a smaller map or picture, or raise the limit",
         path.display(), mebibytes(*needed), left / BYTES_PER_MEBIBYTE
     )]
     TooMuchToTrace {
-        /// The height map.
+        /// Path of the height map.
         path: PathBuf,
         /// Width in texels.
         width: u32,
         /// Height in texels.
         height: u32,
-        /// Bytes that the map and what is built on it need.
+        /// Bytes for the map and what is built on it.
         needed: u64,
-        /// Bytes that the picture leaves for it.
+        /// Bytes left by the picture.
         left: u64,
-        /// Bytes that may be used in all.
+        /// Memory limit.
         limit: ByteSize,
     },
 }
 
 const BYTES_PER_MEBIBYTE: u64 = 1 << 20;
 
-/// For people: no less than what is needed.
+/// Mebibytes for messages, rounded up.
 fn mebibytes(bytes: u64) -> u64 {
     bytes.div_ceil(BYTES_PER_MEBIBYTE)
 }
 
-/// Value that cannot be used, with its key: a scene file's, or the same name elsewhere.
+/// Value that cannot be used, with its key in scene files.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{}{key}: {problem}", .surface.map_or(String::new(), |number| format!("surface {}: ", number + 1)))]
 pub struct ValueError {
-    /// The number of the surface, where the scene has several and the value is one of theirs.
+    /// Index of the surface, if the value belongs to one of several.
     pub surface: Option<usize>,
-    /// The key.
+    /// Key in scene files.
     pub key: &'static str,
-    /// What is wrong with it.
+    /// Problem of the value.
     pub problem: ValueProblem,
 }
 
-/// What is wrong with a value.
+/// Problem of a value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ValueProblem {
     /// A number is NaN, infinite or out of range.
@@ -183,10 +183,10 @@ pub enum ValueProblem {
     Number {
         /// The number.
         value: f64,
-        /// What it must be.
+        /// Valid values.
         must: &'static str,
     },
-    /// The picture has no pixels, or too many a side.
+    /// The picture has no pixels, or too many along a side.
     #[error(
         "{width}x{height} pixels are not possible: each side must be from 1 to {}",
         super::limits::MAX_IMAGE_SIDE
@@ -197,60 +197,61 @@ pub enum ValueProblem {
         /// Height in pixels.
         height: u32,
     },
-    /// The picture cannot have one pixel for each texel.
+    /// The picture cannot have one pixel per texel.
     #[error(transparent)]
     MapSize(#[from] MapSizeProblem),
     /// The scene shows nothing.
     #[error("a scene needs at least one surface")]
     NoSurface,
-    /// All parts of a look are given by themselves.
+    /// Every part of the look is overridden.
     #[error(
-        "nothing of '{0}' is left, as camera, lights, ambient light and its colour, background, exposure and \
-         tone curve are given as well: leave the look out"
+        "'{0}' has no effect, as camera, lights, ambient light and its colour, background, exposure and tone \
+         curve are given as well: leave the look out"
     )]
     NothingOfLook(Look),
     /// Two keys that exclude each other are given.
-    #[error("cannot be given together with {0}")]
+    #[error("cannot be given together with {0}: leave one out")]
     Excludes(&'static str),
     /// A key is given without another that it needs.
     #[error("needs {0} as well")]
     Needs(&'static str),
-    /// A search for the rays of a shadow is given, and the shadow sends none.
+    /// A search for shadow rays is given, but the shadow variant has no rays.
     #[error(
-        "is for a shadow that sends rays to the light, and the one that is chosen sends none: choose another"
+        "is for shadows with rays toward the light, and the chosen shadow has none: leave it out or choose \
+         another shadow"
     )]
     NoShadowRays,
-    /// Normals are chosen for pixels, but the surface uses its vertices' normals.
+    /// A normal map or creases are given, but the surface uses its vertices' normals.
     #[error(
-        "is for normals of pixels, but the surface {} uses the normals of its triangles' vertices: leave it out, or \
+        "is for normals per pixel, and the surface {} uses the normals of its triangles' vertices: leave it out, or \
          choose a method that finds the relief pixel by pixel",
         Variants::of(SURFACE, |entry| !entry.paths().has_normals_of_relief()).or()
     )]
     VertexNormals,
-    /// A method for objects is chosen for a relief.
+    /// A method for depth objects is chosen for a height map on a mesh.
     #[error(
-        "the method shows objects that are known from images, and the surface has a height map on a mesh"
+        "the method shows depth objects, and the surface is a height map on a mesh: choose another method"
     )]
     NoObject,
-    /// A method for reliefs is chosen for an object.
-    #[error("the surface is an object that is known from images: choose 'depth-object'")]
+    /// A method for height maps is chosen for a depth object.
+    #[error("the method shows height maps, and the surface is a depth object: choose 'depth-object'")]
     Object,
     /// The object cannot be shown.
     #[error(transparent)]
     ObjectOf(#[from] ObjectProblem),
-    /// The camera is impossible.
+    /// The camera is invalid.
     #[error(transparent)]
     Camera(#[from] CameraError),
-    /// A light is impossible.
+    /// A light is invalid.
     #[error(transparent)]
     Light(#[from] LightError),
-    /// The material is impossible.
+    /// The material is invalid.
     #[error(transparent)]
     Material(#[from] MaterialError),
-    /// The mesh is impossible.
+    /// The mesh is invalid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// The displacement is impossible.
+    /// The displacement is invalid.
     #[error(transparent)]
     HeightMap(#[from] HeightMapError),
     /// The method, search, refinement or a setting is not available.
@@ -259,14 +260,14 @@ pub enum ValueProblem {
 }
 
 impl ValueError {
-    /// The same of a surface.
+    /// Returns this error with the index of a surface.
     pub(crate) fn of_surface(self, surface: Option<usize>) -> Self {
         Self { surface, ..self }
     }
 }
 
 impl ValueProblem {
-    /// The error of this problem with the value of that key.
+    /// Returns the error of this problem with a key.
     pub(crate) fn of(self, key: &'static str) -> ValueError {
         ValueError { surface: None, key, problem: self }
     }

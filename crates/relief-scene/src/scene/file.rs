@@ -1,7 +1,7 @@
-//! Scene files: TOML.
+//! Scene files in TOML.
 //!
-//! The keys of a scene and of its surfaces stand side by side, so a scene of one surface is a plain list. A
-//! surface's key there holds for every one of `[[surfaces]]`.
+//! Keys of a scene and of its surfaces stand side by side, so a scene of one surface is a plain
+//! list. A surface's key there holds for every element of `[[surfaces]]`.
 
 use super::keys::keys_of;
 use super::{SceneError, SceneSpec, SurfaceSpec};
@@ -17,39 +17,40 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 
-/// The longest scene file that is read, in bytes. Scenes are short; what is longer is some other file.
+/// Longest scene file that is read, in bytes. Scenes are short; a longer file is something else.
 const MAX_FILE_BYTES: u64 = 1 << 20;
 
-/// The key of the list of surfaces.
+/// Key of the list of surfaces.
 const SURFACES: &str = "surfaces";
 
-/// The key of the ambient light's colour.
+/// Key of the ambient light's colour.
 const AMBIENT_COLOR: &str = "ambient-color";
 
-/// Reads a scene file and checks all that needs no other file. Relative paths in it start at the folder that
-/// it lies in.
+/// Reads a scene file and checks everything that needs no other file. Relative paths in it start at
+/// its folder.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is longer than 1 MiB, is no TOML, has an unknown key, or has a value that
-/// cannot be used; errors in the file say their line.
+/// When the file cannot be read, is longer than 1 MiB, is not TOML, has an unknown key, or has a
+/// value that cannot be used. Errors in the file state their line.
 pub fn read_scene(path: &Path) -> Result<SceneSpec, SceneError> {
     let text = read_text(path).map_err(|source| SceneError::Io { path: path.to_owned(), source })?;
     parse_scene(&text, path)
 }
 
-/// As [`read_scene`], of the text of a scene file at that path, which need not be there.
+/// Reads a scene from the text of a scene file, like [`read_scene`]. `path` is the file's path, for
+/// relative paths and for errors. The file need not exist.
 ///
 /// # Errors
 ///
-/// As [`read_scene`], except errors of reading.
+/// When the text is not TOML, has an unknown key, or has a value that cannot be used.
 pub fn parse_scene(text: &str, path: &Path) -> Result<SceneSpec, SceneError> {
-    let mut spec = parse(text).map_err(|mistake| match mistake {
-        Mistake::Toml(mut source) => {
+    let mut spec = parse(text).map_err(|error| match error {
+        ParseError::Toml(mut source) => {
             source.set_input(Some(text));
             SceneError::Toml { path: path.to_owned(), source }
         }
-        Mistake::Key { what, at } => {
+        ParseError::Key { what, at } => {
             SceneError::Key { path: path.to_owned(), line: line_at(text, at.start), what }
         }
     })?;
@@ -71,28 +72,28 @@ fn read_text(path: &Path) -> io::Result<String> {
     let mut bytes = Vec::new();
     File::open(path)?.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > MAX_FILE_BYTES {
-        let what = "it is too long for a scene";
+        let what = "it is longer than 1 MiB, so it is no scene file";
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, what));
     }
     decode_text(bytes).ok_or_else(|| {
-        let what = "it holds no text, which scenes are";
+        let what = "it holds no text, so it is no scene file";
         io::Error::new(io::ErrorKind::InvalidData, what)
     })
 }
 
-/// What is wrong with a text.
-enum Mistake {
+/// Error in the text of a scene file.
+enum ParseError {
     Toml(Box<toml::de::Error>),
     Key { what: String, at: Range<usize> },
 }
 
-impl From<toml::de::Error> for Mistake {
+impl From<toml::de::Error> for ParseError {
     fn from(error: toml::de::Error) -> Self {
-        Mistake::Toml(Box::new(error))
+        ParseError::Toml(Box::new(error))
     }
 }
 
-fn parse(text: &str) -> Result<SceneSpec, Mistake> {
+fn parse(text: &str) -> Result<SceneSpec, ParseError> {
     let root = DeTable::parse(text)?;
     let span = root.span();
     let mut root = root.into_inner();
@@ -111,11 +112,11 @@ fn parse(text: &str) -> Result<SceneSpec, Mistake> {
     Ok(spec)
 }
 
-/// Keys by which surfaces see their surroundings.
-const OF_SURROUNDINGS: [&str; 2] = ["environment", "transmission"];
+/// Keys by which surfaces use the environment map.
+const ENVIRONMENT_KEYS: [&str; 2] = ["environment", "transmission"];
 
-/// Numbers under the key of the stage `ambient` are the light's colour, which has a key of its own.
-fn color_of_ambient(root: &mut DeTable) -> Result<(), Mistake> {
+/// Moves numbers under the key of the stage `ambient` to the key of the ambient light's colour.
+fn color_of_ambient(root: &mut DeTable) -> Result<(), ParseError> {
     let ambient = STAGES[AMBIENT].key;
     let is_color = |value: &Spanned<DeValue>| matches!(value.get_ref(), DeValue::Array(_));
     if !root.get(ambient).is_some_and(is_color) {
@@ -126,10 +127,10 @@ fn color_of_ambient(root: &mut DeTable) -> Result<(), Mistake> {
     if root.contains_key(AMBIENT_COLOR) {
         let what =
             format!("{ambient} and {AMBIENT_COLOR} both give the colour of the ambient light: leave one out");
-        return Err(Mistake::Key { what, at });
+        return Err(ParseError::Key { what, at });
     }
-    // Light of one colour, the same everywhere, unless the surroundings are seen.
-    if !OF_SURROUNDINGS.iter().any(|key| root.contains_key(*key)) {
+    // The light is constant, unless surfaces use the environment map.
+    if !ENVIRONMENT_KEYS.iter().any(|key| root.contains_key(*key)) {
         let constant = DeValue::String(STAGES[AMBIENT].entries[0].name.into());
         root.insert(Spanned::new(at.clone(), ambient.into()), Spanned::new(at.clone(), constant));
     }
@@ -137,8 +138,8 @@ fn color_of_ambient(root: &mut DeTable) -> Result<(), Mistake> {
     Ok(())
 }
 
-/// The elements of `[[surfaces]]`.
-fn each_of(surfaces: Spanned<DeValue>) -> Result<Vec<SurfaceSpec>, Mistake> {
+/// Returns the elements of `[[surfaces]]`.
+fn each_of(surfaces: Spanned<DeValue>) -> Result<Vec<SurfaceSpec>, ParseError> {
     let span = surfaces.span();
     let DeValue::Array(elements) = surfaces.into_inner() else {
         return Err(no_list(span));
@@ -154,31 +155,31 @@ fn each_of(surfaces: Spanned<DeValue>) -> Result<Vec<SurfaceSpec>, Mistake> {
     each.collect()
 }
 
-fn no_list(at: Range<usize>) -> Mistake {
-    Mistake::Key { what: format!("{SURFACES} must be tables: write [[{SURFACES}]] before each"), at }
+fn no_list(at: Range<usize>) -> ParseError {
+    ParseError::Key { what: format!("{SURFACES} must be tables: write [[{SURFACES}]] before each"), at }
 }
 
 /// Refuses keys that are neither known nor a stage's.
-fn check_keys(table: &DeTable, known: impl Fn(&str) -> bool, others: &[&[&str]]) -> Result<(), Mistake> {
+fn check_keys(table: &DeTable, known: impl Fn(&str) -> bool, others: &[&[&str]]) -> Result<(), ParseError> {
     for key in table.keys() {
         let name = key.get_ref().as_ref();
         if !known(name) && !is_stage(name) {
             let stages = STAGES.iter().filter(|stage| stage.has_key()).map(|stage| stage.key);
             let keys = keys_of::<SurfaceSpec>().iter().chain(others.iter().copied().flatten()).copied();
             let what = UnknownName::new("key", name, keys.chain(stages)).to_string();
-            return Err(Mistake::Key { what, at: key.span() });
+            return Err(ParseError::Key { what, at: key.span() });
         }
     }
     Ok(())
 }
 
-/// Whether that key names the variant of a stage.
+/// Returns whether the value of a key is the variant of a stage.
 fn is_stage(key: &str) -> bool {
     relief_shaders::stage(key).is_some_and(|(_, stage)| stage.has_key())
 }
 
-/// A surface of a table, in which stages' keys name their variants.
-fn surface_of(table: Spanned<DeTable>) -> Result<SurfaceSpec, Mistake> {
+/// Returns the surface that a table describes. Keys of stages hold names of variants.
+fn surface_of(table: Spanned<DeTable>) -> Result<SurfaceSpec, ParseError> {
     let span = table.span();
     let (stages, rest): (DeTable, DeTable) =
         table.into_inner().into_iter().partition(|(key, _)| is_stage(key.get_ref().as_ref()));
@@ -187,12 +188,12 @@ fn surface_of(table: Spanned<DeTable>) -> Result<SurfaceSpec, Mistake> {
     Ok(surface)
 }
 
-/// The line, counted from 1, of a place in a text.
+/// Returns the line, counted from 1, of a byte of a text.
 fn line_at(text: &str, place: usize) -> usize {
     text[..place].matches('\n').count() + 1
 }
 
-/// The line where a key has its value: of that surface, or of the scene itself.
+/// Returns the line of a key's value, of a surface or of the scene itself.
 fn line_of(text: &str, surface: Option<usize>, key: &str) -> usize {
     let Ok(root) = DeTable::parse(text) else { return 1 };
     let is_key = |name: &str| name == key || (key == AMBIENT_COLOR && name == STAGES[AMBIENT].key);
@@ -201,13 +202,13 @@ fn line_of(text: &str, surface: Option<usize>, key: &str) -> usize {
         found.map(|(name, _)| name.span().start)
     };
     let place = |table: &DeTable| find(table, &is_key);
-    // By its older name, which is the picture's in the scene itself.
+    // The key's older name, which in the scene itself is the picture's size.
     let older = |table: &DeTable| find(table, &|name| key == "mesh-scale" && name == "size");
     let of_surface = || {
         let DeValue::Array(surfaces) = root.get_ref().get(SURFACES)?.get_ref() else { return None };
         let element = surfaces.get(surface?)?;
         let DeValue::Table(table) = element.get_ref() else { return None };
-        // What the surface does not say itself is said of all, or by nobody.
+        // A value that the surface lacks is the scene's, or missing.
         place(table).or_else(|| older(table)).or_else(|| place(root.get_ref())).or(Some(element.span().start))
     };
     let start = of_surface().or_else(|| place(root.get_ref()));

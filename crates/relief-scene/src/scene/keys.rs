@@ -1,4 +1,4 @@
-//! Values of a scene file's keys, and which keys there are.
+//! Readers of values in scene files, and the list of a type's keys.
 
 use super::{LightDirection, PictureSize};
 use crate::background::Background;
@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, forward_to_deserialize_any};
 use std::fmt::{self, Display};
 use std::str::FromStr;
 
-/// Reads a value that is written as a name or another text.
+/// Reads a value from a name or another text.
 pub fn parsed<'de, D, T>(deserializer: D) -> Result<Option<T>, D::Error>
 where
     D: Deserializer<'de>,
@@ -20,7 +20,7 @@ where
     text.parse().map(Some).map_err(de::Error::custom)
 }
 
-/// Reads exactly `N` numbers. (Arrays as such would take the first ones and ignore the rest.)
+/// Reads exactly `N` numbers. An array type would read the first `N` and ignore the rest.
 pub fn numbers<'de, D, T, const N: usize>(deserializer: D) -> Result<Option<[T; N]>, D::Error>
 where
     D: Deserializer<'de>,
@@ -52,7 +52,7 @@ where
     numbers_of::<_, Length, N>(deserializer).map(|each| Some(each.map(|Length(metres)| metres)))
 }
 
-/// A length in metres.
+/// Length in metres.
 struct Length(f64);
 
 impl<'de> Deserialize<'de> for Length {
@@ -87,7 +87,7 @@ impl<'de> Deserialize<'de> for Length {
     }
 }
 
-/// Reads which values become heights 0 and 1: two numbers, or `auto`.
+/// Reads the values that become heights 0 and 1: two numbers, or `auto`.
 pub fn range<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<HeightRange>, D::Error> {
     struct Range;
 
@@ -206,15 +206,15 @@ pub fn amount<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<ByteS
     deserializer.deserialize_any(Amount).map(Some)
 }
 
-/// The keys that a struct is read from, as its derived reading names them.
+/// Returns the keys from which a struct is read, as its derived reader names them.
 pub fn keys_of<T: for<'de> Deserialize<'de>>() -> &'static [&'static str] {
     let mut keys: &'static [&'static str] = &[];
-    // It reads nothing: it asks for its fields, which are stored, and receives no value.
+    // Nothing is read: the reader passes its static list of fields and receives no value.
     let _ = T::deserialize(Fields(&mut keys));
     keys
 }
 
-/// Learns the fields of a struct that is to be read.
+/// Deserializer that records a struct's fields.
 struct Fields<'a>(&'a mut &'static [&'static str]);
 
 impl<'de> Deserializer<'de> for Fields<'_> {

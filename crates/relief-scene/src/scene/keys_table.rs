@@ -1,5 +1,5 @@
-//! Every key of a scene file: what it holds and what it means. Scene files with comments, and schemas for
-//! editors, are made of it.
+//! Table of all keys of scene files: type, default and meaning. It generates commented scene files
+//! and schemas for editors.
 
 use std::fmt::Write;
 
@@ -15,10 +15,10 @@ use crate::tone::Tone;
 use relief_core::mesh::Builtin;
 use relief_shaders::{METHODS, STAGES, Selection};
 
-/// What a key holds.
+/// Type of a key's value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
-    /// A text: a file's name, say.
+    /// A text, such as a path.
     Text,
     /// One of these names.
     Name(Vec<&'static str>),
@@ -30,13 +30,13 @@ pub enum Form {
     Number,
     /// A whole number.
     Whole,
-    /// The given number of numbers.
+    /// This many numbers.
     Numbers(usize),
     /// A number of metres, or a text with a unit, such as `"5cm"`.
     Length,
-    /// The given number of lengths.
+    /// This many lengths.
     Lengths(usize),
-    /// The given number of whole numbers.
+    /// This many whole numbers.
     Wholes(usize),
     /// Two whole numbers, or `"map"`.
     Size,
@@ -48,26 +48,27 @@ pub enum Form {
     Background,
     /// A number of bytes, or a text such as `"512MiB"`.
     Memory,
-    /// A table of numbers for each stage.
+    /// A table with a table of numbers for each stage.
     Settings,
     /// A table of `diffuse`, `specular` and `shininess`.
     Material,
-    /// A list of tables of `direction` and `angle`, or `position` and `radius`, and `color` and `intensity`.
+    /// A list of tables. Each has `direction` and `angle`, or `position` and `radius`, and also
+    /// `color` and `intensity`.
     Lights,
 }
 
-/// A key.
+/// Key of a scene file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key {
-    /// Its name.
+    /// Name.
     pub name: &'static str,
-    /// Whether each surface may have its own; others belong to the scene.
+    /// Whether each surface may have its own value. Other keys belong to the scene.
     pub of_surface: bool,
-    /// What it holds.
+    /// Type of the value.
     pub form: Form,
-    /// What it is when nothing is said, as it would be written; empty where nothing can be written for it.
+    /// Default in TOML. Empty if no TOML value expresses it.
     pub default: &'static str,
-    /// One line on what it means.
+    /// Meaning in one line, with unit and range.
     pub about: &'static str,
 }
 
@@ -79,83 +80,124 @@ fn surface(name: &'static str, form: Form, default: &'static str, about: &'stati
     Key { name, of_surface: true, form, default, about }
 }
 
-/// All keys, in the order in which a scene file has them best.
+/// Returns all keys in the recommended order of a scene file: first those of surfaces, then those
+/// of the scene.
 pub fn keys() -> Vec<Key> {
     let builtins = Builtin::ALL.map(Builtin::name).to_vec();
     let methods = METHODS.iter().map(|method| method.name).collect();
     let mut keys = vec![
-        surface("height", Form::Text, "", "height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or raw"),
         surface(
-            "object",
+            "height",
             Form::Text,
             "",
-            "object of images with depth: object.toml, in place of height and mesh",
+            "file of the height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or raw",
         ),
-        surface("channel", Form::Text, "", "channel of that file; else the only one, or the grey"),
-        surface("depth", Form::Flag, "false", "whether white is deep"),
-        surface("range", Form::Range, "", "values of the file that become heights 0 and 1, or \"auto\""),
-        surface("nodata", Form::Number, "", "value of texels without one, beside what the file declares"),
+        surface("object", Form::Text, "", "file of a depth object, object.toml, in place of height and mesh"),
+        surface(
+            "channel",
+            Form::Text,
+            "",
+            "channel of the height map's file (default: its only channel, or grey)",
+        ),
+        surface("depth", Form::Flag, "false", "whether the file holds depth: white is deepest"),
+        surface(
+            "range",
+            Form::Range,
+            "",
+            "two values of the file that become heights 0 and 1, or \"auto\": its least and greatest",
+        ),
+        surface(
+            "nodata",
+            Form::Number,
+            "",
+            "stored value of texels without a height, in addition to the one that the file declares",
+        ),
         surface(
             "unit",
             Form::Text,
             "",
-            "unit of the heights, or units of heights and ground, as in \"cm\" or \"cm,ft\"",
+            "unit of the heights, as in \"cm\", or of heights and ground, as in \"cm,ft\" (default: the file's)",
         ),
         surface("raw", Form::Text, "", "size and byte order of a headerless file, as in \"403x344,le\""),
         surface(
             "fill",
             Form::Flag,
             "",
-            "whether texels without a value are filled; of elevation models and with nodata they are",
+            "whether texels without a height are filled (default: in elevation models, with nodata or holes)",
         ),
-        surface("holes", Form::Flag, "false", "whether texels without a value are holes to be seen through"),
+        surface("holes", Form::Flag, "false", "whether texels without a height are open holes"),
         surface(
             "wrap",
             Form::Name(Wrap::ALL.map(Wrap::name).to_vec()),
             "",
-            "how maps go on beyond their edges",
+            "wrap of maps beyond their edges (default: clamp for elevation models, otherwise repeat)",
         ),
         surface(
             "scale",
             Form::Length,
             "",
-            "metres between heights 0 and 1; else as the file states, or 0.05",
+            "displacement in metres between heights 0 and 1 (default: as the file states, or 0.05)",
         ),
-        surface("bias", Form::Length, "", "displacement of height 0 in metres; else minus the scale"),
-        surface("exaggerate", Form::Number, "1", "factor on the scale, 1e-6 to 1e6"),
-        surface("creases", Form::Flag, "false", "whether normals of the heights end at creases"),
-        surface("color", Form::Text, "", "colour map, in sRGB"),
-        surface("normal", Form::Text, "", "tangent-space normal map"),
-        surface("green", Form::Name(vec!["+y", "-y"]), "\"+y\"", "where the normal map's green points"),
-        surface("mesh", Form::Mesh(builtins), "\"plane\"", "base mesh, or a glTF, OBJ, PLY or STL file"),
+        surface("bias", Form::Length, "", "displacement of height 0 in metres (default: minus the scale)"),
+        surface("exaggerate", Form::Number, "1", "factor on the scale, from 1e-6 to 1e6"),
+        surface("creases", Form::Flag, "false", "whether normals from the heights end at creases"),
+        surface("color", Form::Text, "", "file of the colour map, in sRGB"),
+        surface("normal", Form::Text, "", "file of the tangent-space normal map"),
+        surface(
+            "green",
+            Form::Name(vec!["+y", "-y"]),
+            "\"+y\"",
+            "direction of the normal map's green: up (+y) or down (-y)",
+        ),
+        surface(
+            "mesh",
+            Form::Mesh(builtins),
+            "\"plane\"",
+            "base mesh: a glTF, OBJ, PLY or STL file, or a built-in one",
+        ),
         surface(
             "project",
             Form::Name(UvProjection::ALL.map(UvProjection::name).to_vec()),
             "",
-            "texture coordinates for a mesh of a file, in place of its own",
+            "projection that replaces the texture coordinates of a mesh file",
         ),
         surface(
             "mesh-up",
             Form::Name(Up::ALL.map(Up::name).to_vec()),
             "",
-            "axis of the mesh's file that points up; else z in STL, y in others",
+            "axis of the mesh file that points up (default: z in STL, y in other formats)",
         ),
-        surface("tile", Form::Numbers(2), "[1, 1]", "tiles along u and v"),
+        surface("tile", Form::Numbers(2), "[1, 1]", "number of tiles along u and v, from 1e-6 to 1e6"),
         surface(
             "tile-size",
             Form::Lengths(2),
             "",
-            "metres of a tile; else as the file states, or square texels",
+            "size of a tile in metres along u and v (default: as the file states, or square texels)",
         ),
-        surface("position", Form::Lengths(3), "[0, 0, 0]", "where the mesh's origin lies, in metres"),
-        surface("rotation", Form::Numbers(3), "[0, 0, 0]", "degrees about x, then y, then z"),
-        surface("mesh-scale", Form::Number, "1", "how many times as large the mesh is; the relief stays"),
-        surface("method", Form::Name(methods), "\"exact\"", "how hits are found; or search and refine"),
-        surface("set", Form::Settings, "", "settings of what is run, as in set.search.steps = 64"),
-        surface("material", Form::Material, "", "diffuse and specular colour (linear), shininess"),
-        surface("transmission", Form::Number, "0", "part of the light that is refracted, 0 to 1"),
-        surface("ior", Form::Number, "1.5", "index of refraction, 1 to 4"),
-        surface("two-sided", Form::Flag, "false", "whether back faces are drawn, too"),
+        surface("position", Form::Lengths(3), "[0, 0, 0]", "position of the mesh's origin in metres"),
+        surface("rotation", Form::Numbers(3), "[0, 0, 0]", "rotation in degrees about x, then y, then z"),
+        surface(
+            "mesh-scale",
+            Form::Number,
+            "1",
+            "factor on the mesh's size, from 1e-6 to 1e6; the relief's depth stays",
+        ),
+        surface(
+            "method",
+            Form::Name(methods),
+            "\"exact\"",
+            "method that finds hits, in place of search and refine",
+        ),
+        surface("set", Form::Settings, "", "settings of the chosen variants, as in set.search.steps = 64"),
+        surface(
+            "material",
+            Form::Material,
+            "",
+            "diffuse and specular colour, linear from 0 to 1, and shininess, 1 to 1024",
+        ),
+        surface("transmission", Form::Number, "0", "part of the light that is refracted, from 0 to 1"),
+        surface("ior", Form::Number, "1.5", "index of refraction, from 1 to 4"),
+        surface("two-sided", Form::Flag, "false", "whether triangles seen from behind are drawn"),
     ];
     keys.extend(STAGES.iter().filter(|stage| stage.has_key()).map(|stage| {
         let names = stage.entries.iter().map(|entry| entry.name).collect();
@@ -173,55 +215,83 @@ pub fn keys() -> Vec<Key> {
             "look",
             Form::Name(looks),
             "\"studio\"",
-            "camera, light, background and tone curve where nothing else is said",
+            "defaults of camera, light, background, exposure and tone curve",
         ),
-        scene("view", Form::Name(views), "", "from where the camera looks that sees all; else the look's"),
-        scene("eye", Form::Lengths(3), "", "position of the eye in metres, in place of a view"),
-        scene("target", Form::Lengths(3), "", "point looked at"),
-        scene("projection", Form::Name(projections), "\"perspective\"", "how space becomes a picture"),
-        scene("fov", Form::Number, "40", "vertical field of view of a perspective in degrees"),
-        scene("view-height", Form::Length, "", "metres from edge to edge of an orthographic picture"),
+        scene(
+            "view",
+            Form::Name(views),
+            "",
+            "side from which the camera shows the whole scene (default: the look's)",
+        ),
+        scene("eye", Form::Lengths(3), "", "position of the eye in metres, in place of view"),
+        scene("target", Form::Lengths(3), "", "point in metres at which the camera looks"),
+        scene("projection", Form::Name(projections), "\"perspective\"", "projection of the camera"),
+        scene("fov", Form::Number, "40", "vertical field of view in degrees, in perspective"),
+        scene("view-height", Form::Length, "", "height of an orthographic picture in metres"),
         scene(
             "clip",
             Form::Name(clips),
             "\"standard\"",
-            "which end of the depth buffer is near, for the AOV z",
+            "near end of the depth buffer for the AOV z, 0 (standard) or 1 (reversed)",
         ),
-        scene("near", Form::Length, "", "metres to that buffer's near plane; else before the scene"),
-        scene("far", Form::Length, "", "metres to its far plane, or inf; else behind the scene"),
-        scene("size", Form::Size, "[800, 600]", "pixels of the picture, or \"map\": one a texel, from above"),
-        scene("samples", Form::Whole, "4", "samples of a pixel, 1 to 1024"),
-        scene("exposure", Form::Number, "", "stops by which light is brightened; else the look's"),
-        scene("tone", Form::Name(tones), "", "tone curve; else the look's"),
-        scene("light", Form::Direction, "", "direction toward the only light; else the look's light"),
-        scene("lights", Form::Lights, "", "all lights, in place of it"),
-        scene("light-angle", Form::Number, "0.53", "diameter of lights far away in degrees, 0 to 90"),
-        scene("ambient-color", Form::Numbers(3), "", "light from all around, linear; else the look's"),
-        scene("environment", Form::Text, "", "surroundings, a picture 2:1; else a generated sky"),
+        scene(
+            "near",
+            Form::Length,
+            "",
+            "distance to the depth buffer's near plane in metres (default: before the scene)",
+        ),
+        scene(
+            "far",
+            Form::Length,
+            "",
+            "distance to the depth buffer's far plane in metres, or inf (default: behind the scene)",
+        ),
+        scene(
+            "size",
+            Form::Size,
+            "[800, 600]",
+            "width and height in pixels, or \"map\": one pixel per texel, from above",
+        ),
+        scene("samples", Form::Whole, "4", "samples per pixel, from 1 to 1024"),
+        scene("exposure", Form::Number, "", "exposure in stops, from -32 to 32 (default: the look's)"),
+        scene("tone", Form::Name(tones), "", "tone curve (default: the look's)"),
+        scene("light", Form::Direction, "", "direction toward the only light (default: the look's)"),
+        scene("lights", Form::Lights, "", "all lights, in place of light (default: the look's)"),
+        scene(
+            "light-angle",
+            Form::Number,
+            "0.53",
+            "apparent diameter of directional lights in degrees, from 0 to 90",
+        ),
+        scene("ambient-color", Form::Numbers(3), "", "ambient light, linear (default: the look's)"),
+        scene(
+            "environment",
+            Form::Text,
+            "",
+            "file of the environment map, twice as wide as high (default: a generated sky)",
+        ),
         scene(
             "background",
             Form::Background,
             "",
-            "linear colour beside the surfaces, \"gradient\" or \"environment\"; else the look's",
+            "linear colour, \"gradient\" or \"environment\" behind the surfaces (default: the look's)",
         ),
-        scene("backend", Form::Name(backends), "\"auto\"", "what computes the picture"),
-        scene("sampling", Form::Name(samplings), "\"exact\"", "how textures are read"),
-        scene("max-memory", Form::Memory, "\"4GiB\"", "the most memory for maps and picture"),
+        scene("backend", Form::Name(backends), "\"auto\"", "backend that computes the picture"),
+        scene("sampling", Form::Name(samplings), "\"exact\"", "sampling of textures"),
+        scene("max-memory", Form::Memory, "\"4GiB\"", "memory limit for maps and picture"),
     ]);
     keys
 }
 
 impl SceneSpec {
-    /// A scene file that says the same, with every key: those that say nothing as comments, with their
-    /// defaults. Surfaces of their own come last.
+    /// Returns a scene file with the same values. It lists every key; keys without a value are
+    /// comments with their defaults. `[[surfaces]]` come last.
     pub fn to_toml(&self) -> String {
-        let mut text = String::from(
-            "# A scene of relief. Keys behind a # say nothing: what stands there is the default.\n",
-        );
-        let _ = writeln!(text, "\n# The surface, or what all surfaces have in common.");
+        let mut text =
+            String::from("# A scene of Relief. A key behind a # has its default. Remove the # to set it.\n");
+        let _ = writeln!(text, "\n# The surface, or common values of all surfaces.");
         let (of_surface, of_scene): (Vec<Key>, Vec<Key>) = keys().into_iter().partition(|key| key.of_surface);
-        // What is a table ends with its key's line, so that all of these stay in the table of the file
-        // itself.
+        // Tables are inline, on their key's line, so all keys stay in the file's top-level table.
         for key in &of_surface {
             line(&mut text, key, surface_value(&self.surface, key.name));
         }

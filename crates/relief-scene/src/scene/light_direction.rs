@@ -1,11 +1,12 @@
-//! Where a light comes from, as vectors and as maps say it.
+//! Directions of lights: vectors, or azimuth and altitude.
 
 use std::str::FromStr;
 
-/// The direction toward a light that is infinitely far away: a vector, or an azimuth and an altitude.
+/// Direction toward a directional light: a vector, or an azimuth and an altitude.
 ///
-/// Its text is `X,Y,Z`, of any length, or `az=DEGREES,alt=DEGREES`: clockwise from north, which is `-z`, with
-/// east at `x`, and above the horizon, with `y` up. Maps are lit from `az=315,alt=45`.
+/// As text: `X,Y,Z` of any length, or `az=DEGREES,alt=DEGREES`. The azimuth goes clockwise from
+/// north, which is `-z`, over east, which is `x`. The altitude is the angle above the horizon, with
+/// `y` up. Maps are traditionally lit from `az=315,alt=45`.
 ///
 /// # Examples
 ///
@@ -17,33 +18,34 @@ use std::str::FromStr;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightDirection(
-    /// The vector.
+    /// Vector toward the light in world space, of any length.
     pub [f64; 3],
 );
 
-/// What is wrong with the text of a [`LightDirection`].
+/// Reason why a text is no [`LightDirection`].
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum LightDirectionError {
-    /// It has neither form.
+    /// The text has neither form.
     #[error("write it as X,Y,Z, or in degrees as az=315,alt=45")]
     Form,
-    /// A number of it is infinite or NaN.
+    /// A component is infinite or NaN.
     #[error("its numbers must be finite")]
     NotFinite,
-    /// The azimuth is not one.
-    #[error("{0} is no azimuth: it goes from 0 (north) over 90 (east) to 360")]
+    /// The azimuth is not from 0 to 360.
+    #[error("the azimuth is {0}: it must be from 0 (north) over 90 (east) to 360")]
     Azimuth(f64),
-    /// The altitude is not one.
-    #[error("{0} is no altitude: it goes from 0 (the horizon) to 90 (straight up)")]
+    /// The altitude is not from 0 to 90.
+    #[error("the altitude is {0}: it must be from 0 (the horizon) to 90 (straight up)")]
     Altitude(f64),
 }
 
 impl LightDirection {
-    /// The direction of an azimuth and an altitude in degrees.
+    /// Returns the unit vector for an azimuth from 0 to 360 and an altitude from 0 to 90, both in
+    /// degrees.
     ///
     /// # Errors
     ///
-    /// When the azimuth does not lie between 0 and 360 or the altitude not between 0 and 90.
+    /// When the azimuth or the altitude is out of range.
     pub fn of_angles(azimuth: f64, altitude: f64) -> Result<Self, LightDirectionError> {
         if !(0.0..=360.0).contains(&azimuth) {
             return Err(LightDirectionError::Azimuth(azimuth));

@@ -1,18 +1,18 @@
-//! What a picture may take.
+//! Limits and defaults of a picture: size, memory, samples and exposure.
 
 use relief_core::ByteSize;
 
-/// The longest side of a picture in pixels.
+/// Longest side of a picture in pixels.
 pub const MAX_IMAGE_SIDE: u32 = 32_768;
 
-/// The memory that maps and picture may take when nothing else is said.
+/// Default memory limit for maps and picture.
 pub const DEFAULT_MAX_MEMORY: ByteSize = ByteSize(4 << 30);
 
-/// The most samples of a pixel.
+/// Most samples per pixel.
 pub const MAX_SAMPLES: u32 = 1024;
 
-/// The samples of a pixel when nothing else is said: enough for edges without steps.
+/// Default samples per pixel, enough for smooth edges.
 pub const DEFAULT_SAMPLES: u32 = 4;
 
-/// The most stops by which a picture is made brighter or darker.
+/// Greatest exposure in stops. The least is its negative.
 pub const MAX_EXPOSURE: f32 = 32.0;

@@ -1,9 +1,9 @@
-//! From the description of a scene to the scene: defaults, checks, files.
+//! Loading of scenes: defaults, checks and files.
 
 use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_SIZE};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::framing::Framing;
-use super::load_surface::{Around, Parts};
+use super::load_surface::{Parts, SceneContext};
 use super::maps::{BYTES_PER_TRIANGLE, Maps};
 use super::metres::check_metres;
 use super::picture_size::check_size;
@@ -21,34 +21,35 @@ use relief_core::camera::{Camera, CameraError, Projection};
 use relief_core::mesh::Builtin;
 use relief_shaders::{AMBIENT, LIGHT_FACES, STAGES};
 
-/// Memory that rendering takes for a pixel of the band of rows that it is at: its results on the GPU, their
-/// copies, and its part of the picture to be written.
+/// Bytes per pixel of the band of rows that is being rendered: results on the GPU, their copies,
+/// and the part of the picture to be written.
 const BYTES_PER_PIXEL: u64 = 256;
 
-/// Memory that a surface takes besides its maps and its mesh: its description and its settings, and what the
-/// backends make of these. The first one's is among what is taken always.
+/// Bytes per surface besides its maps and its mesh: its description, settings, and the backends'
+/// data for them. The first surface is part of the constant memory.
 const BYTES_PER_SURFACE: u64 = 64 << 10;
 
-/// The size of pictures of maps that are not read yet, as far as skies and shadows go by it.
+/// Assumed size of a picture of size `map` before its map is read. Skies and shadow maps depend on
+/// it.
 const LARGE_SIZE: [u32; 2] = [4096; 2];
 
-/// Pixels of a band of rows; of very wide pictures one row.
+/// Pixels of a band of rows. A very wide picture has bands of one row.
 const BAND_PIXELS: u64 = 1 << 18;
 
-/// A surface, its number where there are several, and what of it needs no file.
+/// Index of a surface if there are several, its description, and its parts that need no file.
 type SurfaceParts = (Option<usize>, SurfaceSpec, Parts);
 
 impl SceneSpec {
-    /// Whether everything that needs no file is possible. A scene file is checked so before flags are laid
-    /// over it.
+    /// Checks everything that needs no file. A scene file is checked this way before flags override
+    /// it.
     ///
     /// # Errors
     ///
-    /// When a value is out of range, or keys are given that exclude or need each other.
+    /// When a value is out of range, or when keys exclude or need each other.
     pub fn check(&self) -> Result<(), ValueError> {
         self.check_look()?;
-        // Maps of one texel and a sky stand in for the files, so that the builder's own checks are made as
-        // well; and squares for meshes, so that it takes little memory.
+        // Maps of one texel, a sky and squares stand in for the files, so that the builder's own
+        // checks run, too, in little memory.
         let mut surfaces = Vec::new();
         for part in self.each_with_parts() {
             let (number, surface, parts) = part?;
@@ -62,23 +63,26 @@ impl SceneSpec {
         builder.build().map(drop)
     }
 
-    /// Reads the files and completes the scene, with what the files of meshes say of their surfaces (see
-    /// [`Self::with_keys_of_meshes`]). Relative paths start at the current folder. Paths of a scene
-    /// file start at that file's folder since it was read.
+    /// Reads all files and returns the complete scene, with the keys that mesh files hold for their
+    /// surfaces (see [`Self::with_keys_of_meshes`]).
+    ///
+    /// Relative paths start at the current folder. [`read_scene`](crate::read_scene) has already
+    /// resolved the paths of a scene file against its folder.
     ///
     /// # Errors
     ///
-    /// When there is no height map, a value is out of range, a method is not available, a file cannot be
-    /// read, or maps and picture need more than `max_memory`, which is found out before that memory is taken.
+    /// When there is no height map, a value is out of range, a method is not available, a file
+    /// cannot be read, or maps and picture need more than `max_memory`. The last is detected before
+    /// that memory is allocated.
     pub fn load(&self) -> Result<Scene, SceneError> {
         self.check_surfaces()?;
         self.with_keys_of_meshes()?.load_whole()
     }
 
-    /// The same of one that has what the files of its meshes say.
+    /// Loads a scene that already has the keys of its mesh files.
     fn load_whole(&self) -> Result<Scene, SceneError> {
         let each = self.each_with_parts().collect::<Result<Vec<_>, _>>()?;
-        // Before anything is read all else is known to be possible.
+        // All else is known to be valid before any file is read.
         self.check()?;
         let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
         let asked = each.iter().filter_map(|(.., parts)| parts.selection().light_views());
@@ -99,7 +103,7 @@ impl SceneSpec {
         for (number, surface, parts) in each {
             surfaces.push(surface.load(parts, number, &mut maps)?);
         }
-        // A picture that has the size of its map takes memory when this is known.
+        // The size `map` is known only now, so its memory is subtracted now.
         let of_map = match &surfaces[..] {
             [surface] if self.is_of_map_size() => Some(self.map_size(surface)?),
             _ => None,
@@ -119,10 +123,11 @@ impl SceneSpec {
         Ok(Scene { notes: maps.into_notes(), ..scene })
     }
 
-    /// Every surface, with its number where there are several, and with what needs no file.
+    /// Returns every surface with its parts that need no file, and with its index if there are
+    /// several.
     fn each_with_parts(&self) -> impl Iterator<Item = Result<SurfaceParts, ValueError>> {
         let several = !self.surfaces.is_empty();
-        let around = Around {
+        let context = SceneContext {
             look: self.look(),
             has_environment: self.environment.is_some(),
             several: self.surfaces.len() > 1,
@@ -131,13 +136,13 @@ impl SceneSpec {
         self.each_surface().into_iter().enumerate().map(move |(number, surface)| {
             let number = several.then_some(number);
             let parts = surface
-                .parts(self.samples.unwrap_or(DEFAULT_SAMPLES), &around)
+                .parts(self.samples.unwrap_or(DEFAULT_SAMPLES), &context)
                 .map_err(|error| error.of_surface(number))?;
             Ok((number, surface, parts))
         })
     }
 
-    /// Bytes that surfaces take by themselves, and for built-in meshes. Each surface has a mesh of its own.
+    /// Returns the bytes for surfaces and built-in meshes. Each surface has a mesh of its own.
     fn surface_bytes(&self) -> u64 {
         let bytes = Builtin::ALL.map(|builtin| {
             builtin.build([1.0; 2]).map_or(0, |mesh| BYTES_PER_TRIANGLE * mesh.triangles().len() as u64)
@@ -155,7 +160,7 @@ impl SceneSpec {
         BYTES_PER_SURFACE * (self.surfaces.len() as u64).saturating_sub(1) + of_meshes
     }
 
-    /// Refuses more surfaces than there is memory for, before anything is made of them.
+    /// Refuses more surfaces than fit into memory, before anything is built.
     fn check_surfaces(&self) -> Result<(), SceneError> {
         let (needed, limit) = (self.surface_bytes(), self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY));
         if needed > limit.0 {
@@ -164,8 +169,9 @@ impl SceneSpec {
         Ok(())
     }
 
-    /// Subtracts from `left` bytes the memory of a picture of that size and of its shadow maps. `asked` is
-    /// the longest side of these maps in texels and the number of cascades, where surfaces need them.
+    /// Subtracts from `left` bytes the memory of a picture of that size and of its shadow maps.
+    /// `asked` is the longest side of these maps in texels and the number of cascades, where
+    /// surfaces need them.
     fn memory_beside_the_picture(
         &self,
         left: u64,
@@ -179,16 +185,16 @@ impl SceneSpec {
         let needed = pixels.saturating_mul(BYTES_PER_PIXEL);
         let left =
             left.checked_sub(needed).ok_or(SceneError::TooMuchMemory { width, height, needed, limit })?;
-        let needed = self.lights_see_bytes(asked, size)?;
-        left.checked_sub(needed).ok_or(SceneError::TooMuchForLights { needed, left, limit })
+        let needed = self.shadow_map_bytes(asked, size)?;
+        left.checked_sub(needed).ok_or(SceneError::TooMuchForShadowMaps { needed, left, limit })
     }
 
-    /// Bytes of what lights see at most.
-    fn lights_see_bytes(&self, asked: Option<[u32; 2]>, size: [u32; 2]) -> Result<u64, ValueError> {
+    /// Returns the largest possible size of all shadow maps in bytes.
+    fn shadow_map_bytes(&self, asked: Option<[u32; 2]>, size: [u32; 2]) -> Result<u64, ValueError> {
         let Some([most, cascades]) = asked else { return Ok(0) };
         let side = shadow_map_side(most, size);
         let views: u64 = match self.lights()? {
-            // All of a look's lights are far away.
+            // All lights of a look are directional.
             None => {
                 let count = self.look().parts().light_count().max(usize::from(self.light.is_some()));
                 u64::from(cascades) * count as u64
@@ -201,7 +207,7 @@ impl SceneSpec {
                 })
                 .sum(),
         };
-        // One more is the depth that a GPU draws them with.
+        // One more is the depth buffer with which a GPU draws them.
         Ok((views + 1) * u64::from(side) * u64::from(side) * size_of::<f32>() as u64)
     }
 
@@ -253,13 +259,13 @@ impl SceneSpec {
             builder = builder.size(width, height);
         }
         if self.is_of_map_size() {
-            // To the border, whatever the look.
-            builder = builder.framing(Framing::Seen);
+            // The scene fills the picture to its border in all looks.
+            builder = builder.framing(Framing::Visible);
         }
         Ok(builder)
     }
 
-    /// The builder with the camera that is described.
+    /// Sets the described camera.
     fn camera(&self, builder: SceneBuilder) -> Result<SceneBuilder, ValueError> {
         let fov = self.fov.unwrap_or(DEFAULT_FOV);
         let projection = self.projection.unwrap_or_default();
@@ -306,12 +312,12 @@ impl SceneSpec {
         Ok(builder.camera(camera))
     }
 
-    /// Refuses a look whose parts are all replaced.
+    /// Refuses a look whose parts are all overridden.
     fn check_look(&self) -> Result<(), ValueError> {
         let Some(look) = self.look else { return Ok(()) };
         let names_ambient = |surface: &SurfaceSpec| surface.stages.contains_key(STAGES[AMBIENT].key);
         let has_camera = self.view.is_some() || self.eye.is_some() || self.target.is_some();
-        // A direction leaves the look's light its colour.
+        // A direction keeps the colour of the look's light.
         let has_lights = self.lights.is_some();
         let has_sky = self.ambient_color.is_some() && self.each_surface().iter().all(names_ambient);
         let has_display = self.background.is_some() && self.exposure.is_some() && self.tone.is_some();
@@ -321,21 +327,21 @@ impl SceneSpec {
         Ok(())
     }
 
-    /// The look, by default [`Look::OF_PICTURES`].
+    /// Returns the look. Default: [`Look::OF_PICTURES`].
     pub(super) fn look(&self) -> Look {
         self.look.unwrap_or(Look::OF_PICTURES)
     }
 
-    /// The lights, unless they are the look's.
+    /// Returns the lights, or `None` for the look's.
     fn lights(&self) -> Result<Option<Vec<Light>>, ValueError> {
         let angle = self.light_angle.unwrap_or(SUN_DEG);
         let problem = |key| move |error| ValueProblem::from(error).of(key);
-        // An angle that is said of no light is wrong all the same.
+        // An angle that applies to no light is checked, too.
         let only = Light::directional(self.light.map_or(DVec3::Y, DVec3::from), Vec3::ONE);
         only.map_err(problem("light"))?.with_diameter(angle).map_err(problem("light-angle"))?;
         match (self.light, &self.lights) {
             (Some(_), Some(_)) => Err(ValueProblem::Excludes("lights").of("light")),
-            // The look's, from that direction.
+            // The look's light, from that direction.
             (_, None) => Ok(None),
             (None, Some(lights)) => {
                 let lights = lights.iter().map(|light| light.light(angle));
@@ -347,7 +353,7 @@ impl SceneSpec {
 }
 
 impl LightSpec {
-    /// The light; `angle` is the diameter in degrees of one infinitely far away that does not say its own.
+    /// Returns the light. `angle` is the default diameter of a directional light in degrees.
     fn light(&self, angle: f64) -> Result<Light, ValueProblem> {
         let colour = Vec3::from(self.color.unwrap_or([1.0; 3]));
         let intensity = self.intensity.unwrap_or(1.0);

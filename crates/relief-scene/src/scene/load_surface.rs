@@ -1,10 +1,10 @@
-//! From the description of a surface to the surface: defaults, checks, files.
+//! Loading of surfaces: defaults, checks and files.
 
-use super::builder::{DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, SEEN, of_selection};
+use super::builder::{AMBIENT_ENVIRONMENT, DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::maps::{LoadedMesh, Maps};
 use super::metres::{MAX_METRES, check_metres};
-use super::surface_colors::{Drawn, DrawnMaterial};
+use super::surface_colors::{DrawnColors, DrawnMaterial};
 use super::surface_spec::environment;
 use super::{Look, MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
 use crate::material::{Material, MaterialError};
@@ -18,83 +18,85 @@ use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_S
 use std::path::Path;
 use std::sync::Arc;
 
-/// The detail of pictures with several samples a pixel, where the search's maps can have levels of detail.
+/// Detail variant for pictures with several samples per pixel, if the search's maps can have levels
+/// of detail.
 const FOOTPRINT: &str = "footprint";
 
-/// What shows a mesh without a height map: its triangles, and the shadows that they throw on each other.
+/// Method and shadow of a mesh without a height map. The triangles cast shadows on each other.
 const METHOD_OF_MESHES: &str = "bump";
 const SHADOW_OF_MESHES: &str = "map";
 
-/// What a projection needs.
+/// Key that a projection needs.
 const MESH_OF_FILE: &str = "mesh FILE";
 
-/// The displacement between heights 0 and 1 when neither the scene nor the height map's file says anything,
-/// in metres.
+/// Default displacement between heights 0 and 1 in metres, if neither the scene nor the height
+/// map's file states one.
 const DEFAULT_SCALE_M: f64 = 0.05;
 
-/// The deepest relief that is taken for ground, as a part of the longer side of a tile: no landscape is
-/// nearly as deep. A model that is states no unit, or another than it has.
+/// Deepest relief that counts as ground, as a part of the longer side of a tile. No landscape is
+/// nearly as deep. A deeper file is a model without a unit or with a wrong one.
 const DEEPEST_GROUND: f64 = 0.75;
 
-/// The same where the unit of the heights is named: cliffs are that steep.
+/// Deepest relief that counts as ground if the file names the unit of its heights, as a part of the
+/// longer side of a tile. Cliffs are that steep.
 const DEEPEST_NAMED: f64 = 2.0;
 
-/// The depth at which such a model is shown, as a part of the shorter side of a tile: nobody sees into a much
-/// deeper one.
+/// Depth at which a model that is no ground is shown, as a part of the shorter side of a tile. Much
+/// deeper ones would hide their lowest parts.
 const DEPTH_OF_NO_GROUND: f64 = 0.25;
 
-/// The most tiles along an axis, and its inverse the fewest. Beyond it `f32` does not tell the texels of a
-/// tile apart, and much farther it overflows.
+/// Most tiles along an axis; its inverse is the fewest. Beyond it, `f32` cannot distinguish the
+/// texels of a tile, and much farther it overflows.
 const MAX_TILES: f32 = 1e6;
 
-/// Lengths of a tile, in metres.
+/// Valid lengths of a tile in metres.
 const LENGTHS_M: std::ops::RangeInclusive<f64> = 1e-9..=MAX_METRES;
 
-/// Factors on the scale.
+/// Valid factors on the scale.
 const EXAGGERATIONS: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
 
-/// The largest factor on a mesh, and its inverse the smallest: its metres stay within what `f32` can reckon
-/// with.
+/// Largest factor on a mesh; its inverse is the smallest. Lengths in metres then stay within the
+/// range of `f32` arithmetic.
 const MAX_SIZE: f64 = 1e6;
 
-/// What of a surface needs no file, completed and checked.
+/// Parts of a surface that need no file, completed and checked.
 pub struct Parts {
     mesh: Mesh,
     material: Material,
     selection: Selection,
-    /// Unless the height map's file is to say it.
+    /// `None` stands for the height map's file or the default.
     scale_m: Option<f64>,
-    /// Minus the scale if none.
+    /// `None` stands for minus the scale.
     bias_m: Option<f64>,
-    /// A factor on the scale, and on the bias where it is not given.
+    /// Factor on the scale, and on the bias if it is not given.
     exaggerate: f64,
     two_sided: bool,
     holes: bool,
     creases: bool,
 }
 
-/// What the scene around a surface says of it.
+/// Values of the scene that a surface depends on.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Around {
+pub struct SceneContext {
     pub look: Look,
-    /// Whether surroundings are given.
+    /// Whether the scene has an environment map.
     pub has_environment: bool,
-    /// Whether there are several surfaces.
+    /// Whether the scene has several surfaces.
     pub several: bool,
-    /// Columns and rows of the picture, as far as they are known.
+    /// Columns and rows of the picture, or an assumed size.
     pub size: [u32; 2],
 }
 
 impl Parts {
-    /// What is run.
+    /// Returns the variants of all stages.
     pub fn selection(&self) -> &Selection {
         &self.selection
     }
 }
 
 impl SurfaceSpec {
-    /// What needs no file, completed and checked, for a picture of `samples` samples a pixel.
-    pub(super) fn parts(&self, samples: u32, around: &Around) -> Result<Parts, ValueError> {
+    /// Returns the parts that need no file, completed and checked, for `samples` samples per pixel.
+    pub(super) fn parts(&self, samples: u32, context: &SceneContext) -> Result<Parts, ValueError> {
         if let Some(key) = self.key_of_relief().filter(|_| self.object.is_some()) {
             return Err(ValueProblem::Excludes("object").of(key));
         }
@@ -126,7 +128,7 @@ impl SurfaceSpec {
         Ok(Parts {
             mesh: self.placed(self.mesh_without_file([1.0, 1.0])?)?,
             material: self.material_of(None)?,
-            selection: self.selection(samples, around)?,
+            selection: self.selection(samples, context)?,
             scale_m: self.scale,
             bias_m: self.bias,
             exaggerate: self.exaggerate.unwrap_or(1.0),
@@ -136,13 +138,14 @@ impl SurfaceSpec {
         })
     }
 
-    /// The same with a square in place of the mesh.
+    /// Replaces the mesh of `parts` by a square.
     pub(super) fn on_a_square(&self, parts: Parts) -> Result<Parts, ValueError> {
         let mesh = square(1).map_err(|error| ValueProblem::from(error).of("mesh"))?;
         Ok(Parts { mesh: self.placed(mesh)?, ..parts })
     }
 
-    /// The surface with something in place of the files of its relief or object, and no other maps.
+    /// Returns the surface with placeholders for the files of its relief or object, and no other
+    /// maps.
     pub(super) fn stand_in(&self, parts: Parts) -> Result<Surface, ValueError> {
         if self.object.is_none() {
             let problem = |problem: relief_core::HeightMapError| ValueProblem::from(problem).of("height");
@@ -155,7 +158,7 @@ impl SurfaceSpec {
         Ok(surface.with_material(parts.material).with_selection(parts.selection))
     }
 
-    /// The surface of an object's file.
+    /// Loads the surface of an object's file.
     fn load_object(&self, path: &Path, parts: Parts, maps: &mut Maps) -> Result<Surface, SceneError> {
         let options = ObjectOptions { max_bytes: maps.left(), ..ObjectOptions::default() };
         let ObjectFile { object, color, normal, .. } = relief_object::read_object(path, &options)?;
@@ -186,7 +189,7 @@ impl SurfaceSpec {
         object.placed(&self.placement()?).map_err(|error| ValueProblem::from(error).of("position"))
     }
 
-    /// The surface with a height map in place of its own, and no other maps.
+    /// Returns the surface with a given height map, and no other maps.
     pub(super) fn with_heights(&self, parts: Parts, map: HeightMap) -> Result<Surface, ValueError> {
         let map = match self.tile_size {
             Some([u, v]) => {
@@ -196,7 +199,7 @@ impl SurfaceSpec {
             None => Ok(map),
         };
         let map = map.map_err(|error| ValueProblem::from(error).of("tile-size"))?;
-        // All other meshes are as they are, whatever lies on them.
+        // All other meshes do not depend on the height map.
         let mesh = match self.mesh.clone().unwrap_or_default() {
             MeshChoice::Builtin(Builtin::Plane) => self.placed(self.mesh_without_file(map.proportions())?)?,
             _ => parts.mesh,
@@ -225,7 +228,7 @@ impl SurfaceSpec {
             .with_creases(parts.creases))
     }
 
-    /// The surface with its maps.
+    /// Loads the surface with its maps.
     pub(super) fn load(
         &self,
         parts: Parts,
@@ -247,7 +250,7 @@ impl SurfaceSpec {
             Some(MeshChoice::File(file)) => {
                 let own =
                     self.color.is_some() || self.material.as_ref().is_some_and(|own| own.diffuse.is_some());
-                // Where nothing lies on the mesh, it needs no texture coordinates.
+                // A mesh without any map needs no texture coordinates.
                 let is_bare = self.is_mesh_alone()
                     && self.project.is_none()
                     && self.color.is_none()
@@ -259,7 +262,7 @@ impl SurfaceSpec {
                     loaded => loaded,
                 };
                 let LoadedMesh { mesh, colors } = loaded?;
-                // Pictures lie by the coordinates of the file, whatever its tiles.
+                // Pictures use the file's texture coordinates, regardless of tiles.
                 let of_file = colors.map(|colors| (file, colors, mesh.clone()));
                 let mesh = self.placed(mesh).map_err(of_number)?;
                 (Parts { mesh, ..parts }, of_file)
@@ -295,19 +298,19 @@ impl SurfaceSpec {
                 let what = "its picture is tiled as the height map is";
                 remarks.push(Remark::new(&omissions::TILED_PICTURE, what));
             }
-            let drawn = Drawn::of(&colors, &mesh, splits, &mut remarks);
+            let drawn = DrawnColors::of(&colors, &mesh, splits, &mut remarks);
             maps.remark(file, remarks);
             drawn
         });
         let diffuse = match &drawn {
-            Some(Drawn::One(material)) => Some(material.diffuse),
+            Some(DrawnColors::One(material)) => Some(material.diffuse),
             _ => None,
         };
         parts.material = self.material_of(diffuse).map_err(of_number)?;
         if let Some(path) = &self.height {
             // Each material is drawn with maps of its own.
             let times = match &drawn {
-                Some(Drawn::Several(colors)) => colors.materials.len(),
+                Some(DrawnColors::Several(colors)) => colors.materials.len(),
                 _ => 1,
             };
             for _ in 0..times {
@@ -317,13 +320,13 @@ impl SurfaceSpec {
         let surface = self.with_heights(parts, map);
         let mut surface = surface.map_err(of_number)?;
         match drawn {
-            Some(Drawn::One(DrawnMaterial { picture, place, cutoff, .. })) => {
+            Some(DrawnColors::One(DrawnMaterial { picture, place, cutoff, .. })) => {
                 surface = surface.with_cutoff(cutoff);
                 if let Some(picture) = picture {
                     surface = surface.with_color(picture).with_color_place(place);
                 }
             }
-            Some(Drawn::Several(colors)) => surface = surface.with_colors(colors),
+            Some(DrawnColors::Several(colors)) => surface = surface.with_colors(colors),
             None => {}
         }
         surface = surface.with_file_colors(file_colors);
@@ -337,12 +340,12 @@ impl SurfaceSpec {
         Ok(surface)
     }
 
-    /// Whether the mesh of a file is shown as it is, without a height map.
+    /// Returns whether the mesh of a file is shown without a height map.
     pub(super) fn is_mesh_alone(&self) -> bool {
         self.height.is_none() && self.object.is_none() && matches!(self.mesh, Some(MeshChoice::File(_)))
     }
 
-    /// How many tiles lie along `u` and `v`.
+    /// Returns the number of tiles along `u` and `v`.
     fn tiles(&self) -> Result<[f32; 2], ValueError> {
         let tiles = self.tile.unwrap_or([1.0, 1.0]);
         let possible = 1.0 / MAX_TILES..=MAX_TILES;
@@ -355,7 +358,8 @@ impl SurfaceSpec {
         }
     }
 
-    /// The built-in mesh for a height map whose tile has those proportions; a square stands in for a file's.
+    /// Returns the built-in mesh for a height map with these proportions of its tile, or a square
+    /// for a file's mesh.
     fn mesh_without_file(&self, [u, v]: [f64; 2]) -> Result<Mesh, ValueError> {
         let [across, down] = self.tiles()?.map(f64::from);
         let mesh = match self.mesh.clone().unwrap_or_default() {
@@ -365,7 +369,7 @@ impl SurfaceSpec {
         mesh.map_err(|error| ValueProblem::from(error).of("mesh"))
     }
 
-    /// A mesh in its place, with its tiles.
+    /// Returns a mesh in world space, with its tiles.
     fn placed(&self, mesh: Mesh) -> Result<Mesh, ValueError> {
         let mesh =
             mesh.tiled(Vec2::from(self.tiles()?)).map_err(|error| ValueProblem::from(error).of("tile"))?;
@@ -373,7 +377,7 @@ impl SurfaceSpec {
         mesh.placed(&placement).map_err(|error| ValueProblem::from(error).of("position"))
     }
 
-    /// Where it lies in the world.
+    /// Returns the placement in world space.
     fn placement(&self) -> Result<Placement, ValueError> {
         let placement = Placement {
             position_m: self.position.unwrap_or_default().into(),
@@ -391,7 +395,7 @@ impl SurfaceSpec {
         Ok(placement)
     }
 
-    /// The material, of that diffuse colour unless another is given.
+    /// Returns the material. `diffuse` is the default of its diffuse colour.
     fn material_of(&self, diffuse: Option<Vec3>) -> Result<Material, ValueError> {
         let default = if self.color.is_some() { Material::under_colours() } else { Material::default() };
         let spec = self.material.clone().unwrap_or_default();
@@ -408,20 +412,20 @@ impl SurfaceSpec {
         })
     }
 
-    /// What is run. Several samples ask for a picture without jagged edges, which it then has where maps are
-    /// seen small, too.
-    fn selection(&self, samples: u32, around: &Around) -> Result<Selection, ValueError> {
+    /// Returns the variants of all stages. With several samples per pixel, minified maps are
+    /// filtered, too, if the search's maps can have levels of detail.
+    fn selection(&self, samples: u32, context: &SceneContext) -> Result<Selection, ValueError> {
         if samples > 1 && !self.stages.contains_key(STAGES[DETAIL].key) {
-            let selection = self.selection_in(Some(FOOTPRINT), around)?;
+            let selection = self.selection_in(Some(FOOTPRINT), context)?;
             if selection.check_levels().is_ok() && selection.object_cells().is_none() {
                 return Ok(selection);
             }
         }
-        self.selection_in(None, around)
+        self.selection_in(None, context)
     }
 
-    /// Returns the selection with another detail than the method's.
-    fn selection_in(&self, detail: Option<&str>, around: &Around) -> Result<Selection, ValueError> {
+    /// Returns the selection, with `detail` in place of the method's.
+    fn selection_in(&self, detail: Option<&str>, context: &SceneContext) -> Result<Selection, ValueError> {
         let named = |stage: usize| self.stages.get(STAGES[stage].key).map(String::as_str);
         let selection = match (&self.method, named(SEARCH), named(REFINE)) {
             (Some(_), None, None) if named(GEOMETRY).is_some() => {
@@ -444,7 +448,7 @@ impl SurfaceSpec {
         if let Some(detail) = detail {
             selection.choose(STAGES[DETAIL].key, detail).map_err(of_selection)?;
         }
-        let sees_environment = around.has_environment || self.asks_for_environment();
+        let sees_environment = context.has_environment || self.asks_for_environment();
         if sees_environment {
             selection.choose(STAGES[AMBIENT].key, environment()).map_err(of_selection)?;
         }
@@ -459,21 +463,21 @@ impl SurfaceSpec {
             }
             let is_named = |stage: usize| self.stages.contains_key(STAGES[stage].key);
             if !is_of_shadow && !sees_environment && !is_named(AMBIENT) {
-                around.look.light_from_sky(&mut selection, !self.is_mesh_alone(), around.size);
+                context.look.light_from_sky(&mut selection, !self.is_mesh_alone(), context.size);
             }
             let sets_search =
                 self.set.keys().any(|key| key.split('.').next() == Some(STAGES[SHADOW_SEARCH].key));
             let has_shadow =
                 self.is_mesh_alone() || is_named(SHADOW) || is_named(SHADOW_SEARCH) || sets_search;
-            if is_of_shadow && around.several && !has_shadow {
-                around.look.share_shadows(&mut selection, around.size);
+            if is_of_shadow && context.several && !has_shadow {
+                context.look.share_shadows(&mut selection, context.size);
             }
             for key in self.set.keys().filter(of_part) {
                 selection.set(key, self.set[key]).map_err(of_selection)?;
             }
         }
         if self.ior.is_some_and(|ior| ior != Material::default().ior()) && !selection.sees_environment() {
-            return Err(ValueProblem::Needs(&SEEN).of("ior"));
+            return Err(ValueProblem::Needs(&AMBIENT_ENVIRONMENT).of("ior"));
         }
         if !selection.uses(SHADOW_SEARCH) {
             let search = STAGES[SHADOW_SEARCH].key;
@@ -488,7 +492,7 @@ impl SurfaceSpec {
     }
 }
 
-/// The height map of a mesh that is shown as it is: one texel at the level of the mesh.
+/// Returns the height map of a mesh that is shown without one: one texel at the mesh's level.
 fn level_map() -> Result<HeightMap, SceneError> {
     let map = HeightMap::new(1, 1, vec![1.0], Wrap::Repeat);
     Ok(map.map_err(|error| ValueProblem::from(error).of("height"))?)
@@ -501,9 +505,10 @@ fn check_scale(scale_m: f64) -> Result<(), ValueError> {
     Err(ValueProblem::Number { value: scale_m, must: "from 0 to 1e9 metres" }.of("scale"))
 }
 
-/// The displacement between heights 0 and 1 that gives the relief the proportions that the height map's file
-/// states: as deep to a tile of the mesh as to one of its own, on the mean of both directions. On a plane
-/// both are the same.
+/// Returns the scale that gives the relief the proportions stated in the height map's file.
+///
+/// The ratio of depth to a tile's side is the same on the mesh as in the file, as the geometric
+/// mean of both directions. On a plane both directions agree.
 pub(super) fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
     let (tile, span) = map.stated_lengths()?;
     let [u, v] = mesh.tile_m();

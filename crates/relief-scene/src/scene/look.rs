@@ -1,4 +1,4 @@
-//! Looks: light, background and camera of a first picture.
+//! Looks: default light, background, tone curve and camera of a picture.
 
 use std::fmt;
 use std::str::FromStr;
@@ -14,9 +14,9 @@ use crate::light::{Light, LightError, SUN_DEG};
 use crate::tone::Tone;
 use relief_core::camera::Camera;
 
-/// How a scene looks where nothing else is said: its light, sky, background, tone curve and camera.
+/// Look of a scene: the defaults of light, sky, background, exposure, tone curve and camera.
 ///
-/// Each part can be set by itself; what is set takes the place of the look's.
+/// Each part can be set separately and then replaces the look's part.
 ///
 /// # Examples
 ///
@@ -32,69 +32,69 @@ use relief_core::camera::Camera;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Look {
-    /// A key light from the camera's upper left, a soft sky, and a bright backdrop.
+    /// Key light from the camera's upper left, a soft sky, and a bright backdrop.
     Studio,
-    /// A low warm sun from the camera's upper left, a blue sky, and a backdrop of that sky.
+    /// Low warm sun from the camera's upper left, a blue sky, and a backdrop in its colours.
     Sun,
-    /// A bright sky without any other light: shadows are soft and shallow.
+    /// Bright sky without any other light. Shadows are soft and shallow.
     Overcast,
-    /// A white light from a fixed direction and the same ambient light everywhere, before a dark background.
-    /// The camera looks from above a corner. Its pictures do not change from version to version.
+    /// White light from a fixed direction, constant ambient light, and a dark background. The
+    /// camera looks from above a corner. Its pictures do not change from version to version.
     #[default]
     Plain,
 }
 
-/// The parts of a look.
+/// Parts of a look.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LookParts {
-    /// The only light, if any.
+    /// Only light, if any.
     key: Option<KeyLight>,
-    /// Light from all around, linear.
+    /// Linear ambient light.
     pub ambient: Vec3,
-    /// Whether surfaces that name no ambient light see a sky above and ground below, as much as the relief
-    /// leaves of it; else the same light comes from everywhere.
+    /// Whether surfaces without a named ambient variant see a sky above and ground below, as far as
+    /// the relief leaves them open. Otherwise the ambient light is constant.
     has_sky: bool,
-    /// Whether surfaces throw shadows on each other where there are several.
+    /// Whether surfaces cast shadows on each other if there are several.
     is_shared: bool,
     pub background: Background,
     pub exposure: f32,
     pub tone: Tone,
     pub view: View,
-    /// How a camera is fitted.
+    /// Extent of the scene that a fitted camera shows.
     pub framing: Framing,
 }
 
-/// A light infinitely far away.
+/// Light infinitely far away.
 #[derive(Clone, Copy, Debug)]
 struct KeyLight {
-    /// Toward the light, of any length: right, up and toward the eye, or in the world.
+    /// Direction toward the light, of any length: right, up and toward the eye, or in world space.
     toward: DVec3,
     of_camera: bool,
     irradiance: Vec3,
 }
 
-/// The direction toward the light of [`Look::Plain`]: from the upper left of the built-in views.
+/// Direction toward the light of [`Look::Plain`]: from the upper left of the built-in views.
 pub(super) const PLAIN_LIGHT: DVec3 = DVec3::new(-0.6, 0.6, -0.1);
 
-/// What surfaces see of a sky: as much as the relief leaves of it, or what faces it.
+/// Ambient variants of a sky: with occlusion by the relief, or without.
 const SKY: &str = "sky";
 const HEMISPHERE: &str = "hemisphere";
 
-/// Pixels of the picture's longer side beside a texel of the sky, which is smooth: bakes take a tenth of a
-/// second of the finest ones.
+/// Pixels of the picture's longer side per texel of the sky map. The sky is smooth, and finer maps
+/// take longer to bake: a tenth of a second for the finest.
 const SKY_PIXELS: u32 = 4;
 
-/// Shadows that surfaces throw on each other.
+/// Shadow variant by which surfaces cast shadows on each other.
 const SHARED_SHADOW: &str = "map";
 
 impl Look {
-    /// Every look, in the order in which help lists them.
+    /// All looks, in the order in which help lists them.
     pub const ALL: [Look; 4] = [Look::Studio, Look::Sun, Look::Overcast, Look::Plain];
 
-    /// The look of pictures and scene files that name none.
+    /// Default look of pictures and scene files.
     pub const OF_PICTURES: Look = Look::Studio;
 
-    /// The name used on the command line and in scenes.
+    /// Returns the name used on the command line and in scene files.
     pub const fn name(self) -> &'static str {
         match self {
             Look::Studio => "studio",
@@ -104,12 +104,12 @@ impl Look {
         }
     }
 
-    /// Its lights, as a camera has them.
+    /// Returns the look's lights for a camera. Most looks place their light relative to the camera.
     pub fn lights(self, camera: &Camera) -> Vec<Light> {
         self.parts().lights(camera, SUN_DEG, None).expect("the lights of looks are possible")
     }
 
-    /// Its background.
+    /// Returns the look's background.
     pub fn background(self) -> Background {
         self.parts().background
     }
@@ -128,7 +128,7 @@ impl Look {
             exposure: 0.0,
             tone: Tone::Agx,
             view: View::ThreeQuarter,
-            framing: Framing::Seen,
+            framing: Framing::Visible,
         };
         match self {
             Look::Studio => studio,
@@ -157,8 +157,8 @@ impl Look {
         }
     }
 
-    /// Gives a selection that names no ambient light this look's sky, as fine as a picture of that size asks
-    /// for. A mesh without a relief hides no sky from itself.
+    /// Sets this look's sky in a selection without a named ambient variant, at a resolution for a
+    /// picture of `size` pixels. A mesh without a relief does not occlude the sky.
     pub(super) fn light_from_sky(self, selection: &mut Selection, has_relief: bool, size: [u32; 2]) {
         if self.parts().has_sky {
             choose(selection, AMBIENT, if has_relief { &[SKY, HEMISPHERE] } else { &[HEMISPHERE] });
@@ -166,7 +166,7 @@ impl Look {
         }
     }
 
-    /// Gives a selection that names no shadow the shadows that several surfaces throw on each other.
+    /// Sets the shadow variant for several surfaces in a selection without a named shadow.
     pub(super) fn share_shadows(self, selection: &mut Selection, size: [u32; 2]) {
         if self.parts().is_shared {
             choose(selection, SHADOW, &[SHARED_SHADOW]);
@@ -174,7 +174,7 @@ impl Look {
         }
     }
 
-    /// Both for surfaces that programs made: of them the first variants are what nobody named.
+    /// Sets sky and shadows for surfaces made by programs. Their first variants count as not named.
     pub(super) fn adapt(self, surfaces: &mut [Surface], size: [u32; 2]) {
         let several = surfaces.len() > 1;
         for surface in surfaces {
@@ -191,12 +191,12 @@ impl Look {
     }
 }
 
-/// The greatest power of two that is no more than a part of the picture's longer side.
+/// Returns the greatest power of two that is at most the picture's longer side over `part`.
 fn power_of_two(size: [u32; 2], part: u32) -> u32 {
     1 << (size[0].max(size[1]) / part).max(1).ilog2()
 }
 
-/// Lowers a parameter of a stage to a value, or to the least that is possible, where the variant has it.
+/// Lowers a parameter of a stage to `value` or its minimum, if the variant has it.
 fn lower(selection: &mut Selection, stage: usize, name: &str, value: u32) {
     let Choice { entry, params, .. } = &mut selection.choices[stage];
     if let Some((place, param)) = entry.param(name) {
@@ -204,13 +204,13 @@ fn lower(selection: &mut Selection, stage: usize, name: &str, value: u32) {
     }
 }
 
-/// Chooses the first of these variants that goes with all else, if any does.
+/// Chooses the first of these variants that fits the rest of the selection, if any does.
 fn choose(selection: &mut Selection, stage: usize, names: &[&str]) {
     let before = selection.check();
     let found = names.iter().find_map(|name| {
         let mut trial = *selection;
         trial.choose(STAGES[stage].key, name).ok()?;
-        // What else is wrong is said elsewhere.
+        // Other errors are reported elsewhere.
         let goes = trial.check();
         (goes.is_ok() || goes == before).then_some(trial)
     });
@@ -218,8 +218,8 @@ fn choose(selection: &mut Selection, stage: usize, names: &[&str]) {
 }
 
 impl LookParts {
-    /// The lights as that camera has them, with a disc of that diameter in degrees; from another direction of
-    /// the world where one is given. A look without a light gets a white one of irradiance 1 from there.
+    /// Returns the lights for a camera, with an apparent diameter in degrees. `toward` replaces the
+    /// direction, in world space. A look without a light then gets a white one of irradiance 1.
     ///
     /// # Errors
     ///
@@ -241,7 +241,7 @@ impl LookParts {
         given.or(self.key).map(light).into_iter().collect()
     }
 
-    /// How many lights there are.
+    /// Returns the number of lights.
     pub fn light_count(&self) -> usize {
         self.key.iter().count()
     }

@@ -1,4 +1,4 @@
-//! The files of a scene, each read once, within what memory is left.
+//! Reader of a scene's files. It reads each file once, within the memory limit.
 
 use super::SceneError;
 use crate::environment::Environment;
@@ -12,63 +12,63 @@ use relief_shaders::Selection;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Memory that a texel of a height map takes while it is rendered: itself, and the exact tracer's hierarchy
-/// or what a GPU holds of it.
+/// Bytes per texel of a height map while it is rendered: itself, and the exact tracer's hierarchy
+/// or the GPU's copy.
 const BYTES_PER_HEIGHT: u64 = 4 + 7;
 
-/// Memory that a texel of a height map takes more where levels of detail are seen: a third more of itself and
-/// of what is built on it, and the normals that are derived, with what is at hand then.
+/// Further bytes per texel of a height map with levels of detail: a third more of itself and of
+/// what is built on it, derived normals, and temporary memory.
 const BYTES_OF_LEVELS: u64 = 16;
 
-/// Bytes that a texel of a normal map takes: as read, and as the shaders take it with its coarser levels.
-/// Reading sees the first part.
+/// Bytes per texel of a normal map: as read, and as the shaders read it with coarser levels.
+/// Reading is limited by the first.
 const NORMAL_BYTES: [u64; 2] = [12, 16 + 11 + 8];
 
-/// Memory that a texel of a picture takes as it is read.
+/// Bytes per texel of a picture as it is read.
 const READ_BYTES: u64 = 16;
 
-/// Memory that a texel of a colour map takes, with its coarser levels.
+/// Bytes per texel of a colour map with its coarser levels.
 const COLOR_BYTES: u64 = READ_BYTES + 6;
 
-/// Memory that a triangle of a mesh takes while it is rendered: itself, its vertices, and the hierarchies and
-/// triangles that the backends make of it.
+/// Bytes per triangle of a mesh while it is rendered: itself, its vertices, and the backends'
+/// hierarchies and triangles.
 pub(super) const BYTES_PER_TRIANGLE: u64 = 640;
 
-/// What a mesh's file gives.
+/// Mesh and colours of a file.
 #[derive(Clone)]
 pub(super) struct LoadedMesh {
     pub mesh: Mesh,
     pub colors: Option<Arc<MeshColors>>,
 }
 
-/// Reads maps, each file once, within what memory is left.
+/// Reads maps, each file once, within the memory limit.
 pub struct Maps {
     limit: ByteSize,
     left: u64,
     heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
     colors: Vec<(PathBuf, Arc<Picture>)>,
     meshes: Vec<(PathBuf, MeshOptions, LoadedMesh)>,
-    /// What is to be said of reading the files.
+    /// Notes of the file readers.
     notes: Vec<ReadNote>,
 }
 
 impl Maps {
-    /// Of a limit to all memory so much is left for maps.
+    /// Creates a reader with `left` bytes for maps, out of the whole limit.
     pub fn new(limit: ByteSize, left: u64) -> Self {
         Self { limit, left, heights: Vec::new(), colors: Vec::new(), meshes: Vec::new(), notes: Vec::new() }
     }
 
-    /// What is to be said of reading the files.
+    /// Notes of the file readers.
     pub fn into_notes(self) -> Vec<ReadNote> {
         self.notes
     }
 
-    /// The memory that is left.
+    /// Returns the bytes that are left.
     pub fn left(&self) -> u64 {
         self.left
     }
 
-    /// The height map of a file.
+    /// Reads the height map of a file.
     pub(super) fn height(&mut self, path: &Path, options: HeightOptions) -> Result<HeightMap, SceneError> {
         let same = |(known, with, _): &&(PathBuf, HeightOptions, _)| {
             known == path && HeightOptions { max_bytes: options.max_bytes, ..with.clone() } == options
@@ -82,7 +82,7 @@ impl Maps {
         Ok(map)
     }
 
-    /// The colours of a picture's file.
+    /// Reads the colour picture of a file.
     pub(super) fn color(&mut self, path: &Path) -> Result<Arc<Picture>, SceneError> {
         if let Some((_, color)) = self.colors.iter().find(|(known, _)| known == path) {
             return Ok(Arc::clone(color));
@@ -94,7 +94,7 @@ impl Maps {
         Ok(color)
     }
 
-    /// The mesh of a file, where the file has it, and its colours if they are asked for.
+    /// Reads the mesh of a file as placed in the file, with its colours if `colors` is true.
     pub(super) fn mesh(
         &mut self,
         path: &Path,
@@ -127,7 +127,7 @@ impl Maps {
                 loaded
             }
         };
-        // Each surface has it in its own place.
+        // Each surface has a copy of the mesh, placed in world space.
         let needed = BYTES_PER_TRIANGLE * loaded.mesh.triangles().len() as u64;
         self.left = self.left.checked_sub(needed).ok_or_else(|| {
             let problem = ReadProblem::MeshMemory { limit: self.limit.0 };
@@ -136,7 +136,7 @@ impl Maps {
         Ok(loaded)
     }
 
-    /// The normal map of a file.
+    /// Reads the normal map of a file.
     pub(super) fn normal(&mut self, path: &Path, green: GreenSign) -> Result<NormalMap, SceneError> {
         let [read, converted] = NORMAL_BYTES;
         let limit = self.left / (read + converted) * read;
@@ -146,17 +146,17 @@ impl Maps {
         Ok(map)
     }
 
-    /// Leaves less for what a normal map takes that has been read.
+    /// Subtracts the memory of a normal map that has been read.
     pub(super) fn take_normals(&mut self, map: &NormalMap) {
         self.spend(NORMAL_BYTES[1] * u64::from(map.width) * u64::from(map.height));
     }
 
-    /// Leaves so much less for all that follows.
+    /// Subtracts bytes from the memory that is left.
     pub(super) fn spend(&mut self, bytes: u64) {
         self.left = self.left.saturating_sub(bytes);
     }
 
-    /// Notes what is left out of a file, or taken in another way.
+    /// Adds notes on data that a file's reader left out or changed.
     pub(super) fn remark(&mut self, path: &Path, remarks: Vec<Remark>) {
         self.notes.extend(remarks.into_iter().map(|remark| remark.of(path)));
     }
@@ -166,13 +166,13 @@ impl Maps {
         self.notes.extend(relief_io::read_notes(path).unwrap_or_default());
     }
 
-    /// Leaves less for what a picture of colours takes.
+    /// Subtracts the memory of a colour picture.
     pub(super) fn take_picture(&mut self, picture: &Picture) {
         let texels = u64::from(picture.width) * u64::from(picture.height);
         self.spend(COLOR_BYTES * texels);
     }
 
-    /// The surroundings of a file.
+    /// Reads the environment map of a file.
     pub fn environment(&mut self, path: &Path) -> Result<Environment, SceneError> {
         let [of_texel, kept] = Environment::BYTES;
         let limit = self.left / (READ_BYTES + of_texel) * READ_BYTES;
@@ -185,7 +185,7 @@ impl Maps {
         Ok(environment)
     }
 
-    /// Leaves less for colours and normals: room for a height map and what is built on it.
+    /// Subtracts the memory of a height map and what is built on it.
     pub(super) fn take(
         &mut self,
         path: &Path,

@@ -1,4 +1,4 @@
-//! Which mesh a surface lies on: a built-in one, or a file's.
+//! Base meshes by name or by file.
 
 use relief_core::mesh::Builtin;
 use relief_core::registry::UnknownName;
@@ -7,18 +7,18 @@ use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-/// A base mesh by its name, or by its file.
+/// Base mesh of a surface: a built-in one by name, or a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MeshChoice {
-    /// One that needs no file.
+    /// Built-in mesh.
     Builtin(Builtin),
-    /// Mesh of a file, whose name has the ending of a mesh format.
+    /// Path of a mesh file. Its name ends in `.gltf`, `.glb`, `.obj`, `.ply` or `.stl`.
     File(PathBuf),
 }
 
-/// A text that is neither a built-in mesh nor the name of a mesh's file.
+/// Error for a text that is neither a built-in mesh nor the name of a mesh file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{0}; files of meshes end in .gltf, .glb, .obj, .ply or .stl")]
+#[error("{0}; mesh files end in .gltf, .glb, .obj, .ply or .stl")]
 pub struct UnknownMesh(UnknownName);
 
 impl Default for MeshChoice {

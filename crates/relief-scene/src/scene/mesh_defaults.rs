@@ -1,4 +1,4 @@
-//! Keys of a surface in the file of its mesh: `relief` in the extras of a glTF's material.
+//! Keys of a surface inside the file of its mesh: `relief` in the extras of a glTF's material.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -12,23 +12,24 @@ use serde_json::{Map, Value};
 use super::keys::keys_of;
 use super::{DEFAULT_MAX_MEMORY, MeshChoice, SceneError, SceneSpec, SurfaceSpec};
 
-/// The name of the extras.
+/// Name of the object in the extras.
 const EXTRAS: &str = "relief";
 
-/// The key that the extras cannot have: they are the mesh's own.
+/// Key that the extras cannot have, as it names the mesh itself.
 const MESH: &str = "mesh";
 
 impl SceneSpec {
-    /// This description with what the files of its meshes say of their surfaces, where it says nothing
-    /// itself.
+    /// Returns this description, completed with the keys that mesh files hold for their surfaces.
+    /// Keys of this description take precedence.
     ///
-    /// A glTF says it by an object `relief` in the `extras` of the only material of its triangles, or of all
-    /// of these alike: with the keys of a surface in a scene file but `mesh`, and files by paths from its own
-    /// folder on, in which they lie. [`Self::load`] does this by itself.
+    /// A glTF holds them in an object `relief` in the `extras` of the only material of its
+    /// triangles, or equally in all of these materials. The keys are a surface's keys in a scene
+    /// file except `mesh`. Paths start at the glTF's folder and stay within it. [`Self::load`]
+    /// calls this function.
     ///
     /// # Errors
     ///
-    /// When such a file cannot be read, or has keys or values there that cannot be used.
+    /// When a mesh file cannot be read, or its keys or values cannot be used.
     pub fn with_keys_of_meshes(&self) -> Result<SceneSpec, SceneError> {
         let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY).0;
         let mut known: BTreeMap<PathBuf, Option<SurfaceSpec>> = BTreeMap::new();
@@ -61,12 +62,12 @@ impl SceneSpec {
 
 /// Returns the keys of a mesh's file, overridden by the keys of a surface on it.
 fn over(of_mesh: SurfaceSpec, mut surface: SurfaceSpec) -> SurfaceSpec {
-    // The keys are of this very mesh: it is no other one, which would drop some.
+    // The keys belong to this very mesh. Another mesh would drop some of them.
     let mesh = surface.mesh.take();
     SurfaceSpec { mesh, ..of_mesh.overridden_by(surface) }
 }
 
-/// The keys of a mesh's file, checked.
+/// Returns the checked keys of a mesh's file.
 fn keys_of_mesh(path: &Path, limit: u64) -> Result<Option<SurfaceSpec>, SceneError> {
     let Some(text) = read_mesh_extras(path, EXTRAS, limit).map_err(SceneError::Mesh)? else {
         return Ok(None);
@@ -81,13 +82,13 @@ fn keys_of_mesh(path: &Path, limit: u64) -> Result<Option<SurfaceSpec>, SceneErr
     Ok(Some(surface))
 }
 
-/// A surface of a JSON text; or what is wrong with it.
+/// Returns the surface in a JSON text, or a description of the problem.
 fn parse(text: &str) -> Result<SurfaceSpec, String> {
     let all: Map<String, Value> = serde_json::from_str(text).map_err(|error| error.to_string())?;
     let is_of_stage = |key: &str| relief_shaders::stage(key).is_some();
     let (stages, rest): (Map<_, _>, Map<_, _>) = all.into_iter().partition(|(key, _)| is_of_stage(key));
     let known = || keys_of::<SurfaceSpec>().iter().copied().filter(|key| *key != MESH);
-    // Key by key, so that it is known which is wrong.
+    // One key after another, so that an error names its key.
     for (key, value) in &rest {
         if !known().any(|known| known == key) {
             let keys = known().chain(STAGES.iter().map(|stage| stage.key));
@@ -99,7 +100,7 @@ fn parse(text: &str) -> Result<SurfaceSpec, String> {
     let surface = SurfaceSpec::deserialize(Value::Object(rest)).map_err(|error| error.to_string())?;
     let named = stages.into_iter().map(|(key, value)| match value {
         Value::String(name) => Ok((key, name)),
-        other => Err(format!("{key}: {other} is no name of a variant")),
+        other => Err(format!("{key}: {other} is no text: write the name of a variant in quotes")),
     });
     Ok(SurfaceSpec { stages: named.collect::<Result<_, _>>()?, ..surface })
 }

@@ -1,4 +1,4 @@
-//! A complete scene, its surfaces, their descriptions in files, and the way from one to the other.
+//! Scenes, surfaces, their descriptions in scene files, and loading.
 
 mod builder;
 mod choices;
@@ -6,6 +6,7 @@ mod color_place;
 mod error;
 mod file;
 mod framing;
+mod hull_points;
 mod keys;
 mod keys_table;
 mod light_direction;
@@ -19,7 +20,6 @@ mod mesh_defaults;
 mod metres;
 mod object;
 mod picture_size;
-mod seen_heights;
 mod settings;
 mod spec;
 mod surface;
@@ -60,7 +60,7 @@ use relief_shaders::Selection;
 pub use relief_shaders::wgsl::Sampling;
 use std::sync::Arc;
 
-/// A complete scene.
+/// Complete scene: loaded and checked, ready for a renderer.
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub(crate) surfaces: Vec<Surface>,
@@ -82,75 +82,79 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The surfaces, at least one. Of several the nearest is seen; of equally near ones the first.
+    /// Returns the surfaces, at least one. A pixel shows the nearest; ties go to the lower index.
     pub fn surfaces(&self) -> &[Surface] {
         &self.surfaces
     }
 
-    /// The camera.
+    /// Returns the camera.
     pub fn camera(&self) -> &Camera {
         &self.camera
     }
 
-    /// Moves the camera. The lights stay where they are, also the light of a [`Look`].
+    /// Replaces the camera. Lights stay where they are, including the light of a [`Look`].
     pub fn set_camera(&mut self, camera: Camera) {
         self.camera = camera;
     }
 
-    /// The depth buffer that the picture's `z` are of.
+    /// Returns the depth buffer that defines the picture's AOV `z`.
     pub fn depth_buffer(&self) -> DepthBuffer {
         self.depth_buffer
     }
 
-    /// The lights, at most [`MAX_LIGHTS`](crate::light::MAX_LIGHTS).
+    /// Returns the lights, at most [`MAX_LIGHTS`](crate::light::MAX_LIGHTS).
     pub fn lights(&self) -> &[Light] {
         &self.lights
     }
 
-    /// Irradiance that reaches every surface from everywhere.
+    /// Returns the linear ambient irradiance, which reaches every surface from all directions.
     pub fn ambient(&self) -> Vec3 {
         self.ambient
     }
 
-    /// The surroundings, which surfaces with the ambient light `environment` see; none for a generated sky.
+    /// Returns the environment map for surfaces with the ambient variant `environment`. `None`
+    /// stands for the generated sky.
     pub fn environment(&self) -> Option<&Arc<Environment>> {
         self.environment.as_ref()
     }
 
-    /// What pixels show that no surface covers.
+    /// Returns the background, shown by pixels that no surface covers.
     pub fn background(&self) -> Background {
         self.background
     }
 
-    /// Width and height of the picture in pixels.
+    /// Returns width and height of the picture in pixels.
     pub fn size(&self) -> [u32; 2] {
         self.size
     }
 
-    /// Samples of a pixel.
+    /// Returns the number of samples per pixel, from 1 to [`MAX_SAMPLES`].
     pub fn samples(&self) -> u32 {
         self.samples
     }
 
-    /// Stops by which light is brightened.
+    /// Returns the exposure in stops. Each stop doubles the light.
     pub fn exposure(&self) -> f32 {
         self.exposure
     }
 
-    /// The tone curve.
+    /// Returns the tone curve, which is applied after the exposure.
     pub fn tone(&self) -> Tone {
         self.tone
     }
 
-    /// The surroundings, where they are seen behind the scene.
+    /// Returns the environment map that the background shows: the scene's own, or else the
+    /// generated sky. `None` if the background is a colour or a gradient.
     pub fn environment_behind(&self) -> Option<Arc<Environment>> {
         let is_seen = self.background == Background::Environment;
         is_seen.then(|| self.environment.clone().unwrap_or_else(Environment::sky))
     }
 
-    /// What computes the picture. Where that is not said it is the CPU if a surface's shadows are rays
-    /// through the whole scene, and a GPU, of any kind, if the images of an object are counted in a stencil
-    /// buffer.
+    /// Returns the backend that computes the picture.
+    ///
+    /// If none was chosen, it is the CPU for surfaces whose shadow rays go through the whole scene.
+    /// It is a GPU, of any kind, for objects whose images are counted in a stencil buffer.
+    /// Otherwise it is [`BackendChoice::Auto`].
     pub fn backend(&self) -> BackendChoice {
         let any = |of: fn(&Selection) -> bool| self.surfaces.iter().any(|surface| of(surface.selection()));
         if self.backend != BackendChoice::Auto {
@@ -164,22 +168,23 @@ impl Scene {
         }
     }
 
-    /// How textures are read.
+    /// Returns the way in which textures are read.
     pub fn sampling(&self) -> Sampling {
         self.sampling
     }
 
-    /// The most memory that all displaced triangles may take, with what is built on them.
+    /// Returns the memory limit for all displaced triangles and what is built on them.
     pub fn geometry_memory(&self) -> ByteSize {
         self.geometry_memory
     }
 
-    /// What the readers of its files left out or assumed.
+    /// Returns notes of the file readers: what they left out or assumed.
     pub fn notes(&self) -> &[ReadNote] {
         &self.notes
     }
 
-    /// Whether displaced triangles that nothing sees are left out.
+    /// Returns whether displaced triangles that neither the camera nor a light can see are left
+    /// out.
     pub fn culls(&self) -> bool {
         self.culls
     }

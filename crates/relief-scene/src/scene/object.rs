@@ -1,4 +1,4 @@
-//! Objects that are known from images, as surfaces of a scene.
+//! Depth objects as surfaces of a scene.
 
 use std::sync::Arc;
 
@@ -14,48 +14,49 @@ use super::Surface;
 use super::builder::DEFAULT_METHOD_OF_OBJECTS;
 use relief_core::mesh::{Mesh, Vertex, cube};
 
-/// An object of images, and how the shaders see these.
+/// Depth object of a surface, with its images' views as the shaders read them.
 #[derive(Clone, Debug)]
 pub struct SceneObject {
     object: Arc<ImageObject>,
     images: Arc<BakedMap>,
 }
 
-/// Why an object cannot be shown.
+/// Reason why a depth object cannot be shown.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ObjectProblem {
-    /// All of too many images would be asked at each step of a ray.
+    /// The method would read all images in each step of a ray, and there are too many.
     #[error(
-        "an object has at most {MAX_IMAGES} images where all of them are asked, this one {0}: capture fewer, \
-         or choose the surface {grid} or the method 'impostor-blend' for a grid of them",
+        "the object has {0} images, and the method reads all of them in each step: capture at most \
+         {MAX_IMAGES}, or choose the surface {grid} or the method 'impostor-blend' for a grid of them",
         grid = Variants::of(SURFACE, |entry| entry.paths().images == Some(AskedImages::OfGrid)).or()
     )]
     TooMany(usize),
-    /// The images make no grid of frames.
+    /// The images are no octahedral grid of frames.
     #[error(
-        "its images make no octahedral grid of orthographic frames, row by row, from which three could be \
-         taken: capture it with one, or choose 'depth-object'"
+        "the method needs an octahedral grid of orthographic frames, row by row, and the images are none: \
+         capture the object as a grid, or choose 'depth-object'"
     )]
     NoGrid,
-    /// Images show balls of other sizes.
-    #[error("image {0} shows a ball of another radius than the first: all images show the same ball")]
+    /// Images show balls of different sizes.
+    #[error("image {0} shows a ball of another radius than image 0: capture all images of the same ball")]
     OtherBall(usize),
-    /// There is nothing that all images see.
+    /// No point is shown by all images.
     #[error(
-        "there is nothing that all images see: a thin card leaves no solid; of a grid of frames the method \
-         'impostor-blend' shows it all the same"
+        "no point is shown by all images, so the object has no solid, as with a thin card: for a grid of \
+         frames choose the method 'impostor-blend'"
     )]
     Nothing,
-    /// The box around it is no mesh: it is not finite, or too small.
-    #[error("the box around the object is too small or too large")]
+    /// The box around the object is no valid mesh: it is not finite, or too small.
+    #[error("the box around the object is too small or too large: scale the object")]
     Box,
-    /// Heights cannot be as deep as the ball.
+    /// The ball's diameter is no valid scale.
     #[error(transparent)]
     HeightMap(#[from] relief_core::HeightMapError),
 }
 
 impl SceneObject {
-    /// What stands for the object of a file that has not been read: a grid of images of one texel.
+    /// Returns a placeholder for an object whose file has not been read: a grid of images of one
+    /// texel.
     pub(super) fn stand_in() -> Result<ImageObject, ObjectProblem> {
         let from = GridMapping::Octahedral.direction([0.0, 0.0]);
         let view = View::orthographic(DVec3::ZERO, 1.0, from, None, [1, 1]);
@@ -65,33 +66,44 @@ impl SceneObject {
         ImageObject::new(views, &maps, JumpCells::default(), 0.0).map_err(|_| ObjectProblem::Nothing)
     }
 
-    /// The object.
+    /// Returns the object: its images with depth and their views.
     pub fn object(&self) -> &Arc<ImageObject> {
         &self.object
     }
 
-    /// Returns the number of images that define its visual hull: the images of the first rows. One of two
-    /// opposite silhouettes that are mirror images is enough. A grid of frames, whose rows keep its order, needs
-    /// all.
+    /// Returns the number of images that define the visual hull. They are the first rows of
+    /// [`Self::images`].
+    ///
+    /// One of two opposite silhouettes is enough, as they are mirror images. A grid of frames keeps
+    /// its order and needs all images.
     pub fn silhouettes(&self) -> usize {
         if self.object.grid().is_some() { self.object.views().len() } else { self.object.silhouettes().len() }
     }
 
-    /// Returns the views of its images, as the shaders read them: a row for each. A row holds the map from a
-    /// point to `u`, `v` and a height, the image's place among the others, the direction against which it
-    /// looks, with 1 behind it for a perspective view, the map from a point to its depth, and the eye, with
-    /// the depth at which it begins to see. The last row is the grid that the images make: its axes, with the
-    /// frames of a side behind the first, and 1 behind the second if only the upper half is mapped. It is
-    /// zeros without a grid.
+    /// Returns the views of the images as the shaders read them: a texture with one row per image,
+    /// of [`IMAGE_TEXELS`] texels with four numbers each.
+    ///
+    /// A row holds, in this order:
+    ///
+    /// 1. the maps from a point to `u`, to `v` and to a height, one texel each;
+    /// 2. the image's rectangle in the texture of all images;
+    /// 3. the direction against which the image looks, then 1 for a perspective view and 0 otherwise;
+    /// 4. the map from a point to its depth;
+    /// 5. the eye, then the depth at which the view begins.
+    ///
+    /// The last row is the grid of the images, or zeros without a grid: its three axes, one texel
+    /// each. The fourth number of the first axis is the number of frames along a side. The fourth
+    /// number of the second axis is 1 if only the upper half is mapped.
     pub fn images(&self) -> &Arc<BakedMap> {
         &self.images
     }
 
-    /// Whether it has the images that a selection asks for.
+    /// Checks that the object has the images that a selection reads.
     ///
     /// # Errors
     ///
-    /// When all of more than [`MAX_IMAGES`] images would be asked, or a grid of frames that there is not.
+    /// When the selection reads all of more than [`MAX_IMAGES`] images, or a grid of frames that
+    /// the object does not have.
     pub(super) fn check(&self, selection: &Selection) -> Result<(), ObjectProblem> {
         let count = self.object.views().len();
         if selection.asks_all_images() && count > MAX_IMAGES {
@@ -105,25 +117,28 @@ impl SceneObject {
 }
 
 impl Surface {
-    /// An object of images where it lies in the world, shown by the method `depth-object`, grey. Its
-    /// [mesh](Surface::mesh) is a box around it, its [height map](Surface::height_map) are all images in one;
-    /// colours and normals lie as these do.
+    /// Creates a grey surface that shows a depth object by the method `depth-object`. The object is
+    /// in world space.
+    ///
+    /// Its [mesh](Surface::mesh) is the object's bounding box. Its [height
+    /// map](Surface::height_map) holds all images in one. A colour picture and a normal map have
+    /// the same layout.
     ///
     /// # Errors
     ///
-    /// When the object has images of balls of several sizes, or there is nothing that all of them see.
+    /// When images show balls of different sizes, or no point is shown by all images.
     pub fn of_object(object: impl Into<Arc<ImageObject>>) -> Result<Self, ObjectProblem> {
         let object = object.into();
         let bounds = object.bounds().ok_or(ObjectProblem::Nothing)?;
         Self::of_object_in(object, bounds)
     }
 
-    /// The same with a box around the ball that all images show, whatever they see together: for the method
-    /// `impostor-blend`, which shows images that leave no solid.
+    /// Creates a surface like [`Self::of_object`], with a box around the ball that all images show.
+    /// The method `impostor-blend` needs it for images without a common solid.
     ///
     /// # Errors
     ///
-    /// When the object has images of balls of several sizes.
+    /// When images show balls of different sizes.
     pub fn of_object_in_ball(object: impl Into<Arc<ImageObject>>) -> Result<Self, ObjectProblem> {
         let object = object.into();
         let (centre, radius) = object.views()[0].ball();
@@ -145,7 +160,7 @@ impl Surface {
     }
 }
 
-/// The box as a mesh: each side has a tile of its own.
+/// Returns the box as a mesh. Each side has a tile of its own.
 fn box_around([low, high]: [DVec3; 2]) -> Option<Mesh> {
     let (middle, extent) = ((0.5 * (low + high)).as_vec3(), (high - low).as_vec3());
     let unit = cube(1).ok()?;
@@ -160,8 +175,8 @@ fn box_around([low, high]: [DVec3; 2]) -> Option<Mesh> {
     is_solid.then(|| Mesh::new(vertices, unit.triangles().to_vec()).ok()).flatten()
 }
 
-/// Returns the images in the order of their rows. Silhouettes that a visual hull needs come first, except in a
-/// grid, whose frames are known by their numbers.
+/// Returns the images in the order of their rows. Silhouettes for the visual hull come first,
+/// except in a grid, whose frames are known by their indices.
 fn in_order(object: &ImageObject) -> Vec<usize> {
     let mut order: Vec<usize> = (0..object.views().len()).collect();
     if object.grid().is_none() {
@@ -170,7 +185,7 @@ fn in_order(object: &ImageObject) -> Vec<usize> {
     order
 }
 
-/// How the images look at the object, a row for each, and the grid that they make.
+/// Returns [`SceneObject::images`]: a row for the view of each image, then the grid.
 fn images_of(object: &ImageObject) -> Option<BakedMap> {
     let all = object.layout().size().map(f64::from);
     let values = in_order(object).into_iter().flat_map(|number| {

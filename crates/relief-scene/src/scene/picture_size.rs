@@ -1,4 +1,4 @@
-//! The size of a picture: columns and rows, or the size of a height map.
+//! Size of a picture: columns and rows, or one pixel per texel of a height map.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,25 +7,27 @@ use super::error::{ValueError, ValueProblem};
 use super::{MAX_IMAGE_SIDE, MeshChoice, ProjectionChoice, SceneSpec, Surface, View};
 use relief_core::mesh::Builtin;
 
-/// How far the outermost texel may lie from its pixel, in pixels.
+/// Largest distance of the outermost texel from its pixel, in pixels.
 const MOST_BESIDE: f64 = 0.05;
 
-/// The size of a picture.
+/// Size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureSize {
     /// Columns and rows, each from 1 to [`MAX_IMAGE_SIDE`].
     Pixels([u32; 2]),
-    /// One pixel for each texel of the height map, which fills the picture: of one surface on the built-in
-    /// plane, not rotated, from the view `top` in the projection `orthographic`. Tiles repeat the texels.
+    /// One pixel per texel of the height map, which fills the picture. Tiles repeat the texels.
+    ///
+    /// The scene must have one surface on the built-in plane, not rotated, seen in the view `top`
+    /// with the projection `orthographic`.
     Map,
 }
 
-/// A text is no size.
+/// Error for a text that is no size.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("write it as WxH, as in 800x600, or as map")]
 pub struct PictureSizeError;
 
-/// Why a picture cannot have one pixel for each texel.
+/// Reason why a picture cannot have one pixel per texel.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MapSizeProblem {
     /// There are several surfaces.
@@ -42,19 +44,19 @@ pub enum MapSizeProblem {
          and height"
     )]
     OtherMesh,
-    /// The plane is turned.
+    /// The plane is rotated.
     #[error(
-        "'map' is one pixel for each texel, and the plane is turned: leave its rotation out, or give width \
+        "'map' is one pixel for each texel, and the plane is rotated: leave its rotation out, or give width \
          and height"
     )]
     Turned,
-    /// Tiles end within a texel.
+    /// A tile ends within a texel. Holds the texels along both axes.
     #[error(
         "'map' is one pixel for each texel, and the tiles have {} by {} texels: choose tiles of whole \
          texels, or give width and height", .0[0], .0[1]
     )]
     PartTexels([f64; 2]),
-    /// Texels are longer than wide, or wider than long.
+    /// Texels are not square. Holds width over height.
     #[error(
         "'map' is one pixel for each texel, and texels are {:.4} times as wide as high: choose a 'tile-size' \
          of square texels, or give width and height", .0
@@ -90,7 +92,7 @@ impl FromStr for PictureSize {
     }
 }
 
-/// Refuses pictures without pixels, and too large ones.
+/// Refuses pictures without pixels or with too many along a side.
 pub(super) fn check_size([width, height]: [u32; 2]) -> Result<[u32; 2], ValueError> {
     if [width, height].iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side)) {
         return Ok([width, height]);
@@ -99,12 +101,12 @@ pub(super) fn check_size([width, height]: [u32; 2]) -> Result<[u32; 2], ValueErr
 }
 
 impl SceneSpec {
-    /// Whether its picture has one pixel for each texel.
+    /// Returns whether the picture has one pixel per texel.
     pub(super) fn is_of_map_size(&self) -> bool {
         self.size == Some(PictureSize::Map)
     }
 
-    /// The size in pixels, where no file is needed to know it.
+    /// Returns the size in pixels if it is known without a file.
     pub(super) fn pixels(&self) -> Option<[u32; 2]> {
         match self.size {
             Some(PictureSize::Pixels(size)) => Some(size),
@@ -112,7 +114,7 @@ impl SceneSpec {
         }
     }
 
-    /// Checks all of a picture with one pixel for each texel that needs no file.
+    /// Checks everything about a picture with one pixel per texel that needs no file.
     pub(super) fn check_map_size(&self) -> Result<(), ValueError> {
         let of_size = |problem: ValueProblem| Err(problem.of("size"));
         if self.view != Some(View::Top) {
@@ -137,7 +139,8 @@ impl SceneSpec {
         Ok(())
     }
 
-    /// The size of a picture with one pixel for each texel of a surface, which was made of this description.
+    /// Returns the size of a picture with one pixel per texel of `surface`, which was loaded from
+    /// this description.
     pub(super) fn map_size(&self, surface: &Surface) -> Result<[u32; 2], ValueError> {
         let of_size = |problem: MapSizeProblem| ValueProblem::from(problem).of("size");
         let map = surface.height_map();
@@ -149,7 +152,7 @@ impl SceneSpec {
         if !(is_whole(0) && is_whole(1)) {
             return Err(of_size(MapSizeProblem::PartTexels(texels)));
         }
-        // A number beyond the range of sides is too large as well.
+        // A number beyond `u32` saturates, which is too large as well.
         let size = check_size(whole.map(|side| side as u32))?;
         let tile_m = surface.metric().tile_m;
         let wide = tile_m[0] / in_tile[0] / (tile_m[1] / in_tile[1]);

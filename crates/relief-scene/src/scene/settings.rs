@@ -1,4 +1,4 @@
-//! Settings as scene files have them: numbers, or names where values have names.
+//! Readers of settings in scene files: numbers, or names for values that have names.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -7,7 +7,7 @@ use relief_shaders::Selection;
 use serde::Deserializer;
 use serde::de::{self, DeserializeSeed, MapAccess, Visitor};
 
-/// Reads `search.steps = 64` under `[set]`, which TOML takes as a table in a table.
+/// Reads `[set]`. In TOML, `search.steps = 64` there is a table in a table.
 pub fn settings<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<String, f64>, D::Error> {
     let mut settings = BTreeMap::new();
     deserializer.deserialize_map(Stages(&mut settings))?;

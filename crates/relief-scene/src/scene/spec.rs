@@ -1,4 +1,4 @@
-//! Descriptions of scenes, with gaps.
+//! Descriptions of scenes, as in scene files. Missing values have defaults.
 
 use super::keys::{amount, background, length, lengths, light_direction, numbers, parsed, picture_size};
 use super::{BackendChoice, Look, PictureSize, ProjectionChoice, Sampling, SurfaceSpec, View};
@@ -10,102 +10,115 @@ use relief_shaders::{AMBIENT, STAGES};
 use serde::Deserialize;
 use std::path::PathBuf;
 
-/// A scene as a scene file or the command line describes it: what is not said is `None` and has a default.
+/// Description of a scene, from a scene file or the command line. A value that is `None` has a
+/// default.
 ///
-/// The keys of a scene file are the fields' names with `-` for `_`, and those are the flags of the command
-/// line.
+/// The keys of a scene file are the fields' names with `-` for `_`. The flags of the command line
+/// have the same names.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct SceneSpec {
-    /// What every surface is unless it says otherwise. Its keys stand in the scene file itself.
+    /// Common values of all surfaces, which each surface may override. In a scene file, their keys
+    /// stand beside the scene's own.
     #[serde(skip)]
     pub surface: SurfaceSpec,
-    /// The surfaces, `[[surfaces]]` in a scene file. None: one that is as [`Self::surface`] says.
+    /// Surfaces, `[[surfaces]]` in a scene file. If empty, the scene has one surface,
+    /// [`Self::surface`].
     #[serde(skip)]
     pub surfaces: Vec<SurfaceSpec>,
-    /// The look: `studio` (default), `sun`, `overcast` or `plain`. It says what the camera, the lights, the
-    /// light from all around, the background and the tone curve are where nothing else is said of them.
+    /// Look: `studio` (default), `sun`, `overcast` or `plain`. It holds the defaults of camera,
+    /// lights, ambient light, background, exposure and tone curve.
     #[serde(deserialize_with = "parsed")]
     pub look: Option<Look>,
-    /// From where the camera looks that sees all of the scene, where neither `eye` nor `target` is given:
-    /// `corner`, `three-quarter`, `top`, `front` or `right`. By default as the look has it.
+    /// Side from which a fitted camera looks: `corner`, `three-quarter`, `top`, `front` or `right`.
+    /// The camera shows the whole scene. Excludes `eye` and `target`. Default: the look's view.
     #[serde(deserialize_with = "parsed")]
     pub view: Option<View>,
-    /// Position of the eye in metres. Without it and `target` the camera is fitted to scene and picture; with
-    /// `target` alone it is (0.6, 0.9, 1.1).
+    /// Position of the eye in metres. Default: (0.6, 0.9, 1.1) if `target` is given, otherwise the
+    /// camera is fitted to the scene.
     #[serde(deserialize_with = "lengths")]
     pub eye: Option<[f64; 3]>,
-    /// The point looked at, in metres. With `eye` alone it is the origin.
+    /// Point in metres at which the camera looks. Default: the origin if `eye` is given, otherwise
+    /// the camera is fitted to the scene.
     #[serde(deserialize_with = "lengths")]
     pub target: Option<[f64; 3]>,
-    /// How space becomes a picture: `perspective` (default) or `orthographic`.
+    /// Projection of the camera: `perspective` (default) or `orthographic`.
     #[serde(deserialize_with = "parsed")]
     pub projection: Option<ProjectionChoice>,
-    /// Vertical field of view of a perspective in degrees. By default 40.
+    /// Vertical field of view of a perspective camera in degrees. Default: 40.
     pub fov: Option<f64>,
-    /// Metres from the lower to the upper edge of an orthographic picture. A fitted camera knows them itself,
-    /// another one needs them.
+    /// Height of an orthographic picture in metres, from its lower to its upper edge. Required with
+    /// `eye` or `target`; a fitted camera computes it.
     #[serde(deserialize_with = "length")]
     pub view_height: Option<f64>,
-    /// Near end of the depth buffer for the picture's `z`: `standard` (default) or `reversed`.
+    /// Near end of the depth buffer for the picture's AOV `z`: `standard` (default, 0 is near) or
+    /// `reversed` (1 is near).
     #[serde(deserialize_with = "parsed")]
     pub clip: Option<Clip>,
-    /// Metres from the eye to that buffer's near plane. By default it is before the scene.
+    /// Distance from the eye to the depth buffer's near plane in metres. Default: before the scene.
     #[serde(deserialize_with = "length")]
     pub near: Option<f64>,
-    /// Metres to its far plane, in perspective also `inf`. By default it is behind the scene.
+    /// Distance from the eye to the depth buffer's far plane in metres. May be `inf` in
+    /// perspective. Default: behind the scene.
     #[serde(deserialize_with = "length")]
     pub far: Option<f64>,
-    /// Width and height of the picture in pixels, or `map`: one pixel for each texel, seen from above by
-    /// parallel rays. By default 800 and 600. With `view` `top` and `projection` `orthographic` the default
-    /// is 800 for the longer side, in the proportions of the scene, except in the look `plain`.
+    /// Width and height of the picture in pixels, or `map`: one pixel per texel, seen from above by
+    /// parallel rays. Default: 800 and 600.
+    ///
+    /// With `view` `top` and `projection` `orthographic`, the default is 800 for the longer side in
+    /// the scene's proportions, except in the look `plain`.
     #[serde(deserialize_with = "picture_size")]
     pub size: Option<PictureSize>,
-    /// Samples of a pixel, 1 to 1024: more make edges smoother. By default 4.
+    /// Samples per pixel, 1 to 1024. More samples give smoother edges. Default: 4.
     pub samples: Option<u32>,
-    /// Stops by which light is brightened, from -32 to 32: each doubles it. By default the look's.
+    /// Exposure in stops, from -32 to 32. Each stop doubles the light. Default: the look's
+    /// exposure.
     pub exposure: Option<f32>,
-    /// The tone curve: `none` or `agx`. By default the look's.
+    /// Tone curve: `none` or `agx`. Default: the look's curve.
     #[serde(deserialize_with = "parsed")]
     pub tone: Option<Tone>,
-    /// Direction toward the look's light, which keeps its colour (white and of irradiance 1 in `plain` and
-    /// `overcast`): a vector, or a text such as `"az=315,alt=45"` (see
-    /// [`LightDirection`](super::LightDirection)). By default the look's direction.
+    /// Direction toward the look's light: a vector of any length, or a text such as
+    /// `"az=315,alt=45"` (see [`LightDirection`](super::LightDirection)). Default: the look's
+    /// direction.
+    ///
+    /// The light keeps its colour. In `plain` and `overcast` it is white with irradiance 1.
     #[serde(deserialize_with = "light_direction")]
     pub light: Option<[f64; 3]>,
-    /// All lights, in place of `light`.
+    /// All lights, in place of `light`. Default: the look's light.
     pub lights: Option<Vec<LightSpec>>,
-    /// Diameter in degrees, 0 to 90, of lights infinitely far away that do not say their own. By default
-    /// 0.53, as the sun's.
+    /// Apparent diameter in degrees, 0 to 90, of directional lights without an `angle` of their
+    /// own. Default: 0.53, as the sun's.
     pub light_angle: Option<f64>,
-    /// Radiance of the sky all around, linear red, green, blue: what a white surface reflects of it. By
-    /// default the look's. In a scene file, numbers under the key `ambient` are this colour, too; surfaces
-    /// then have the ambient light `constant`, unless they see surroundings.
+    /// Radiance of the sky in all directions, linear red, green and blue: the light that a white
+    /// surface reflects. Default: the look's.
+    ///
+    /// In a scene file, three numbers under the key `ambient` set this colour, too. Surfaces then
+    /// have the ambient variant `constant`, unless they use the environment map.
     #[serde(deserialize_with = "numbers")]
     pub ambient_color: Option<[f32; 3]>,
-    /// The surroundings' file, an equirectangular picture twice as wide as high: where it is given, surfaces
-    /// see it unless they name another ambient light. By default a generated sky.
+    /// File of the environment map, an equirectangular picture twice as wide as high. If given,
+    /// surfaces use it unless they name another ambient variant. Default: a generated sky.
     pub environment: Option<PathBuf>,
-    /// What pixels show that no surface covers: a linear colour, `gradient` or `environment`. By default the
-    /// look's.
+    /// Background, shown by pixels that no surface covers: a linear colour, `gradient` or
+    /// `environment`. Default: the look's background.
     #[serde(deserialize_with = "background")]
     pub background: Option<Background>,
-    /// What computes the picture: `auto` (default), `cpu` or `gpu`.
+    /// Backend that computes the picture: `auto` (default), `cpu` or `gpu`.
     #[serde(deserialize_with = "parsed")]
     pub backend: Option<BackendChoice>,
-    /// How textures are read: `exact` (default) or `fast`.
+    /// Sampling of textures: `exact` (default) or `fast`.
     #[serde(deserialize_with = "parsed")]
     pub sampling: Option<Sampling>,
-    /// The most memory that maps and picture may take. By default 4 GiB.
+    /// Memory limit for maps and picture. Default: 4 GiB.
     #[serde(deserialize_with = "amount")]
     pub max_memory: Option<ByteSize>,
 }
 
-/// A light: exactly one of `direction` and `position` is given.
+/// Description of a light, with exactly one of `direction` and `position`.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct LightSpec {
-    /// Direction toward a light infinitely far away: a vector of any length, or a text such as
+    /// Direction toward a directional light: a vector of any length, or a text such as
     /// `"az=315,alt=45"`.
     #[serde(deserialize_with = "light_direction")]
     pub direction: Option<[f64; 3]>,
@@ -115,31 +128,38 @@ pub struct LightSpec {
     /// Linear red, green, blue. By default white.
     #[serde(deserialize_with = "numbers")]
     pub color: Option<[f32; 3]>,
-    /// Factor on the colour: irradiance on a surface that faces the light (of a point light, at 1 m). By
-    /// default 1.
+    /// Factor on the colour, at least 0. The product is the irradiance on a surface that faces the
+    /// light; of a point light, at 1 m. Default: 1.
     pub intensity: Option<f32>,
-    /// Diameter of a light infinitely far away in degrees, 0 to 90.
+    /// Apparent diameter of a directional light in degrees, 0 to 90. Default: `light-angle` of the
+    /// scene.
     pub angle: Option<f64>,
-    /// Radius of a point light in metres. By default 0.
+    /// Radius of a point light in metres. Default: 0.
     #[serde(deserialize_with = "length")]
     pub radius: Option<f64>,
 }
 
 impl SceneSpec {
-    /// A description of a surface alone.
+    /// Creates the description of a scene with one surface and defaults.
     pub fn of_surface(surface: SurfaceSpec) -> Self {
         Self { surface, ..Self::default() }
     }
 
-    /// This description with everything that `over` says in place of what it said itself. What it says of
-    /// surfaces holds for each of them; surfaces of its own take the place of all.
+    /// Returns this description with the values of `over` in place of its own.
     ///
-    /// What belongs to something replaced goes with it: of the scene's keys `light` and `lights` each other,
-    /// a `view` with an eye or a target and these with a view, a `size` of the map with another view, `fov`,
-    /// an infinite `far` or `view-height` with another projection, `environment` with another ambient light
-    /// and the surfaces' with an environment; with another `look` lights, ambient light, background, exposure
-    /// and tone curve, and not the camera; of a
-    /// surface's see [`SurfaceSpec::overridden_by`].
+    /// Values for all surfaces in `over` override each surface. If `over` has surfaces, they
+    /// replace all surfaces.
+    ///
+    /// Values that belong to a replaced value are dropped:
+    ///
+    /// * `light` and `lights` replace each other.
+    /// * `eye` or `target` replaces `view`; `view` replaces `eye`, `target` and `view-height`.
+    /// * Another view or projection replaces the size `map`.
+    /// * Another `projection` drops `fov`, an infinite `far`, or `view-height`.
+    /// * Another ambient variant drops `environment`; `environment` drops the surfaces' ambient variants.
+    /// * Another `look` drops lights, ambient light, background, exposure and tone curve, but not the
+    ///   camera.
+    /// * For keys of surfaces see [`SurfaceSpec::overridden_by`].
     #[must_use]
     pub fn overridden_by(mut self, over: SceneSpec) -> SceneSpec {
         if over.look.is_some() {
@@ -215,7 +235,7 @@ impl SceneSpec {
         }
     }
 
-    /// The surfaces, each with what it does not say itself from what is said of all.
+    /// Returns all surfaces. Values that a surface lacks come from [`Self::surface`].
     pub fn each_surface(&self) -> Vec<SurfaceSpec> {
         if self.surfaces.is_empty() {
             return vec![self.surface.clone()];

@@ -1,4 +1,4 @@
-//! Surfaces: a mesh with a height map on it, and what else belongs to it.
+//! Surfaces of a scene: a base mesh with a height map, colours, a material and a method.
 
 use super::SceneObject;
 use super::color_place::ColorPlace;
@@ -11,14 +11,15 @@ use relief_io::{MeshColors, MeshMaterial, NormalMap, Picture};
 use relief_shaders::Selection;
 use std::sync::Arc;
 
-/// A mesh with a height map on it, its colours, its material, and how its relief is found.
+/// Surface: a base mesh with a height map, colours, a material, and the method that finds its
+/// relief.
 ///
-/// Maps and mesh are shared, so that clones cost nothing and renderers know what they have seen before: one
-/// that is given the same [`Arc`] again neither uploads nor prepares it again.
+/// Maps and mesh are shared, so clones cost nothing. A renderer that gets the same [`Arc`] again
+/// neither uploads nor prepares it again.
 #[derive(Clone, Debug)]
 pub struct Surface {
     mesh: Arc<Mesh>,
-    /// Metres for each tile of the mesh, along `u` and `v`.
+    /// Size of the mesh's tiles in metres, along `u` and `v`.
     tile_m: [f64; 2],
     height_map: Arc<HeightMap>,
     color: Option<Arc<Picture>>,
@@ -36,8 +37,8 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// A height map on a mesh that is placed in the world, with its tile factors applied: traced by the
-    /// method `exact`, grey, seen from its front.
+    /// Creates a grey, one-sided surface that is traced by the method `exact`. The mesh is in world
+    /// space, with its tile factors applied.
     pub fn new(mesh: impl Into<Arc<Mesh>>, height_map: impl Into<Arc<HeightMap>>) -> Self {
         let mesh = mesh.into();
         Self {
@@ -59,42 +60,44 @@ impl Surface {
         }
     }
 
-    /// The same with the materials of its mesh's triangles.
+    /// Sets the materials of the mesh's triangles.
     pub(super) fn with_colors(self, colors: Arc<SurfaceColors>) -> Self {
         Self { colors: Some(colors), ..self }
     }
 
-    /// The materials of its triangles where there are several.
+    /// Returns the materials of the triangles if there are several. `None` means that all triangles
+    /// share [`Self::material`].
     pub fn colors(&self) -> Option<&Arc<SurfaceColors>> {
         self.colors.as_ref()
     }
 
-    /// The same with the colours that its mesh's file has, triangle by triangle, however they are drawn.
+    /// Sets the colours of the mesh's file, triangle by triangle, whether they are drawn or not.
     pub(super) fn with_file_colors(self, file_colors: Option<Arc<MeshColors>>) -> Self {
         Self { file_colors, ..self }
     }
 
-    /// The colours of its mesh's file, triangle by triangle, where these are its own. How they are drawn, its
-    /// material and colour picture say.
+    /// Returns the colours of the mesh's file, triangle by triangle, if the surface has them.
+    /// Material and colour picture define how they are drawn.
     pub fn file_colors(&self) -> Option<&Arc<MeshColors>> {
         self.file_colors.as_ref()
     }
 
-    /// The materials of its mesh's file as they are drawn, and the number of each triangle's: none where all
-    /// have the first one. None where the file has none that are drawn.
+    /// Returns the drawn materials of the mesh's file, and the index of each triangle's material.
+    /// The indices are empty if all triangles have the first material. Returns `None` if no colours
+    /// of the file are drawn.
     pub fn file_materials(&self) -> Option<(Vec<MeshMaterial>, Vec<u32>)> {
         let of_file = self.file_colors.as_ref().filter(|colors| colors.colored() > 0)?;
         if let Some(colors) = &self.colors {
             let drawn = |drawn: &DrawnMaterial| self.of_material(drawn).as_material(drawn.name.clone());
             return Some((colors.materials.iter().map(drawn).collect(), colors.of_triangles.clone()));
         }
-        // Several that are not drawn leave nothing.
+        // Several materials that are not drawn give no material at all.
         let is_drawn = self.color.is_some() || of_file.materials.len() == 1;
         let name = of_file.materials.first().and_then(|material| material.name.clone());
         is_drawn.then(|| (vec![self.as_material(name)], Vec::new()))
     }
 
-    /// Its colour, picture and mask as a material of that name.
+    /// Returns colour, picture and mask as a material called `name`.
     fn as_material(&self, name: Option<Arc<str>>) -> MeshMaterial {
         let [red, green, blue] = self.material.diffuse().to_array();
         let factor = [red, green, blue, 1.0];
@@ -103,46 +106,48 @@ impl Surface {
         MeshMaterial { name, factor, ..self.color_material().unwrap_or(plain) }
     }
 
-    /// The same, all of that material.
+    /// Returns this surface with one material for all of its triangles: its diffuse colour,
+    /// picture, placement and cutoff. Highlight and refraction stay.
     pub fn of_material(&self, drawn: &DrawnMaterial) -> Self {
         let material = self.material.with_diffuse(drawn.diffuse);
         let DrawnMaterial { picture, place, cutoff, .. } = drawn.clone();
         Self { color: picture, color_place: place, material, cutoff, colors: None, ..self.clone() }
     }
 
-    /// The same with another mesh.
+    /// Replaces the mesh. The object and the colours of the old mesh are dropped.
     #[must_use]
     pub fn with_mesh(self, mesh: impl Into<Arc<Mesh>>) -> Self {
         let mesh = mesh.into();
         Self { tile_m: mesh.tile_m(), mesh, object: None, colors: None, file_colors: None, ..self }
     }
 
-    /// The same with another height map.
+    /// Replaces the height map. The object is dropped.
     #[must_use]
     pub fn with_height_map(self, height_map: impl Into<Arc<HeightMap>>) -> Self {
         Self { height_map: height_map.into(), object: None, ..self }
     }
 
-    /// The same with a colour picture, which multiplies the material's diffuse colour. It is laid out and
-    /// wrapped as the height map is.
+    /// Sets a colour picture, which multiplies the material's diffuse colour. It has the height
+    /// map's texture coordinates and wrap. The colours of the mesh's file are dropped.
     #[must_use]
     pub fn with_color(self, color: impl Into<Arc<Picture>>) -> Self {
         let color = Some(color.into());
         Self { color, color_place: ColorPlace::default(), colors: None, file_colors: None, ..self }
     }
 
-    /// The same with the colour picture in another place, or with another wrap than the height map's.
+    /// Sets the placement and the wrap of the colour picture. Default: those of the height map.
     #[must_use]
     pub fn with_color_place(self, color_place: ColorPlace) -> Self {
         Self { color_place, ..self }
     }
 
-    /// Where the colour picture lies.
+    /// Returns the placement of the colour picture.
     pub fn color_place(&self) -> ColorPlace {
         self.color_place
     }
 
-    /// The colour picture in its place, as a material of a mesh.
+    /// Returns the colour picture with its placement as a material of a mesh. `None` without a
+    /// picture.
     pub fn color_material(&self) -> Option<MeshMaterial> {
         let picture = self.color.clone()?;
         let ColorPlace { rows, wrap } = self.color_place;
@@ -157,19 +162,19 @@ impl Surface {
         })
     }
 
-    /// The same, seen only where the opacity of its colour picture is at least `cutoff`: 0, the default,
-    /// shows all of it, and what is above 1 nothing. A surface without a picture is opaque.
+    /// Sets the least opacity of the colour picture that is visible. 0, the default, shows all of
+    /// it; a value above 1 shows nothing. A surface without a picture is opaque.
     #[must_use]
     pub fn with_cutoff(self, cutoff: f32) -> Self {
         Self { cutoff, ..self }
     }
 
-    /// The least opacity of its colour picture that is seen; 0 where all of it is.
+    /// Returns the least opacity of the colour picture that is visible. 0 shows all of it.
     pub fn cutoff(&self) -> f32 {
         self.cutoff
     }
 
-    /// The same with a tangent-space normal map in place of normals that are derived from the height map.
+    /// Sets a tangent-space normal map, in place of normals derived from the height map.
     #[must_use]
     pub fn with_normal_map(self, map: &NormalMap) -> Self {
         // Four numbers a texel, as the shaders take them.
@@ -178,106 +183,113 @@ impl Surface {
         Self { normal_map: Some(Arc::new(picture)), ..self }
     }
 
-    /// The same with another choice of what is run: how the first hit is found, and how it is shaded.
+    /// Sets the variants of all stages: how the first hit is found and how it is shaded.
     #[must_use]
     pub fn with_selection(self, selection: Selection) -> Self {
         Self { selection, ..self }
     }
 
-    /// The same of another material.
+    /// Sets the material.
     #[must_use]
     pub fn with_material(self, material: Material) -> Self {
         Self { material, ..self }
     }
 
-    /// The same with triangles seen from behind drawn or not.
+    /// Sets whether triangles seen from behind are drawn. Default: `false`.
     #[must_use]
     pub fn with_two_sided(self, two_sided: bool) -> Self {
         Self { two_sided, ..self }
     }
 
-    /// The same with the [holes](HeightMap::holes) of its height map seen or not: a ray that hits a dual cell
-    /// with a texel that is a hole passes it, and shows nothing of the surface or what is behind. Shadows,
-    /// light from all around and baked maps know of no holes: they see the heights that holes are filled
-    /// with.
+    /// Sets whether the [holes](HeightMap::holes) of the height map are open. Default: `false`.
+    ///
+    /// A ray passes a dual cell with a texel that is a hole, and the picture shows what is behind.
+    /// Shadows, ambient light and baked maps ignore holes: they use the heights with which holes
+    /// are filled.
     #[must_use]
     pub fn with_holes(self, has_holes: bool) -> Self {
         Self { has_holes, ..self }
     }
 
-    /// The same with normals that are derived from the height map taken across creases or not: of the central
-    /// differences of the heights (Szirmay-Kalos and Umenhoffer 2008, equation 9) the part of a neighbouring
-    /// dual cell is left to the own one where the slopes of both are some 27 to 45 degrees apart. Normal maps
-    /// and levels of detail beyond the finest are as they are.
+    /// Sets whether normals that are derived from the height map end at creases. Default: `false`,
+    /// normals are smooth across creases.
+    ///
+    /// The normals come from central differences of the heights (Szirmay-Kalos and Umenhoffer 2008,
+    /// equation 9). At a crease, the slope of the own dual cell replaces the neighbouring cell's
+    /// part. A crease is where both slopes are some 27 to 45 degrees apart. Normal maps and levels
+    /// of detail beyond the finest do not change.
     #[must_use]
     pub fn with_creases(self, has_creases: bool) -> Self {
         Self { has_creases, ..self }
     }
 
-    /// The same as what stands for that object.
+    /// Sets the object that the surface shows.
     pub(super) fn showing(self, object: SceneObject) -> Self {
         Self { object: Some(object), ..self }
     }
 
-    /// The object of images that it shows, if it shows one.
+    /// Returns the depth object that the surface shows, if any.
     pub fn object(&self) -> Option<&SceneObject> {
         self.object.as_ref()
     }
 
-    /// The base mesh, placed in the world and tiled.
+    /// Returns the base mesh in world space, with its tiles.
     pub fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }
 
-    /// The height map with its wrap and displacement.
+    /// Returns the height map with its wrap and displacement.
     pub fn height_map(&self) -> &Arc<HeightMap> {
         &self.height_map
     }
 
-    /// The colour picture, if there is one.
+    /// Returns the colour picture, if there is one.
     pub fn color(&self) -> Option<&Arc<Picture>> {
         self.color.as_ref()
     }
 
-    /// The normal map, if there is one: in each texel a unit normal in tangent space, `x` along growing `u`,
-    /// `y` along falling `v`, `z` out of the surface, and a 0. Without one, normals are derived from the
-    /// height map.
+    /// Returns the normal map, if there is one. Without one, normals are derived from the height
+    /// map.
+    ///
+    /// Each texel holds a unit normal in tangent space and a 0: `x` along growing `u`, `y` along
+    /// falling `v`, `z` out of the surface.
     pub fn normal_map(&self) -> Option<&Arc<Picture>> {
         self.normal_map.as_ref()
     }
 
-    /// What is run: how the first hit is found, and how it is shaded.
+    /// Returns the variants of all stages: how the first hit is found and how it is shaded.
     pub fn selection(&self) -> &Selection {
         &self.selection
     }
 
-    /// The material.
+    /// Returns the material. [`Self::colors`] replaces its diffuse colour triangle by triangle.
     pub fn material(&self) -> &Material {
         &self.material
     }
 
-    /// Whether triangles seen from behind are drawn.
+    /// Returns whether triangles seen from behind are drawn.
     pub fn two_sided(&self) -> bool {
         self.two_sided
     }
 
-    /// Whether holes of the height map, where it has any, are seen.
+    /// Returns whether holes of the height map are open.
     pub fn has_holes(&self) -> bool {
         self.has_holes
     }
 
-    /// Whether normals end at creases.
+    /// Returns whether derived normals end at creases.
     pub fn has_creases(&self) -> bool {
         self.has_creases
     }
 
-    /// The displacement in metres between heights 0 and 1 that is true to the lengths that the height map's
-    /// file states; `None` where it states none.
+    /// Returns the displacement in metres between heights 0 and 1 that matches the lengths stated
+    /// in the height map's file. `None` if the file states no lengths.
     pub fn true_scale_m(&self) -> Option<f64> {
         stated_scale_m(&self.height_map, &self.mesh)
     }
 
-    /// The metres of the surface: of a tile on the mean over the mesh, and of the relief.
+    /// Returns the lengths of the surface in metres: the mean size of a tile over the mesh, and the
+    /// scale.
     pub fn metric(&self) -> Metric {
         Metric { tile_m: self.tile_m, scale_m: self.height_map.scale_m() }
     }

@@ -1,4 +1,4 @@
-//! The colours of a surface whose mesh's file has materials.
+//! Colours of surfaces whose mesh file has materials.
 
 use std::sync::Arc;
 
@@ -8,55 +8,58 @@ use relief_io::{MeshColors, Picture, Remark, omissions};
 
 use super::color_place::{Affine, ColorPlace};
 
-/// The most materials of a surface that are drawn: each is drawn as a surface of its own.
+/// Most materials of a surface that are drawn. Each is drawn as a surface of its own.
 const MOST_MATERIALS: usize = 64;
 
-/// A material as it is drawn.
+/// Material of a mesh's file as it is drawn. Highlight and refraction come from the surface.
 #[derive(Clone, Debug)]
 pub struct DrawnMaterial {
-    /// Its name in the mesh's file.
+    /// Name in the mesh's file.
     pub name: Option<Arc<str>>,
-    /// The linear diffuse colour, which multiplies the picture.
+    /// Linear diffuse colour, which multiplies the picture.
     pub diffuse: Vec3,
-    /// The picture.
+    /// Colour picture, in linear light.
     pub picture: Option<Arc<Picture>>,
-    /// The picture's placement on the mesh.
+    /// Placement of the picture on the mesh.
     pub place: ColorPlace,
-    /// The least opacity of the picture that is seen; 0 where all is, above 1 where nothing is.
+    /// Least opacity of the picture that is visible. 0 shows all of it; a value above 1 shows
+    /// nothing.
     pub cutoff: f32,
 }
 
-/// The materials of a surface's triangles.
+/// Materials of a surface, and the material of each triangle.
 #[derive(Debug)]
 pub struct SurfaceColors {
-    /// The materials, at least two.
+    /// Materials, at least two.
     pub materials: Vec<DrawnMaterial>,
-    /// The number of each triangle's material.
+    /// Index into [`Self::materials`] for each triangle of the mesh, in the mesh's order.
     pub of_triangles: Vec<u32>,
 }
 
-/// The colours of a surface as they are drawn.
+/// DrawnColors colours of a surface.
 #[derive(Clone, Debug)]
-pub enum Drawn {
+pub enum DrawnColors {
     /// All triangles have the same material.
     One(DrawnMaterial),
-    /// They have several.
+    /// The triangles have several materials.
     Several(Arc<SurfaceColors>),
 }
 
-/// Triangles that look alike.
+/// Triangles of the same colour.
 struct Group {
-    /// The number of the material.
+    /// Index of the material.
     material: u32,
-    /// Factors of its vertices' colours.
+    /// Factors from the vertices' colours.
     tint: [f32; 4],
-    /// How the picture's coordinates follow from the mesh's.
+    /// Map from the mesh's to the picture's texture coordinates.
     own: Affine,
 }
 
-impl Drawn {
-    /// What of a file's colours is drawn, and what is not: a sentence for each.
-    /// Several materials are drawn where `splits` says so.
+impl DrawnColors {
+    /// Returns the drawn colours of a mesh's file, or `None` if none are drawn. Adds a note for
+    /// everything that is left out.
+    ///
+    /// Several materials are drawn only if `splits` is true.
     pub fn of(colors: &MeshColors, mesh: &Mesh, splits: bool, notes: &mut Vec<Remark>) -> Option<Self> {
         let mut groups: Vec<Group> = Vec::new();
         let mut of_triangles = Vec::with_capacity(mesh.triangles().len());
@@ -107,13 +110,13 @@ impl Drawn {
             materials.push(DrawnMaterial { name, diffuse, picture, place, cutoff });
         }
         if materials.len() == 1 {
-            return materials.pop().map(Drawn::One);
+            return materials.pop().map(DrawnColors::One);
         }
-        Some(Drawn::Several(Arc::new(SurfaceColors { materials, of_triangles })))
+        Some(DrawnColors::Several(Arc::new(SurfaceColors { materials, of_triangles })))
     }
 }
 
-/// The mean of the colours of a triangle's vertices, and whether they are all the same.
+/// Returns the mean of the vertices' colours of a triangle, and whether all three are the same.
 fn tint_of(colors: &MeshColors, triangle: u32) -> ([f32; 4], bool) {
     let Some(&[a, b, c]) = colors.tints.get(triangle as usize) else { return ([1.0; 4], true) };
     if a == b && b == c {
@@ -122,13 +125,13 @@ fn tint_of(colors: &MeshColors, triangle: u32) -> ([f32; 4], bool) {
     ([0, 1, 2, 3].map(|part| (a[part] + b[part] + c[part]) / 3.0), false)
 }
 
-/// More than any opacity.
+/// Cutoff above any opacity.
 const NOTHING: f32 = 2.0;
 
-/// The least opacity of a picture that is seen where another opacity multiplies it.
+/// Returns the least visible opacity of a picture if `opacity` multiplies it.
 fn least_opacity(cutoff: Option<f32>, opacity: f32, has_picture: bool) -> f32 {
     let Some(cutoff) = cutoff.filter(|cutoff| *cutoff > 0.0) else { return 0.0 };
-    // What is not there is opaque.
+    // A missing picture is opaque.
     match (has_picture, cutoff <= opacity) {
         (true, _) if opacity > 0.0 => (cutoff / opacity).min(NOTHING),
         (false, true) => 0.0,

@@ -1,4 +1,4 @@
-//! Descriptions of surfaces, with gaps.
+//! Descriptions of surfaces, as in scene files. Missing values have defaults.
 
 use super::MeshChoice;
 use super::keys::{length, lengths, numbers, parsed, range};
@@ -13,122 +13,133 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// A surface as a scene file or a program describes it: what is not said is `None` and has a default.
+/// Description of a surface, from a scene file or a program. A value that is `None` has a default.
 ///
-/// The keys of a scene file are the fields' names with `-` for `_`, and for each stage its key with the name
-/// of a variant.
+/// The keys of a scene file are the fields' names with `-` for `_`. Each stage has a key, too,
+/// whose value is the name of a variant.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct SurfaceSpec {
-    /// The height map's file. There is no surface without one.
+    /// File of the height map. Required, unless `object` or the file of a mesh is given.
     pub height: Option<PathBuf>,
-    /// The file of an object of images with depth, in place of height map and mesh. Of what else there is to
-    /// say it has a place, a method, settings and a material.
+    /// File of a depth object, in place of height map and mesh. Such a surface also takes a
+    /// placement, a method, settings and a material.
     pub object: Option<PathBuf>,
-    /// The channel of the file that holds the height.
+    /// Channel of the height map's file. Default: the only channel, or grey.
     pub channel: Option<String>,
-    /// Whether the file holds depth: white is deep. By default it holds height.
+    /// Whether the file holds depth, with white deepest. Default: `false`, white is highest.
     pub depth: Option<bool>,
-    /// The file's values that become heights 0 and 1: two numbers, or `auto` for the least and the greatest
-    /// value. By default integers take 0 and their type's maximum, floats and elevation models `auto`.
+    /// Values of the file that become heights 0 and 1: two numbers, or `auto` for the least and the
+    /// greatest value.
+    ///
+    /// Default: 0 and the type's maximum for integers, `auto` for floats and elevation models.
     #[serde(deserialize_with = "range")]
     pub range: Option<HeightRange>,
-    /// The value of texels without one, as the file stores it, beside the value that the file declares. By
-    /// default that one alone.
+    /// Stored value that marks texels without a value, in addition to the value that the file
+    /// declares. Default: only the declared one.
     pub nodata: Option<f64>,
-    /// The unit of the heights, as in `"cm"`, or the units of the heights and of the ground, as in `"cm,ft"`.
-    /// By default the units that the file says.
+    /// Unit of the heights, as in `"cm"`, or units of the heights and of the ground, as in
+    /// `"cm,ft"`. Default: the units that the file states.
     #[serde(deserialize_with = "parsed")]
     pub unit: Option<GivenUnits>,
     /// Size and byte order of a headerless file, as in `"403x344,le"`.
     #[serde(deserialize_with = "parsed")]
     pub raw: Option<RawLayout>,
-    /// Whether texels without a value are filled from their surroundings. Default: elevation models and maps
-    /// with `nodata` are filled, and
-    /// [`HeightMap::filled_texels`](relief_core::HeightMap::filled_texels) counts the texels. In other files
-    /// such a texel is an error.
+    /// Whether texels without a value are filled from neighbouring texels.
+    /// [`HeightMap::filled_texels`](relief_core::HeightMap::filled_texels) counts them.
+    ///
+    /// Default: `true` for elevation models, with `nodata`, and with `holes`. In other files such a
+    /// texel is an error.
     pub fill: Option<bool>,
-    /// Whether texels without a value are holes, which show what is behind them: rays pass dual cells with
-    /// such a texel. By default they are not. Where they are, texels without a value are filled in files of
-    /// all kinds unless `fill` says otherwise: shadows, light from all around and baked maps see these
-    /// heights.
+    /// Whether texels without a value are holes: rays pass dual cells with such a texel, and the
+    /// picture shows what is behind. Default: `false`.
+    ///
+    /// With holes, such texels are filled in files of all kinds unless `fill` is `false`. Shadows,
+    /// ambient light and baked maps use the filled heights.
     pub holes: Option<bool>,
-    /// How the maps go on beyond their edges: `repeat`, `clamp` or `mirror`. By default elevation models are
-    /// clamped, others repeated.
+    /// Wrap of the maps beyond their edges: `repeat`, `clamp` or `mirror`. Default: `clamp` for
+    /// elevation models, otherwise `repeat`.
     #[serde(deserialize_with = "parsed")]
     pub wrap: Option<Wrap>,
-    /// Metres of displacement between heights 0 and 1. By default in proportion to the mesh's tile where the
-    /// height map's file states metres, or a quarter of its shorter side where these make it deeper than any
-    /// ground; else 0.05.
+    /// Displacement in metres between heights 0 and 1.
+    ///
+    /// Default: 0.05, unless the file states metres. Then it is in proportion to the mesh's tile.
+    /// If that is deeper than any ground, it is a quarter of the tile's shorter side.
     #[serde(deserialize_with = "length")]
     pub scale: Option<f64>,
-    /// Displacement of height 0 in metres. By default minus the scale: the relief is carved into the surface.
+    /// Displacement of height 0 in metres. Default: minus the scale, so that the relief is carved
+    /// into the surface.
     #[serde(deserialize_with = "length")]
     pub bias: Option<f64>,
-    /// Factor on the scale, whether that is given or not, and on a bias that is not given. From 1e-6 to 1e6,
-    /// by default 1.
+    /// Factor on the scale, given or not, and on a bias that is not given. From 1e-6 to 1e6.
+    /// Default: 1.
     pub exaggerate: Option<f64>,
-    /// Whether normals that are derived from the heights end at creases, where heights change from slope to
-    /// slope at once, and are not smeared over them. By default they are smooth.
+    /// Whether normals that are derived from the heights end at creases, where the slope changes
+    /// abruptly. Default: `false`, normals are smooth across creases.
     pub creases: Option<bool>,
-    /// The colour picture's file. By default none.
+    /// File of the colour map. Default: none.
     pub color: Option<PathBuf>,
-    /// The normal map's file. By default none.
+    /// File of the tangent-space normal map. Default: none.
     pub normal: Option<PathBuf>,
-    /// Where the normal map's green points: `+y` (default) up in the picture, `-y` down.
+    /// Direction of the normal map's green: `+y` (default) up in the picture, `-y` down.
     #[serde(deserialize_with = "parsed")]
     pub green: Option<GreenSign>,
-    /// Metres of a tile along `u` and `v`. By default as the height map's file states them, else its texels
-    /// are square.
+    /// Size of a tile in metres along `u` and `v`. Default: as the height map's file states,
+    /// otherwise such that texels are square.
     #[serde(deserialize_with = "lengths")]
     pub tile_size: Option<[f64; 2]>,
-    /// The base mesh: `plane` (default), which has the height map's proportions, `square`, `cube`,
-    /// `cylinder`, `sphere`, `torus`, or a file that [`read_mesh`](relief_io::read_mesh) reads.
+    /// Base mesh: `plane` (default), `square`, `cube`, `cylinder`, `sphere`, `torus`, or a file for
+    /// [`read_mesh`](relief_io::read_mesh). The plane has the height map's proportions.
     #[serde(deserialize_with = "parsed")]
     pub mesh: Option<MeshChoice>,
-    /// How texture coordinates are made for the mesh of a file: `box`, `cylinder` or `sphere`. By default
-    /// they are the file's.
+    /// Projection that replaces the texture coordinates of a mesh file: `box`, `cylinder` or
+    /// `sphere`. Default: the file's coordinates.
     #[serde(deserialize_with = "parsed")]
     pub project: Option<UvProjection>,
-    /// Which axis of the mesh's file points up: `y` or `z`. By default as a file of Relief says itself, else
-    /// `z` in STL and `y` in all others.
+    /// Axis of the mesh's file that points up: `y` or `z`. Default: as stated by a file of Relief,
+    /// otherwise `z` in STL and `y` in other formats.
     #[serde(deserialize_with = "parsed")]
     pub mesh_up: Option<Up>,
-    /// Tiles along `u` and `v`. By default 1 and 1.
+    /// Number of tiles along `u` and `v`, from 1e-6 to 1e6. Default: 1 and 1.
     #[serde(deserialize_with = "numbers")]
     pub tile: Option<[f32; 2]>,
-    /// Where the mesh's origin lies, in metres. By default the world's origin.
+    /// Position of the mesh's origin in metres. Default: the world's origin.
     #[serde(deserialize_with = "lengths")]
     pub position: Option<[f64; 3]>,
-    /// Degrees by which the mesh is turned about `x`, then about `y`, then about `z`. By default 0 each.
+    /// Rotation in degrees about `x`, then `y`, then `z`. Default: 0 each.
     #[serde(deserialize_with = "numbers")]
     pub rotation: Option<[f64; 3]>,
-    /// How many times as large the mesh is, its tiles with it; the relief's metres stay. By default 1. Its
-    /// older name `size` is read in `[[surfaces]]`; the scene's own `size` is the picture's.
+    /// Factor on the size of the mesh and its tiles, from 1e-6 to 1e6. The relief's depth in metres
+    /// does not change. Default: 1.
+    ///
+    /// In `[[surfaces]]` its older name `size` is read, too. The scene's own `size` is the
+    /// picture's.
     #[serde(alias = "size")]
     pub mesh_scale: Option<f64>,
-    /// The method's name. By default `exact`.
+    /// Name of the method. Default: `exact`; `depth-object` for objects, `bump` for a mesh without
+    /// a height map.
     pub method: Option<String>,
-    /// Names of variants by their stages' keys. `search` and `refine` come together, in place of `method`,
-    /// and so does `geometry`.
+    /// Names of variants by the keys of their stages. `search` and `refine` come together, in place
+    /// of `method`. `geometry` is in place of `method`, too.
     #[serde(skip)]
     pub stages: BTreeMap<String, String>,
-    /// Settings of what is run, by names such as `search.steps`.
+    /// Settings of the chosen variants, by names such as `search.steps`.
     #[serde(deserialize_with = "settings")]
     pub set: BTreeMap<String, f64>,
-    /// The material. By default grey.
+    /// Material. Default: grey.
     pub material: Option<MaterialSpec>,
-    /// The part of the light that is refracted, not scattered, from 0 to 1. By default 0. Where it is more,
-    /// the ambient light is `environment` unless another is named.
+    /// Part of the light that is refracted instead of scattered, from 0 to 1. Default: 0. If it is
+    /// more, the default ambient variant is `environment`.
     pub transmission: Option<f32>,
-    /// The index of refraction, from 1 to 4. By default 1.5.
+    /// Index of refraction, from 1 to 4. Default: 1.5.
     pub ior: Option<f32>,
-    /// Whether triangles seen from behind are drawn. By default they are not.
+    /// Whether triangles seen from behind are drawn. Default: `false`.
     pub two_sided: Option<bool>,
 }
 
-/// Blinn-Phong material. Missing values come from
-/// [`Material::default`](crate::material::Material::default), except a diffuse of 0.8 under a colour map.
+/// Description of a Blinn-Phong material. Missing values come from
+/// [`Material::default`](crate::material::Material::default), except that the diffuse colour under
+/// a colour map is 0.8.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct MaterialSpec {
@@ -142,28 +153,30 @@ pub struct MaterialSpec {
     pub shininess: Option<u32>,
 }
 
-/// The ambient light that shows the surroundings.
+/// Returns the name of the ambient variant that reads the environment map.
 pub(super) fn environment() -> &'static str {
     STAGES[AMBIENT].first(Entry::sees_surroundings).map_or("", |(_, entry)| entry.name)
 }
 
-/// Key of the level of detail. Objects have one level alone.
+/// Key of the stage `detail`, which objects do not have: their images have one level.
 const DETAIL_KEY: &str = STAGES[DETAIL].key;
 
-/// Whether that is the key of one of the stages that a method names.
+/// Returns whether `key` is the key of a stage that a method sets.
 fn is_of_method(key: &str) -> bool {
     [GEOMETRY, SLICES, OBJECT, SEARCH, REFINE].iter().any(|stage| STAGES[*stage].key == key)
 }
 
 impl SurfaceSpec {
-    /// This description with everything that `over` says in place of what it said itself.
+    /// Returns this description with the values of `over` in place of its own.
     ///
-    /// What belongs to something replaced goes with it: another height file drops how the old one was to be
-    /// read (`channel`, `depth`, `range`, `nodata`, `unit`, `raw`, `fill`), another normal map drops `green`,
-    /// another mesh
-    /// `project` and `mesh-up`, another method or stage its own settings, another shadow its search, another
-    /// ambient light than `environment` what is refracted and what is refracted another ambient light, and a
-    /// scale without a bias the old bias.
+    /// Values that belong to a replaced value are dropped:
+    ///
+    /// * Another `height` drops `channel`, `depth`, `range`, `nodata`, `unit`, `raw` and `fill`.
+    /// * Another `normal` drops `green`; another `mesh` drops `project` and `mesh-up`.
+    /// * Another method or stage drops its settings; another shadow drops its search.
+    /// * Another ambient variant than `environment` drops `transmission` and `ior`; `transmission` drops
+    ///   another ambient variant.
+    /// * `scale` without `bias` drops the old bias.
     #[must_use]
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
         if over.height.is_some() {
@@ -230,7 +243,7 @@ impl SurfaceSpec {
         }
     }
 
-    /// The files that it names: maps and the mesh.
+    /// Returns the paths of all files: maps, object and mesh.
     pub fn files(&self) -> impl Iterator<Item = &PathBuf> {
         let mesh = match &self.mesh {
             Some(MeshChoice::File(path)) => Some(path),
@@ -241,7 +254,7 @@ impl SurfaceSpec {
             .flatten()
     }
 
-    /// As [`files`](Self::files), to be named otherwise.
+    /// Returns the paths of all files for changing them.
     pub fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
         let mesh = match &mut self.mesh {
             Some(MeshChoice::File(path)) => Some(path),
@@ -252,7 +265,7 @@ impl SurfaceSpec {
             .flatten()
     }
 
-    /// Forgets the relief and how it is found: all but the place, what is reflected, and shadows.
+    /// Drops everything about the relief. Placement, material, shadow and ambient light stay.
     fn forget_relief(&mut self) {
         let known = std::mem::take(self);
         let stages = known.stages.into_iter().filter(|(key, _)| !is_of_method(key) && key != DETAIL_KEY);
@@ -268,7 +281,7 @@ impl SurfaceSpec {
         };
     }
 
-    /// The first key that is given and says something of a relief alone.
+    /// Returns the first given key that only a relief can have.
     pub(super) fn key_of_relief(&self) -> Option<&'static str> {
         let given = [
             ("height", self.height.is_some()),
@@ -297,17 +310,17 @@ impl SurfaceSpec {
         given.into_iter().find_map(|(key, is_given)| is_given.then_some(key))
     }
 
-    /// Whether the surroundings are to be seen by what is said of refraction.
+    /// Returns whether the surface refracts light, which needs the environment map.
     pub(super) fn asks_for_environment(&self) -> bool {
         self.transmission.is_some_and(|part| part > 0.0)
     }
 
-    /// Whether an ambient light is named that sees no surroundings.
+    /// Returns whether an ambient variant is named that does not read the environment map.
     pub(super) fn names_other_ambient(&self) -> bool {
         self.stages.get(STAGES[AMBIENT].key).is_some_and(|name| name != environment())
     }
 
-    /// Forgets an ambient light that sees no surroundings, and its settings.
+    /// Drops an ambient variant that does not read the environment map, with its settings.
     pub(super) fn forget_ambient(&mut self) {
         if self.names_other_ambient() {
             let key = STAGES[AMBIENT].key;
@@ -316,7 +329,7 @@ impl SurfaceSpec {
         }
     }
 
-    /// Forgets the names and settings that `over` replaces. A stage that stays keeps its settings.
+    /// Drops the variants and settings that `over` replaces. A stage that stays keeps its settings.
     fn drop_replaced_stages(&mut self, over: &SurfaceSpec) {
         let of = |name: &str, key: &str| name.split_once('.').is_some_and(|(stage, _)| stage == key);
         if over.method.is_some() {
@@ -329,7 +342,7 @@ impl SurfaceSpec {
             }
             self.set.retain(|name, _| !of(name, key));
         }
-        // A geometry is said in place of a search and a refinement, and these in its place.
+        // A geometry excludes a search and a refinement, and the other way round.
         let [geometry, search, refine] = [GEOMETRY, SEARCH, REFINE].map(|stage| STAGES[stage].key);
         let says = |key: &str| over.stages.contains_key(key);
         let replaced = match (says(geometry), says(search) || says(refine)) {

@@ -27,7 +27,7 @@ fn shipped(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
 }
 
-/// What reading a scene file with that text gives.
+/// Reads a scene file with this text.
 fn read(text: &str) -> Result<SceneSpec, SceneError> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("scene.toml");
@@ -40,7 +40,7 @@ fn flat() -> Surface {
     Surface::new(square(1).expect("a mesh"), map)
 }
 
-/// What a description says of every surface.
+/// Returns the values that a description has for every surface.
 fn of(surface: SurfaceSpec) -> SceneSpec {
     SceneSpec::of_surface(surface)
 }

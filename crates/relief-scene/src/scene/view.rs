@@ -1,4 +1,4 @@
-//! Cameras that show all of a scene.
+//! Fitted cameras: views, and fitting to the whole volume of the reliefs.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,31 +9,32 @@ use relief_core::registry::UnknownName;
 use super::Surface;
 use relief_core::camera::{Camera, CameraError, Projection};
 
-/// The part of the picture that a fitted scene fills, along the axis along which it fills more.
+/// Part of the picture that a fitted scene fills, along the axis that it fills more.
 const FILLED: f64 = 0.94;
 
-/// From where a fitted camera looks.
+/// Side from which a fitted camera looks at the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum View {
-    /// From above one corner.
+    /// From above, over a corner.
     #[default]
     Corner,
-    /// From above the front and a little from the right: steeper than from the corner, so that a map covers
-    /// more of the picture, and three faces of a cube are seen.
+    /// From above the front, a little from the right. It is steeper than [`View::Corner`], so a map
+    /// covers more of the picture. Three faces of a cube are visible.
     ThreeQuarter,
-    /// From above: `u` of the built-in plane points right, `v` down, as in the height map's own picture.
+    /// From straight above. `u` of the built-in plane points right and `v` down, as in the height
+    /// map's picture.
     Top,
-    /// From the front, at eye level: along `-z`.
+    /// From the front, horizontally: along `-z`.
     Front,
-    /// From the right, at eye level: along `-x`.
+    /// From the right, horizontally: along `-x`.
     Right,
 }
 
 impl View {
-    /// Every view, in the order in which help lists them.
+    /// All views, in the order in which help lists them.
     pub const ALL: [View; 5] = [View::Corner, View::ThreeQuarter, View::Top, View::Front, View::Right];
 
-    /// The name used on the command line and in scenes.
+    /// Returns the name used on the command line and in scene files.
     pub const fn name(self) -> &'static str {
         match self {
             View::Corner => "corner",
@@ -44,7 +45,7 @@ impl View {
         }
     }
 
-    /// Toward the eye.
+    /// Returns the direction toward the eye.
     pub(super) const fn toward_eye(self) -> DVec3 {
         match self {
             View::Corner => DVec3::new(0.6, 0.9, 1.1),
@@ -74,13 +75,13 @@ impl FromStr for View {
 /// Settings of a fitted camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fit {
-    /// With a vertical field of view in degrees.
+    /// Perspective with a vertical field of view in degrees.
     Perspective(f64),
-    /// By parallel rays.
+    /// Parallel rays.
     Orthographic,
 }
 
-/// The projection that a fit is for, of any height where rays are parallel.
+/// Returns the projection of a fit. With parallel rays its height is arbitrary.
 pub(super) fn projection_of(fit: Fit) -> Projection {
     match fit {
         Fit::Perspective(fov_degrees) => Projection::Perspective { fov_degrees },
@@ -88,23 +89,24 @@ pub(super) fn projection_of(fit: Fit) -> Projection {
     }
 }
 
-/// The axes of a picture from there: to the right, up, and toward the eye.
+/// Returns the axes of a picture in a view: right, up, and toward the eye.
 pub(super) fn axes_of(view: View, fit: Fit) -> Result<[DVec3; 3], CameraError> {
     let camera = Camera::with(view.toward_eye(), DVec3::ZERO, projection_of(fit))?;
     Ok([camera.right(), camera.up(), -camera.forward()])
 }
 
-/// Width over height of a picture.
+/// Returns width over height of a picture.
 pub(super) fn aspect_of([width, height]: [u32; 2]) -> f64 {
     f64::from(width) / f64::from(height)
 }
 
-/// The height of an orthographic picture: a mesh has an area, but not from every side.
+/// Returns the height of an orthographic picture, which is positive even if the mesh has no area
+/// from this side.
 pub(super) fn from_a_side(tall: f64, deep: [f64; 2]) -> f64 {
     if tall > 0.0 { tall } else { (deep[1] - deep[0]).max(1e-9) }
 }
 
-/// The camera that looks from there and sees all of the relief as large as the picture allows.
+/// Returns the camera in a view that shows all of the relief as large as the picture allows.
 ///
 /// # Errors
 ///
@@ -130,8 +132,8 @@ pub(super) fn fitted(
         Fit::Perspective(_) => {
             let projection = projection_of(fit);
             let camera = Camera::with(view.toward_eye(), DVec3::ZERO, projection)?;
-            // Through each edge of the picture goes a plane that all points are behind. The two planes of
-            // opposite edges meet in a line; the eye lies on the one that is farther away.
+            // A plane through each edge of the picture has all points behind it. The planes of
+            // opposite edges meet in a line. The eye lies on the line that is farther away.
             let half_height = camera.half_height() * FILLED;
             let sides = [(axes[0], half_height * aspect), (axes[1], half_height)];
             let [(x, x_depth), (y, y_depth)] = sides.map(|(axis, tan)| {
@@ -140,7 +142,7 @@ pub(super) fn fitted(
                 (0.5 * (high + low), 0.5 * (high - low) / tan)
             });
             let [low, high] = extent(surfaces, |point| point.dot(axes[2]));
-            // Where a scene is flat and seen from its edge there is still a way to it.
+            // A flat scene seen edge-on still needs a distance from the eye.
             let depth = x_depth.max(y_depth).max(high + 1e-3 * (high - low).max(1e-6));
             let at = |depth: f64| axes[0] * x + axes[1] * y + axes[2] * depth;
             Camera::with(at(depth), at(0.5 * (low + high)), projection)
@@ -148,13 +150,12 @@ pub(super) fn fitted(
     }
 }
 
-/// The least and the greatest of a measure over all vertices, at the least and the greatest height of the
-/// relief over each.
+/// Returns the least and the greatest measure over all vertices, each at heights 0 and 1.
 fn extent(surfaces: &[Surface], measure: impl Fn(DVec3) -> f64) -> [f64; 2] {
     let nothing = [f64::INFINITY, f64::NEG_INFINITY];
     let points = surfaces.iter().flat_map(|surface| {
         let map = surface.height_map();
-        // The box of an object holds all of it.
+        // The box of an object contains all of it.
         let depth_m = if surface.object().is_some() { 0.0 } else { map.scale_m() };
         let heights = [map.bias_m(), map.bias_m() + depth_m];
         surface.mesh().vertices().iter().flat_map(move |vertex| {

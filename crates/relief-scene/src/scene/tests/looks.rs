@@ -168,7 +168,7 @@ fn looks_of_which_nothing_is_left_and_unknown_ones_are_refused() {
         ambient-color = [1, 1, 1]\nbackground = 'gradient'\nexposure = 2\ntone = 'none'\n";
     assert!(read(all).is_ok());
     let error = read(&format!("look = 'studio'\n{all}")).expect_err("nothing is left of the look");
-    assert!(error.to_string().contains("nothing of 'studio' is left"), "{error}");
+    assert!(error.to_string().contains("'studio' has no effect"), "{error}");
     for line in all.lines() {
         let but_one: String =
             all.lines().filter(|other| *other != line).map(|line| format!("{line}\n")).collect();

@@ -1,7 +1,7 @@
 //! Descriptions laid over one another, and what they replace.
 
 use super::*;
-use crate::scene::load_surface::Around;
+use crate::scene::load_surface::SceneContext;
 
 #[test]
 fn surroundings_are_seen_where_they_are_asked_for() {
@@ -9,7 +9,7 @@ fn surroundings_are_seen_where_they_are_asked_for() {
         let [base, over] = [toml, over].map(|toml| read(toml).expect("a proper scene"));
         let spec = base.overridden_by(over);
         spec.check().expect("a possible scene");
-        let around = Around { has_environment: spec.environment.is_some(), ..Around::default() };
+        let around = SceneContext { has_environment: spec.environment.is_some(), ..SceneContext::default() };
         let parts = spec.surface.parts(1, &around).expect("a proper surface");
         let map = HeightMap::new(1, 1, vec![0.5], Wrap::Repeat).expect("a map");
         let surface = spec.surface.with_heights(parts, map).expect("a surface");

@@ -1,7 +1,7 @@
 //! The proportions of planes and tiles.
 
 use super::*;
-use crate::scene::load_surface::Around;
+use crate::scene::load_surface::SceneContext;
 
 /// A map of tents of 45 degrees along both axes, as a file in metres states it.
 fn tents() -> HeightMap {
@@ -27,7 +27,7 @@ fn a_plane_has_the_proportions_of_what_lies_on_it() {
     ] {
         let spec = SurfaceSpec { tile: Some(tile), tile_size, ..SurfaceSpec::default() };
         let surface = spec
-            .parts(1, &Around::default())
+            .parts(1, &SceneContext::default())
             .and_then(|parts| spec.with_heights(parts, tents()))
             .expect("a surface");
         let corners = surface.mesh().vertices().iter().map(|vertex| vertex.position.as_dvec3());
@@ -52,7 +52,7 @@ fn a_square_stays_one_and_square_texels_are_the_default() {
     for (mesh, sides) in [(Builtin::Square, [1.0, 1.0]), (Builtin::Plane, [1.0, 0.25])] {
         let spec = SurfaceSpec { mesh: Some(mesh.into()), ..SurfaceSpec::default() };
         let surface =
-            spec.parts(1, &Around::default()).and_then(|parts| spec.with_heights(parts, long.clone()));
+            spec.parts(1, &SceneContext::default()).and_then(|parts| spec.with_heights(parts, long.clone()));
         let tile_m = surface.expect("a surface").metric().tile_m;
         assert!((tile_m[0] - sides[0]).abs() < 1e-6 && (tile_m[1] - sides[1]).abs() < 1e-6, "{tile_m:?}");
     }
@@ -62,6 +62,6 @@ fn a_square_stays_one_and_square_texels_are_the_default() {
 fn a_tile_of_no_length_is_refused() {
     for bad in [0.0, -1.0, 1e-320, f64::NAN, f64::INFINITY, 1e30] {
         let spec = SurfaceSpec { tile_size: Some([bad, 1.0]), ..SurfaceSpec::default() };
-        assert!(spec.parts(1, &Around::default()).is_err(), "{bad}");
+        assert!(spec.parts(1, &SceneContext::default()).is_err(), "{bad}");
     }
 }

@@ -1,16 +1,16 @@
-//! Where a relief lies that is seen beside its mesh.
+//! Points whose convex hull contains a relief that is visible beside its mesh.
 
 use glam::{DVec2, DVec3};
 use relief_core::HeightMap;
 use relief_core::mesh::{Mesh, Vertex};
 
-/// Into how many blocks a map is divided along an axis. More follow the relief closer and make more points.
+/// Blocks of a map along an axis. More blocks follow the relief closer and give more points.
 const BLOCKS: u32 = 64;
 
-/// About how many points there are at most on triangles that several blocks of the map lie on.
+/// Approximate limit of points on triangles that span several blocks.
 const MOST_POINTS: f64 = 262_144.0;
 
-/// The least and the greatest texel in blocks of a map.
+/// Least and greatest texel of each block of a map.
 struct HeightBlocks<'a> {
     map: &'a HeightMap,
     /// Texels of a block along each axis.
@@ -42,7 +42,7 @@ impl<'a> HeightBlocks<'a> {
         Self { map, texels, count, bounds }
     }
 
-    /// The least and the greatest height between texture coordinates.
+    /// Returns the least and the greatest height within a rectangle of texture coordinates.
     fn between(&self, low: DVec2, high: DVec2) -> [f32; 2] {
         let size = [self.map.width(), self.map.height()];
         let blocks = [0, 1].map(|axis| {
@@ -66,8 +66,8 @@ impl<'a> HeightBlocks<'a> {
     }
 }
 
-/// Points in whose hull a relief lies that is seen beside its mesh. With `both`, it lies on the triangles'
-/// backs as well.
+/// Returns points whose convex hull contains a relief that is visible beside its mesh. With `both`,
+/// the relief lies on the backs of the triangles as well.
 pub(super) fn points_of_relief(mesh: &Mesh, map: &HeightMap, both: bool) -> Vec<DVec3> {
     let blocks = HeightBlocks::of(map);
     let heights_m = |of: [f32; 2]| {
@@ -92,7 +92,7 @@ pub(super) fn points_of_relief(mesh: &Mesh, map: &HeightMap, both: bool) -> Vec<
         let (low, high) = box_of(*corners);
         parts(low, high) > 1.0
     });
-    // A triangle of n parts has half of n² points, twice.
+    // A triangle divided into n parts along each side has about n² / 2 points, at two heights each.
     let most_parts = (MOST_POINTS / several.count().max(1) as f64).sqrt().floor().max(1.0);
     let mut of_vertex = vec![NOTHING; mesh.vertices().len()];
     for (triangle, corners) in mesh.triangles().iter().zip(all()) {
@@ -105,7 +105,7 @@ pub(super) fn points_of_relief(mesh: &Mesh, map: &HeightMap, both: bool) -> Vec<
             }
             continue;
         }
-        // Around each point of a lattice lie the parts of the triangle that meet there.
+        // The parts of the triangle around each lattice point meet there.
         let reach = (high - low) / f64::from(parts);
         for i in 0..=parts {
             for j in 0..=parts - i {
