@@ -154,7 +154,7 @@ impl Renderer {
     ///
     /// # Errors
     ///
-    /// See [`Self::render`]; and when `sink` cancels the rendering.
+    /// See [`Self::render`]. Also when `sink` cancels the rendering.
     pub fn render_bands(
         &mut self,
         scene: &Scene,
@@ -182,7 +182,7 @@ impl Renderer {
     ///
     /// # Errors
     ///
-    /// As [`Self::render`].
+    /// See [`Self::render`].
     pub fn time(&mut self, scene: &Scene, maps: &mut Maps, watch: &Watch) -> Result<FrameTime, RenderError> {
         let (job, _, started) = self.prepare(scene, maps, watch)?;
         match &mut self.backend {
@@ -233,7 +233,7 @@ impl Renderer {
     ///
     /// # Errors
     ///
-    /// As [`Self::render`].
+    /// See [`Self::render`].
     #[cfg(feature = "gpu")]
     pub async fn draw(
         &mut self,

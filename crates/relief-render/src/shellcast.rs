@@ -401,8 +401,8 @@ mod tests {
         assert_eq!(count, 1);
     }
 
-    /// Whether a ray meets what lies on both sides of a triangle of a row up to 0.3 m away, larger by so much
-    /// on all sides.
+    /// Whether a ray hits the space up to 0.3 m on both sides of a triangle of a row, widened by a
+    /// margin on all sides.
     fn meets(ray: &Ray, number: u32, larger: f64) -> bool {
         let origin = ray.origin - DVec3::X * f64::from(number);
         let (mut from, mut to) = (0.0f64, f64::INFINITY);

@@ -127,8 +127,8 @@ fn in_front(ends: [DVec3; 2], depths: [f64; 2], least: f64) -> Option<([DVec3; 2
 }
 
 impl Line {
-    /// Returns the part of the line in a picture of a size, with a margin (Liang and Barsky 1984,
-    /// *A new concept and method for line clipping*).
+    /// Clips the line to a picture of a size, with a margin (Liang and Barsky 1984, *A new concept
+    /// and method for line clipping*).
     fn within(self, size: DVec2) -> Option<Self> {
         let [from, to] = self.ends;
         let along = to - from;

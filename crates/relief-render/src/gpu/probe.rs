@@ -59,7 +59,7 @@ impl Prober {
     ///
     /// # Errors
     ///
-    /// As [`probe`](Self::probe).
+    /// See [`probe`](Self::probe).
     pub fn trace(
         &mut self,
         surface: &JobSurface,
@@ -78,7 +78,7 @@ impl Prober {
     ///
     /// # Errors
     ///
-    /// As [`probe`](Self::probe).
+    /// See [`probe`](Self::probe).
     pub fn trace_time(
         &mut self,
         surface: &JobSurface,

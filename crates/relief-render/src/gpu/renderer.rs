@@ -141,7 +141,7 @@ impl GpuRenderer {
     ///
     /// # Errors
     ///
-    /// As [`Self::render`].
+    /// See [`Self::render`].
     pub async fn render_async(
         &mut self,
         job: &Job,
@@ -167,7 +167,7 @@ impl GpuRenderer {
     ///
     /// # Errors
     ///
-    /// See [`Self::render`]; and when `sink` cancels the rendering.
+    /// See [`Self::render`]. Also when `sink` cancels the rendering.
     pub fn render_bands(
         &mut self,
         job: &Job,
@@ -183,7 +183,7 @@ impl GpuRenderer {
     ///
     /// # Errors
     ///
-    /// As [`Self::render`].
+    /// See [`Self::render`].
     pub async fn render_bands_async(
         &mut self,
         job: &Job,
@@ -214,7 +214,7 @@ impl GpuRenderer {
     ///
     /// # Errors
     ///
-    /// See [`Self::render`]; and when the picture is empty.
+    /// See [`Self::render`]. Also when the picture is empty.
     pub async fn draw(&mut self, job: &Job, sampling: Sampling) -> Result<&Texture, GpuError> {
         if job.width == 0 || job.height == 0 {
             return Err(GpuError::EmptyPicture);

@@ -27,7 +27,7 @@ impl GpuRenderer {
     ///
     /// # Errors
     ///
-    /// As [`Self::render`].
+    /// See [`Self::render`].
     pub fn time(&mut self, job: &Job, sampling: Sampling) -> Result<FrameTime, GpuError> {
         block_on(self.time_async(job, sampling))
     }
