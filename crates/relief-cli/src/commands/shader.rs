@@ -267,9 +267,10 @@ fn bake_line(need: &MapNeed) -> String {
     for (name, value) in need.settings.iter().filter(|(name, value)| !is_default(name, *value)) {
         line += &format!(" --set {kind}.{name}={value}");
     }
-    if need.input.metric == MapMetric::Scene {
-        line += " --scale M --tile-size U,V";
-    }
+    line += match need.input.metric {
+        MapMetric::Scene => " --scale M --tile-size U,V",
+        MapMetric::Texture => " --scale 1 --tile-size 1,1",
+    };
     line += " -o DIR";
     match need.side {
         Some(side) => line + &format!(" (LEVEL: the finest level of HEIGHT of at most {side} texels a side)"),

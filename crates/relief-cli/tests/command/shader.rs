@@ -48,10 +48,14 @@ fn maps_come_with_the_line_that_bakes_them() {
     folder.relief("shader --method frustum --shadow horizon --target wgsl -o out").fine();
     let about = manifest(&folder, "out/frustum.json");
     folder.write("map.png", crate::common::maps::Map::hills().png());
-    for (slot, kind) in [("search_map", "frustum"), ("shadow_texels", "horizon")] {
+    for (slot, kind, metres) in [
+        ("search_map", "frustum", "--scale 1 --tile-size 1,1"),
+        ("shadow_texels", "horizon", "--scale M --tile-size U,V"),
+    ] {
         let bake = &found(&about["bindings"], "name", slot)["texture"]["bake"];
         assert_eq!(bake["kind"], kind);
         let how = bake["how"].as_str().expect("a line");
+        assert!(how.contains(metres), "{how}");
         assert!(std::fs::read_to_string(folder.path("out/frustum.wgsl")).expect("text").contains(how));
         // It is a line that works, with what is the user's filled in.
         let line = how.replace("HEIGHT", "map.png").replace("DIR", "maps");
