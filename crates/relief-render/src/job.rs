@@ -69,8 +69,8 @@ impl JobSurface {
         self.height_map.holes().filter(|_| self.settings.has_holes & HOLES_OF_HEIGHTS != 0)
     }
 
-    /// Whether the surface looks the same in shadow maps as `other`.
-    pub(crate) fn looks_same_to_lights(&self, other: &Self) -> bool {
+    /// Whether the surface casts the same shadows as `other`.
+    pub(crate) fn casts_same_shadows(&self, other: &Self) -> bool {
         let colors = [self, other].map(|of| of.color.as_ref().map(Arc::as_ptr));
         let is_masked = self.settings.has_holes & HOLES_OF_COLORS != 0;
         (!is_masked || colors[0] == colors[1])

@@ -71,14 +71,14 @@ impl LightViews {
         frame: [u32; 2],
         surfaces: &mut [JobSurface],
     ) -> Self {
-        let ShadowMapNeeds { picture, most, cascades, .. } = *asked;
+        let ShadowMapNeeds { shape, most, cascades, .. } = *asked;
         for JobSurface { settings, selection, .. } in surfaces.iter_mut() {
             if selection.light_views().is_some() {
                 let texels = selection.choices[SHADOW].params[2];
-                settings.choices[SHADOW].params.z = filter_texels(texels, most, picture.size);
+                settings.choices[SHADOW].params.z = filter_texels(texels, most, shape.size);
             }
         }
-        let (size, aspect) = (picture.size, f64::from(frame[0]) / f64::from(frame[1]));
+        let (size, aspect) = (shape.size, f64::from(frame[0]) / f64::from(frame[1]));
         let surfaces = &*surfaces;
         let points: Vec<DVec3> = surfaces.iter().flat_map(relief_points).collect();
         let mut made = Self { size, ..Self::default() };
@@ -89,15 +89,15 @@ impl LightViews {
                     let ends = cascade_ends(camera, seen, cascades);
                     let each = ends.windows(2).filter_map(|ends| {
                         let shown = corners(camera, aspect, [ends[0], ends[1]]);
-                        picture.parallel(toward, &points, &shown)
+                        shape.parallel(toward, &points, &shown)
                     });
-                    each.collect::<Vec<View>>()
+                    each.collect::<Vec<ShadowView>>()
                 }
-                Light::Point { position_m, .. } => picture.cube(position_m, &points),
+                Light::Point { position_m, .. } => shape.cube(position_m, &points),
             };
             made.of_lights.push([made.views.len() as u32, views.len() as u32]);
-            made.views.extend(views.iter().map(View::shader_view));
-            made.frames.extend(views.iter().map(View::frame));
+            made.views.extend(views.iter().map(ShadowView::shader_view));
+            made.frames.extend(views.iter().map(ShadowView::frame));
         }
         made
     }
@@ -131,7 +131,7 @@ impl LightViews {
 
 /// Requirements of all surfaces on the shadow maps.
 struct ShadowMapNeeds {
-    picture: Picture,
+    shape: ShadowMapShape,
     /// Largest allowed side of a shadow map, in texels.
     most: u32,
     cascades: u32,
@@ -160,8 +160,8 @@ impl ShadowMapNeeds {
         let filter = filters.map(|texels| filter_texels(texels, most, size)).fold(0.0, f32::max);
         let beside = 0.5 * f64::from(filter) + BORDER;
         let inside = (f64::from(size) - 2.0 * beside) / f64::from(size);
-        let picture = Picture { size, inside: inside.max(LEAST_INSIDE) };
-        Self { picture, most, cascades, beside }
+        let shape = ShadowMapShape { size, inside: inside.max(LEAST_INSIDE) };
+        Self { shape, most, cascades, beside }
     }
 }
 
@@ -169,7 +169,7 @@ impl ShadowMapNeeds {
 /// map lookup finds; 0 where no surface reads shadow maps.
 pub fn beside_m(scene: &Scene) -> f64 {
     let selections = scene.surfaces().iter().map(Surface::selection);
-    let Some(ShadowMapNeeds { picture, beside, .. }) = ShadowMapNeeds::by(selections, scene.size()) else {
+    let Some(ShadowMapNeeds { shape, beside, .. }) = ShadowMapNeeds::by(selections, scene.size()) else {
         return 0.0;
     };
     // Bounds of the scene, with a margin: directions of displacement are at most twice as long as
@@ -195,7 +195,7 @@ pub fn beside_m(scene: &Scene) -> f64 {
         }
     });
     // One texel more for the way's own place in its texel.
-    let texels = f64::from(picture.size) * picture.inside;
+    let texels = f64::from(shape.size) * shape.inside;
     widest.fold(0.0, f64::max) / texels * (beside + 1.0) * 2.0_f64.sqrt()
 }
 
@@ -289,16 +289,16 @@ fn axes(forward: DVec3) -> [DVec3; 2] {
 
 /// Size and border of shadow maps.
 #[derive(Clone, Copy)]
-struct Picture {
+struct ShadowMapShape {
     size: u32,
     /// Part of a side that is not border.
     inside: f64,
 }
 
-impl Picture {
+impl ShadowMapShape {
     /// Creates the view of a directional light over the points `shown`. Its depths span all of
     /// `points`. Returns `None` where no point lies within its sides.
-    fn parallel(&self, toward: DVec3, points: &[DVec3], shown: &[DVec3]) -> Option<View> {
+    fn parallel(&self, toward: DVec3, points: &[DVec3], shown: &[DVec3]) -> Option<ShadowView> {
         let forward = -toward;
         let [right, up] = axes(forward);
         let [[left, rightmost], [bottom, top]] = [right, up].map(|axis| {
@@ -320,7 +320,7 @@ impl Picture {
         let deep = (far - near).max(least);
         let corner = right * (x - 0.5 * wide) + up * (y + 0.5 * tall) + forward * (near - 0.01 * deep);
         let texels = f64::from(self.size);
-        Some(View {
+        Some(ShadowView {
             size: self.size,
             from_point: false,
             eye: corner,
@@ -334,7 +334,7 @@ impl Picture {
     }
 
     /// Creates the faces of a cube around a light that show any of the points.
-    fn cube(&self, eye: DVec3, points: &[DVec3]) -> Vec<View> {
+    fn cube(&self, eye: DVec3, points: &[DVec3]) -> Vec<ShadowView> {
         let far = points.iter().map(|point| (*point - eye).abs().max_element()).fold(0.0, f64::max);
         if !(far > 0.0 && far.is_finite()) {
             return Vec::new();
@@ -357,7 +357,7 @@ impl Picture {
                 points.iter().all(|point| -y(point) > tan * depth(point)),
             ];
             let texel = 2.0 * tan / f64::from(self.size);
-            (!beyond.contains(&true)).then(|| View {
+            (!beyond.contains(&true)).then(|| ShadowView {
                 size: self.size,
                 from_point: true,
                 eye,
@@ -374,7 +374,7 @@ impl Picture {
 }
 
 /// View of one shadow map.
-struct View {
+struct ShadowView {
     size: u32,
     from_point: bool,
     /// Origin of rays: of all of them, or of the one through the upper left corner.
@@ -396,7 +396,7 @@ fn four(v: DVec3, w: f64) -> Vec4<f32> {
     [v.x as f32, v.y as f32, v.z as f32, w as f32].into()
 }
 
-impl View {
+impl ShadowView {
     /// Vectors whose products with a point (and a 1) are its column, row and depth. For a point
     /// light, column and row must be divided by the depth.
     fn rows(&self) -> [DVec4; 3] {
@@ -496,10 +496,10 @@ mod tests {
 
     #[test]
     fn rays_and_places_of_a_view_are_each_others_inverse() {
-        let picture = Picture { size: 64, inside: 0.9 };
+        let shape = ShadowMapShape { size: 64, inside: 0.9 };
         let toward = DVec3::new(0.3, 0.8, -0.4).normalize();
-        let mut views: Vec<View> = picture.parallel(toward, &points(), &points()).into_iter().collect();
-        views.extend(picture.cube(DVec3::new(0.1, 1.9, 0.2), &points()));
+        let mut views: Vec<ShadowView> = shape.parallel(toward, &points(), &points()).into_iter().collect();
+        views.extend(shape.cube(DVec3::new(0.1, 1.9, 0.2), &points()));
         assert!(views.len() >= 2);
         for view in views {
             let (frame, looked_up) = (view.frame(), view.shader_view());
@@ -517,22 +517,22 @@ mod tests {
 
     #[test]
     fn a_view_of_parallel_rays_holds_all_that_is_shown_within_its_border() {
-        let picture = Picture { size: 128, inside: 0.95 };
-        let view = picture.parallel(DVec3::Y, &points(), &points()).expect("a view").shader_view();
+        let shape = ShadowMapShape { size: 128, inside: 0.95 };
+        let view = shape.parallel(DVec3::Y, &points(), &points()).expect("a view").shader_view();
         for point in points() {
             let [x, y, depth] = place(&view, point);
             assert!([x, y].iter().all(|place| (3.0..=125.0).contains(place)) && depth > 0.0, "{point}");
         }
         let aside = points().iter().map(|point| *point + DVec3::X * 9.0).collect::<Vec<_>>();
-        assert!(picture.parallel(DVec3::Y, &points(), &aside).is_none());
+        assert!(shape.parallel(DVec3::Y, &points(), &aside).is_none());
     }
 
     #[test]
     fn a_light_above_all_needs_one_face_and_one_in_the_middle_six() {
-        let picture = Picture { size: 128, inside: 0.95 };
-        assert_eq!(picture.cube(DVec3::Y * 5.0, &points()).len(), 1);
-        assert_eq!(picture.cube(DVec3::ZERO, &points()).len(), LIGHT_FACES);
-        assert!(picture.cube(DVec3::ZERO, &[]).is_empty());
+        let shape = ShadowMapShape { size: 128, inside: 0.95 };
+        assert_eq!(shape.cube(DVec3::Y * 5.0, &points()).len(), 1);
+        assert_eq!(shape.cube(DVec3::ZERO, &points()).len(), LIGHT_FACES);
+        assert!(shape.cube(DVec3::ZERO, &[]).is_empty());
     }
 
     #[test]

@@ -51,9 +51,9 @@ impl BlockHits {
     }
 
     /// Stores a triangle's hit if it is the nearest so far. Ties go to the least rank.
-    pub fn keep(&mut self, place: usize, rank: (bool, u32), side: f32, met: &ReliefHit) {
+    pub fn store(&mut self, place: usize, rank: (bool, u32), side: f32, met: &ReliefHit) {
         if self.is_nearest(place, rank, met.first.key) {
-            self.put(place, rank, side, met.first.key);
+            self.set(place, rank, side, met.first.key);
             self.at.set(place, &met.at);
             self.paths.set(place, &met.path);
             self.hits.set(place, &met.first.hit);
@@ -62,7 +62,7 @@ impl BlockHits {
 
     /// Stores a hit of another block, at the place `from` there, if it is the nearest so far.
     /// Returns whether it was stored.
-    pub fn keep_of(
+    pub fn store_from(
         &mut self,
         place: usize,
         rank: (bool, u32),
@@ -72,7 +72,7 @@ impl BlockHits {
     ) -> bool {
         let is_nearest = self.is_nearest(place, rank, key);
         if is_nearest {
-            self.put(place, rank, side, key);
+            self.set(place, rank, side, key);
             self.at.set(place, &at.get(from));
             self.paths.set(place, &paths.get(from));
             self.hits.set(place, &hits.get(from));
@@ -85,7 +85,7 @@ impl BlockHits {
         self.which >> place & 1 == 0 || key > known || (key == known && rank < self.faces.rank[place])
     }
 
-    fn put(&mut self, place: usize, rank: (bool, u32), side: f32, key: f32) {
+    fn set(&mut self, place: usize, rank: (bool, u32), side: f32, key: f32) {
         self.which |= 1 << place;
         self.keys[place] = key;
         (self.faces.rank[place], self.faces.side[place]) = (rank, side);
@@ -111,19 +111,19 @@ impl RegionHits<'_> {
 impl PreparedSurface<'_> {
     /// Finds the nearest hits on the surface for the points of a block whose bits `which` has.
     /// `cast` holds the base triangles that the rays hit in the block's tile.
-    pub fn see_polygons(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut BlockHits) {
-        let first = self.see_first(which, cast, lanes, seen);
+    pub fn trace_polygons(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut BlockHits) {
+        let first = self.trace_first_segments(which, cast, lanes, seen);
         let Cast { caster, hits, numbers } = cast;
         for place in places(which).filter(|place| !hits.is_miss(numbers[*place])) {
-            let aim = self.aim(seen.points.map(|row| row[place]));
+            let aim = self.ray_through(seen.points.map(|row| row[place]));
             let mut is_first = first >> place & 1 == 1;
             self.propose_polygons(caster.hits(hits, numbers[place]), f64::INFINITY, |rank, side| {
                 let met = match std::mem::take(&mut is_first) {
                     true => self.after_first_segment(seen, place),
-                    false => self.look(rank.1, side, aim),
+                    false => self.trace_triangle(rank.1, side, aim),
                 };
                 if let Some(met) = met {
-                    seen.keep(place, rank, side, &met);
+                    seen.store(place, rank, side, &met);
                 }
                 let has_hit = seen.which >> place & 1 == 1;
                 if has_hit { self.reach(seen.keys[place]) } else { f64::INFINITY }
@@ -133,7 +133,7 @@ impl PreparedSurface<'_> {
 
     /// Traces the first segment in the first base triangle of each ray, if that is known. Returns
     /// the points that were traced.
-    fn see_first(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut BlockHits) -> u16 {
+    fn trace_first_segments(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut BlockHits) -> u16 {
         let mut first = 0;
         for place in places(which) {
             if let Some(TileHit { triangle, front, .. }) = cast.hits.first(cast.numbers[place]) {
@@ -171,7 +171,7 @@ impl PreparedSurface<'_> {
             return None;
         }
         let (triangle, side) = (seen.faces.rank[place].1, seen.faces.side[place]);
-        let pixel = self.pixel(triangle, side, self.aim(seen.points.map(|row| row[place])));
+        let pixel = self.pixel(triangle, side, self.ray_through(seen.points.map(|row| row[place])));
         self.first_from(pixel, seen.at.get(place), 1, seen.hits.get(place).cost)
     }
 }

@@ -25,7 +25,7 @@ impl LightMap {
     pub fn is_of(&self, job: &Job) -> bool {
         let pairs = || self.surfaces.iter().zip(&job.surfaces);
         self.surfaces.len() == job.surfaces.len()
-            && pairs().all(|(a, b)| a.looks_same_to_lights(b))
+            && pairs().all(|(a, b)| a.casts_same_shadows(b))
             && self.frames == job.light_views.frames
     }
 

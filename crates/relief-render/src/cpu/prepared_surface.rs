@@ -58,12 +58,12 @@ pub struct Acceleration {
 
 /// Origin and direction of a ray. The direction has a component of 1 along the view axis.
 #[derive(Clone, Copy)]
-pub struct Aim {
+pub struct ShaderRay {
     pub origin: ShaderVec3<f32>,
     pub direction: ShaderVec3<f32>,
 }
 
-impl Aim {
+impl ShaderRay {
     /// Converts the ray to 64 bits.
     pub fn ray(&self) -> Ray {
         let three = |v: ShaderVec3<f32>| [v.x, v.y, v.z].map(f64::from).into();
@@ -157,11 +157,12 @@ impl<'a> PreparedSurface<'a> {
     }
 
     /// Whether a ray hits anything at a depth below `depth_m`.
-    pub fn hides(&self, aim: Aim, depth_m: f32) -> bool {
+    pub fn hides(&self, aim: ShaderRay, depth_m: f32) -> bool {
         let least = self.program.key_of_depth(depth_m);
         let mut is_hidden = false;
         self.propose(aim, f64::from(depth_m), |(_, triangle), side| {
-            is_hidden = is_hidden || self.look(triangle, side, aim).is_some_and(|met| met.first.key > least);
+            is_hidden = is_hidden
+                || self.trace_triangle(triangle, side, aim).is_some_and(|met| met.first.key > least);
             if is_hidden { f64::NEG_INFINITY } else { f64::from(depth_m) }
         });
         is_hidden
@@ -170,7 +171,12 @@ impl<'a> PreparedSurface<'a> {
     /// Calls `look` with the triangles whose relief a ray may hit, and with their sides, roughly
     /// from near to far. It stops at triangles that begin beyond a depth: at first `reach`, then
     /// the depth that `look` returned.
-    pub(super) fn propose(&self, aim: Aim, mut reach: f64, mut look: impl FnMut((bool, u32), f32) -> f64) {
+    pub(super) fn propose(
+        &self,
+        aim: ShaderRay,
+        mut reach: f64,
+        mut look: impl FnMut((bool, u32), f32) -> f64,
+    ) {
         let ray = aim.ray();
         match &self.base {
             Base::Polygons(caster) => {
@@ -203,8 +209,8 @@ impl<'a> PreparedSurface<'a> {
     }
 
     /// Returns the ray through a point of the picture, in pixels.
-    pub(super) fn aim(&self, point: [f32; 2]) -> Aim {
-        Aim { origin: self.program.pixel_eye(point), direction: self.program.pixel_direction(point) }
+    pub(super) fn ray_through(&self, point: [f32; 2]) -> ShaderRay {
+        ShaderRay { origin: self.program.pixel_eye(point), direction: self.program.pixel_direction(point) }
     }
 
     /// Returns a triangle with its corners.
@@ -213,13 +219,13 @@ impl<'a> PreparedSurface<'a> {
     }
 
     /// Returns a ray and a side of a triangle as the input of the shaders.
-    pub(super) fn pixel(&self, triangle: u32, side: f32, aim: Aim) -> PixelIn {
+    pub(super) fn pixel(&self, triangle: u32, side: f32, aim: ShaderRay) -> PixelIn {
         let Triangle { a, b, c, shell } = self.triangle(triangle);
         PixelIn { origin: aim.origin, direction: aim.direction, side, a, b, c, shell }
     }
 
     /// Returns the first hit of a ray in the relief of a triangle's side.
-    pub(super) fn look(&self, triangle: u32, side: f32, aim: Aim) -> Option<ReliefHit> {
+    pub(super) fn trace_triangle(&self, triangle: u32, side: f32, aim: ShaderRay) -> Option<ReliefHit> {
         let pixel = self.pixel(triangle, side, aim);
         self.first_from(pixel, self.program.enter(pixel), 0, [0; 3].into())
     }

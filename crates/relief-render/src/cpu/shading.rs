@@ -9,7 +9,7 @@ use relief_shaders::{LightRayState, MAX_LIGHTS};
 
 use super::block::{places, places_where};
 use super::block_hits::BlockHits;
-use super::prepared_surface::{Aim, PreparedSurface, SceneRays};
+use super::prepared_surface::{PreparedSurface, SceneRays, ShaderRay};
 
 /// Share of each light that arrives, from 0 to 1.
 type Visible = [Row<f32>; MAX_LIGHTS];
@@ -112,8 +112,9 @@ impl PreparedSurface<'_> {
             let direction = three(toward.direction);
             let way = toward.distance.min(scene.reach_m);
             let [origin, direction] = [end + direction * way, -direction].map(|v| v.to_array().into());
-            let is_hidden =
-                |surface: &PreparedSurface| surface.hides(Aim { origin, direction }, way - self.shorter_m);
+            let is_hidden = |surface: &PreparedSurface| {
+                surface.hides(ShaderRay { origin, direction }, way - self.shorter_m)
+            };
             !scene.surfaces.iter().any(is_hidden)
         };
         (0..count).filter(is_lit).count() as f32 / count as f32

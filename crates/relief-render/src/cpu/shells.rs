@@ -95,7 +95,7 @@ impl Block {
 
 impl PreparedSurface<'_> {
     /// Finds the nearest hits of a region's rays on the surface, if it has shells.
-    pub(super) fn see_shells(
+    pub(super) fn trace_shells(
         &self,
         points: &[Points],
         lanes: Lanes,
@@ -106,7 +106,7 @@ impl PreparedSurface<'_> {
         let Shells { blocks, next, shell_rays, batch } = shells;
         blocks.resize_with(points.len(), Block::default);
         for (block, points) in blocks.iter_mut().zip(points) {
-            let rays = |place| self.aim(points.points.map(|row| row[place])).ray();
+            let rays = |place| self.ray_through(points.points.map(|row| row[place])).ray();
             let before = std::mem::take(&mut block.rays);
             block.rays = caster.block(&std::array::from_fn(rays), points.which, before);
         }
@@ -128,7 +128,7 @@ impl PreparedSurface<'_> {
                     let together = groups.by_ref().take(TOGETHER);
                     if self.is_object {
                         // Segments of objects are not parts of one path.
-                        together.flatten().for_each(|look| self.look_alone(*look, seen));
+                        together.flatten().for_each(|look| self.trace_alone(*look, seen));
                         continue;
                     }
                     shell_rays.clear();
@@ -137,7 +137,7 @@ impl PreparedSurface<'_> {
                             shell_rays.push(ShellRays::new(self, *side, looks, seen));
                         }
                     }
-                    self.look_together(shell_rays, batch, lanes, seen);
+                    self.trace_together(shell_rays, batch, lanes, seen);
                 }
                 for ShellRay { block, place, .. } in next.iter() {
                     let (seen, place) = (seen.of(*block), *place as usize);
@@ -156,12 +156,12 @@ impl PreparedSurface<'_> {
     }
 
     /// Traces one ray in a shell and stores its hit if it is the nearest so far.
-    fn look_alone(&self, ShellRay { triangle, block, place }: ShellRay, seen: &mut RegionHits) {
+    fn trace_alone(&self, ShellRay { triangle, block, place }: ShellRay, seen: &mut RegionHits) {
         let (seen, place) = (seen.of(block), place as usize);
-        let aim = self.aim(seen.points.map(|row| row[place]));
+        let aim = self.ray_through(seen.points.map(|row| row[place]));
         for side in self.sides_of_shells() {
-            if let Some(met) = self.look(triangle, *side, aim) {
-                seen.keep(place, (*side < 0.0, triangle), *side, &met);
+            if let Some(met) = self.trace_triangle(triangle, *side, aim) {
+                seen.store(place, (*side < 0.0, triangle), *side, &met);
             }
         }
     }

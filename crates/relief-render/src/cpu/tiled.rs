@@ -152,7 +152,7 @@ impl<'a> Tiled<'a> {
                 done.check()?;
                 points.clear();
                 points.extend(tiles().flat_map(|tile| BLOCKS.map(|at| Points::new(area, tile, at, sample))));
-                self.see_shells(points, seen, shells);
+                self.trace_shells(points, seen, shells);
                 for (tile, of_tile) in tiles().zip(0..) {
                     for (((_, caster), bins), hits) in self.surfaces.iter().zip(&*bins).zip(&mut *hits) {
                         if let Some(caster) = caster {
@@ -177,7 +177,7 @@ impl<'a> Tiled<'a> {
     }
 
     /// Finds the hits of a region's blocks in shells. Other surfaces have no hits yet.
-    fn see_shells(&self, points: &[Points], seen: &mut Vec<BlockHits>, shells: &mut Shells) {
+    fn trace_shells(&self, points: &[Points], seen: &mut Vec<BlockHits>, shells: &mut Shells) {
         let surfaces = self.surfaces.len();
         seen.resize_with(points.len() * surfaces, BlockHits::new);
         for (number, seen) in seen.iter_mut().enumerate() {
@@ -185,7 +185,7 @@ impl<'a> Tiled<'a> {
         }
         for (number, (surface, _)) in self.surfaces.iter().enumerate() {
             let mut seen = RegionHits { seen, surfaces, number };
-            surface.see_shells(points, self.lanes, shells, &mut seen);
+            surface.trace_shells(points, self.lanes, shells, &mut seen);
         }
     }
 
@@ -197,7 +197,7 @@ impl<'a> Tiled<'a> {
         for (at, ((surface, caster), hits)) in self.surfaces.iter().zip(hits).enumerate() {
             if let Some(caster) = caster {
                 let cast = Cast { caster, hits, numbers: &of.numbers };
-                surface.see_polygons(of.which, cast, self.lanes, &mut seen[at]);
+                surface.trace_polygons(of.which, cast, self.lanes, &mut seen[at]);
             }
             for number in places(seen[at].which) {
                 let key = seen[at].keys[number];

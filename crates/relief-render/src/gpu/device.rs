@@ -21,14 +21,14 @@ pub struct Gpu {
     band_pixels: u32,
     /// Errors that the driver reported outside of any call; `None` for a caller's own device, whose
     /// handlers the caller keeps.
-    troubles: Option<Arc<Mutex<Troubles>>>,
+    driver_errors: Option<Arc<Mutex<DriverErrors>>>,
     uploaded: Arc<AtomicU64>,
     built: Arc<AtomicU64>,
 }
 
 /// Errors that the driver reported outside of any call.
 #[derive(Debug, Default)]
-struct Troubles {
+struct DriverErrors {
     lost: Option<String>,
     stray: Option<GpuError>,
 }
@@ -66,19 +66,19 @@ impl Gpu {
             .request_device(&descriptor)
             .await
             .map_err(|error| GpuError::Device { adapter: info.name.clone(), reason: error.to_string() })?;
-        let troubles = Arc::new(Mutex::new(Troubles::default()));
-        let noted = Arc::clone(&troubles);
+        let driver_errors = Arc::new(Mutex::new(DriverErrors::default()));
+        let noted = Arc::clone(&driver_errors);
         device.set_device_lost_callback(move |cause, reason| {
             let reason = if reason.is_empty() { format!("{cause:?}").to_lowercase() } else { reason };
             locked(&noted).lost.get_or_insert(reason);
         });
-        let noted = Arc::clone(&troubles);
+        let noted = Arc::clone(&driver_errors);
         device.on_uncaptured_error(Arc::new(move |error| {
             locked(&noted).stray.get_or_insert(refusal(&error));
         }));
         let gpu = Self::of_device(device, queue, &adapter::described(&info));
         let band_pixels = adapter::band_pixels(info.device_type);
-        Ok(Self { band_pixels, troubles: Some(troubles), ..gpu })
+        Ok(Self { band_pixels, driver_errors: Some(driver_errors), ..gpu })
     }
 
     /// Wraps a device and queue of the caller, whose error handlers stay. Errors of Relief's own
@@ -95,7 +95,7 @@ impl Gpu {
             device,
             queue,
             description: name.to_owned(),
-            troubles: None,
+            driver_errors: None,
             uploaded: Arc::default(),
             built: Arc::default(),
         }
@@ -173,12 +173,12 @@ impl Gpu {
 
     /// Returns the error that was reported since the last call, if any. A lost device stays lost.
     fn check(&self) -> Result<(), GpuError> {
-        let Some(troubles) = &self.troubles else { return Ok(()) };
-        let mut troubles = locked(troubles);
-        if let Some(reason) = &troubles.lost {
+        let Some(driver_errors) = &self.driver_errors else { return Ok(()) };
+        let mut driver_errors = locked(driver_errors);
+        if let Some(reason) = &driver_errors.lost {
             return Err(GpuError::Lost(reason.clone()));
         }
-        troubles.stray.take().map_or(Ok(()), Err)
+        driver_errors.stray.take().map_or(Ok(()), Err)
     }
 
     /// Waits until the GPU has finished all submitted work. On the web it returns at once.
@@ -191,8 +191,8 @@ impl Gpu {
             Err(panic) => {
                 let reason = panic.downcast_ref::<String>().map_or("the driver reset it", String::as_str);
                 let reason = reason.trim().to_owned();
-                Err(GpuError::Lost(match &self.troubles {
-                    Some(troubles) => locked(troubles).lost.get_or_insert(reason).clone(),
+                Err(GpuError::Lost(match &self.driver_errors {
+                    Some(driver_errors) => locked(driver_errors).lost.get_or_insert(reason).clone(),
                     None => reason,
                 }))
             }
@@ -263,11 +263,11 @@ impl Gpu {
         bytes: u64,
         each: impl FnOnce(&[u8]),
     ) -> Result<(), GpuError> {
-        let (giver, taker) = promise();
-        buffer.map_async(MapMode::Read, ..bytes, move |mapped| giver.give(mapped));
+        let (sender, receiver) = promise();
+        buffer.map_async(MapMode::Read, ..bytes, move |mapped| sender.send(mapped));
         self.wait()?;
         let failed = |reason: String| self.check().err().unwrap_or(GpuError::Refused(reason));
-        taker.await.map_err(|error| failed(error.to_string()))?;
+        receiver.await.map_err(|error| failed(error.to_string()))?;
         let view = buffer.get_mapped_range(..bytes).map_err(|error| failed(error.to_string()))?;
         each(&view);
         drop(view);

@@ -9,7 +9,7 @@ use super::AdapterChoice;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GpuError {
     /// The machine has no adapter of the wanted kind.
-    #[error("{}{}", no_adapter(*.wanted), seen(.found))]
+    #[error("{}{}", no_adapter(*.wanted), others_found(.found))]
     NoAdapter {
         /// Kind of adapter that was asked for.
         wanted: AdapterChoice,
@@ -138,6 +138,6 @@ fn no_adapter(wanted: AdapterChoice) -> &'static str {
     }
 }
 
-fn seen(found: &[String]) -> String {
+fn others_found(found: &[String]) -> String {
     if found.is_empty() { String::new() } else { format!(" (there is: {})", found.join(", ")) }
 }

@@ -129,7 +129,7 @@ impl Prober {
                 let mut resident = Resident::new(&self.gpu);
                 resident
                     .maps(&self.gpu, surface, sampling, layouts.maps(sampling), &common)
-                    .map(|maps| maps.seen)
+                    .map(|maps| maps.for_camera)
             })
             .await
     }

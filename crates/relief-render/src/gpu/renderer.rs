@@ -109,8 +109,8 @@ impl GpuRenderer {
 
     /// Returns the buffers of a surface's last tessellation: totals, corners and faces.
     #[cfg(test)]
-    pub(super) fn made(&self, surface: usize) -> Option<[&wgpu::Buffer; 3]> {
-        self.surfaces.get(surface)?.made()
+    pub(super) fn tessellation_buffers(&self, surface: usize) -> Option<[&wgpu::Buffer; 3]> {
+        self.surfaces.get(surface)?.tessellation_buffers()
     }
 
     /// Returns the work for the last picture besides drawing it.
@@ -338,7 +338,7 @@ impl GpuRenderer {
                 if is_other_buffer || is_other_map || fits.is_some() != has_lights {
                     *generation += 1;
                 }
-                let mut seen_otherwise = other_views || is_other_map || surfaces.len() != job.surfaces.len();
+                let mut shadows_changed = other_views || is_other_map || surfaces.len() != job.surfaces.len();
                 surfaces.truncate(job.surfaces.len());
                 surfaces.resize_with(job.surfaces.len(), || Resident::new(&gpu));
                 let common = Common {
@@ -351,15 +351,15 @@ impl GpuRenderer {
                 let each = job.surfaces.iter().zip(surfaces.iter_mut()).map(|(surface, resident)| {
                     let maps = resident.maps(&gpu, surface, sampling, layouts.maps(sampling), &common)?;
                     let mesh = resident.mesh(&gpu, surface, layouts, tessellator.as_ref(), &maps, clock)?;
-                    seen_otherwise |= maps.changed || mesh.is_other;
+                    shadows_changed |= maps.changed || mesh.is_other;
                     Ok((maps, mesh))
                 });
                 let uploaded = each.collect::<Result<Vec<_>, GpuError>>()?;
-                if let Some(map) = light_map.as_ref().filter(|_| seen_otherwise) {
+                if let Some(map) = light_map.as_ref().filter(|_| shadows_changed) {
                     let parts = light_programs.into_iter().zip(&uploaded);
                     let casters = parts.map(|(program, (maps, mesh))| Caster {
                         program,
-                        maps: maps.by_lights.clone(),
+                        maps: maps.for_lights.clone(),
                         mesh: mesh.group.clone(),
                         shells: mesh.shells.clone(),
                         drawn: mesh.drawn.clone(),
@@ -375,7 +375,7 @@ impl GpuRenderer {
         let surfaces = ready.map(|((trace, shade), (maps, mesh))| DrawableSurface {
             trace,
             shade,
-            maps: maps.seen,
+            maps: maps.for_camera,
             mesh: mesh.group,
             shells: mesh.shells,
             drawn: mesh.drawn,

@@ -89,7 +89,7 @@ impl SlotSource {
 }
 
 /// Uploads a map if it is another one than before. Returns whether it was.
-fn hold<T: Clone>(
+fn update_texture<T: Clone>(
     held: &mut Option<CachedTexture<T>>,
     of: Option<&T>,
     is_same: impl Fn(&T, &T) -> bool,
@@ -132,8 +132,8 @@ pub struct Resident {
 /// Group 0 of a surface: for the camera, and for lights, which do not read shadow maps.
 #[derive(Clone, Debug)]
 pub struct MapGroups {
-    pub seen: BindGroup,
-    pub by_lights: BindGroup,
+    pub for_camera: BindGroup,
+    pub for_lights: BindGroup,
     /// Whether the groups or the settings changed since the last picture.
     pub changed: bool,
 }
@@ -190,7 +190,7 @@ impl Resident {
         layout: &BindGroupLayout,
         common: &Common,
     ) -> Result<MapGroups, GpuError> {
-        let changed = self.hold_all(gpu, surface, sampling, common.builder)?;
+        let changed = self.update_maps(gpu, surface, sampling, common.builder)?;
         let mut settings = surface.settings;
         for (map, held) in settings.maps.iter_mut().zip(&self.slots) {
             // The job has no map with this size.
@@ -205,12 +205,12 @@ impl Resident {
         {
             return Ok(MapGroups { changed: others, ..groups.clone() });
         }
-        let by_lights = self.group(gpu, sampling, layout, common, None);
-        let seen = match common.light_map {
+        let for_lights = self.group(gpu, sampling, layout, common, None);
+        let for_camera = match common.light_map {
             Some(view) => self.group(gpu, sampling, layout, common, Some(view)),
-            None => by_lights.clone(),
+            None => for_lights.clone(),
         };
-        let groups = MapGroups { seen, by_lights, changed: true };
+        let groups = MapGroups { for_camera, for_lights, changed: true };
         self.maps = Some((sampling, common.number, groups.clone()));
         Ok(groups)
     }
@@ -230,7 +230,7 @@ impl Resident {
         let Some(((of, tessellator), groups)) = made_here else {
             self.tessellated = None;
             let (group, is_other) = self.uploaded(gpu, triangles, &layouts.mesh)?;
-            shells::hold(&mut self.shells, gpu, surface, &layouts.shells)?;
+            shells::update(&mut self.shells, gpu, surface, &layouts.shells)?;
             let shells = self.shells.as_ref().map(|shells| shells.group.clone());
             return Ok(ResidentMesh { group, shells, drawn: DrawCall::of(surface), is_other });
         };
@@ -245,7 +245,7 @@ impl Resident {
             none => none.insert(Tessellated::new(gpu, of, groups, &layouts.mesh)?),
         };
         let is_other_surface = is_new || maps.changed;
-        let is_other = tessellated.make(gpu, of, tessellator, &maps.by_lights, is_other_surface, clock);
+        let is_other = tessellated.make(gpu, of, tessellator, &maps.for_lights, is_other_surface, clock);
         let drawn = DrawCall::Indirect(tessellated.drawn().clone());
         Ok(ResidentMesh { group: tessellated.mesh().clone(), shells: None, drawn, is_other })
     }
@@ -261,8 +261,8 @@ impl Resident {
 
     /// Returns the buffers of the last tessellation, if any.
     #[cfg(test)]
-    pub fn made(&self) -> Option<[&Buffer; 3]> {
-        self.tessellated.as_ref().map(Tessellated::made)
+    pub fn tessellation_buffers(&self) -> Option<[&Buffer; 3]> {
+        self.tessellated.as_ref().map(Tessellated::tessellation_buffers)
     }
 
     /// Uploads triangles unless they are cached. Returns their bind group, and whether they
@@ -290,7 +290,7 @@ impl Resident {
     }
 
     /// Uploads and builds the maps that changed. Returns whether any did.
-    fn hold_all(
+    fn update_maps(
         &mut self,
         gpu: &Gpu,
         surface: &JobSurface,
@@ -306,7 +306,7 @@ impl Resident {
         if self.height_levels < levels {
             self.heights = None;
         }
-        let mut changed = hold(
+        let mut changed = update_texture(
             &mut self.heights,
             Some(&surface.height_map),
             |a, b| a.shares_texels(b),
@@ -315,13 +315,13 @@ impl Resident {
         if changed {
             self.height_levels = levels;
         }
-        changed |= hold(&mut self.holes, surface.holes(), Arc::ptr_eq, || {
+        changed |= update_texture(&mut self.holes, surface.holes(), Arc::ptr_eq, || {
             textures::holes(gpu, surface.holes().map(Arc::as_ref))
         })?;
-        changed |= hold(&mut self.color, surface.color.as_ref(), Arc::ptr_eq, || {
+        changed |= update_texture(&mut self.color, surface.color.as_ref(), Arc::ptr_eq, || {
             textures::picture(gpu, "colour map", surface.color.as_deref(), precision, false)
         })?;
-        changed |= hold(&mut self.normals, surface.normal_map.as_ref(), Arc::ptr_eq, || {
+        changed |= update_texture(&mut self.normals, surface.normal_map.as_ref(), Arc::ptr_eq, || {
             textures::picture(gpu, "normal map", surface.normal_map.as_deref(), precision, true)
         })?;
         for (place, slot) in MapSlot::ALL.into_iter().enumerate() {
@@ -340,7 +340,9 @@ impl Resident {
                 (Some(SlotSource::Baked(map)), ..) => textures::baked(gpu, slot, Some(map)),
                 _ => textures::baked(gpu, slot, None),
             };
-            changed |= hold(&mut rest[0], of.as_ref(), SlotSource::is_same, || shared.map_or_else(make, Ok))?;
+            changed |= update_texture(&mut rest[0], of.as_ref(), SlotSource::is_same, || {
+                shared.map_or_else(make, Ok)
+            })?;
         }
         let wrap = surface.height_map.wrap();
         if self.sampler.as_ref().is_none_or(|(of, _)| *of != wrap) {

@@ -31,7 +31,7 @@ pub struct Shells {
 
 /// Builds and uploads the BVH of a surface's shells, unless it is cached. For surfaces without
 /// shells, it drops a cached one.
-pub fn hold(
+pub fn update(
     held: &mut Option<Shells>,
     gpu: &Gpu,
     surface: &JobSurface,

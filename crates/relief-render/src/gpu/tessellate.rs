@@ -169,7 +169,7 @@ impl Tessellated {
 
     /// Returns the buffers of the totals, the corners and the faces.
     #[cfg(test)]
-    pub fn made(&self) -> [&Buffer; 3] {
+    pub fn tessellation_buffers(&self) -> [&Buffer; 3] {
         [&self.totals, &self.made[0], &self.made[1]]
     }
 

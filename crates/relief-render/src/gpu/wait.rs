@@ -35,20 +35,20 @@ struct Promise<T> {
 }
 
 /// Sender of the value, for the callback.
-pub struct Giver<T>(Arc<Mutex<Promise<T>>>);
+pub struct Sender<T>(Arc<Mutex<Promise<T>>>);
 
 /// Future of the value. It never ends if the callback is never called.
-pub struct Taker<T>(Arc<Mutex<Promise<T>>>);
+pub struct Receiver<T>(Arc<Mutex<Promise<T>>>);
 
 /// Creates the sender and the future of a value.
-pub fn promise<T>() -> (Giver<T>, Taker<T>) {
+pub fn promise<T>() -> (Sender<T>, Receiver<T>) {
     let promise = Arc::new(Mutex::new(Promise { given: None, waker: None }));
-    (Giver(Arc::clone(&promise)), Taker(promise))
+    (Sender(Arc::clone(&promise)), Receiver(promise))
 }
 
-impl<T> Giver<T> {
+impl<T> Sender<T> {
     /// Sends the value and wakes the future.
-    pub fn give(self, value: T) {
+    pub fn send(self, value: T) {
         let mut promise = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         promise.given = Some(value);
         if let Some(waker) = promise.waker.take() {
@@ -57,7 +57,7 @@ impl<T> Giver<T> {
     }
 }
 
-impl<T> Future for Taker<T> {
+impl<T> Future for Receiver<T> {
     type Output = T;
 
     fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<T> {
@@ -78,12 +78,12 @@ mod tests {
 
     #[test]
     fn a_value_from_another_thread_is_waited_for() {
-        let (giver, taker) = promise();
-        let other = thread::spawn(move || giver.give(7));
-        assert_eq!(block_on(taker), 7);
+        let (sender, receiver) = promise();
+        let other = thread::spawn(move || sender.send(7));
+        assert_eq!(block_on(receiver), 7);
         other.join().expect("it ends");
-        let (giver, taker) = promise();
-        giver.give("before");
-        assert_eq!(block_on(taker), "before");
+        let (sender, receiver) = promise();
+        sender.send("before");
+        assert_eq!(block_on(receiver), "before");
     }
 }

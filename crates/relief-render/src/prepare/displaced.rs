@@ -81,7 +81,7 @@ struct DisplacedSource {
 enum Cut {
     Texels(u32),
     /// By the voxels of a view, with a number of mip levels of the height map, and culled.
-    Seen(View, u32, Option<Cull>),
+    Voxels(View, u32, Option<Cull>),
     /// By the voxels of a view or by texels, on the backend itself.
     Tessellated(View, u32, Cull, Tessellated),
     /// By slices through the relief.
@@ -99,7 +99,7 @@ impl DisplacedSource {
             Geometry::Texels(texels) => Cut::Texels(texels),
             Geometry::Pixels(pixels) => {
                 let view = view(pixels, surface, scene);
-                Cut::Seen(view, selection.levels_of(map), cull(scene, surface, &view))
+                Cut::Voxels(view, selection.levels_of(map), cull(scene, surface, &view))
             }
             Geometry::Tessellated(by) => {
                 let view = view(by.pixels, surface, scene);
@@ -136,7 +136,7 @@ impl DisplacedSource {
             Cut::Texels(_) | Cut::Tessellated(.., Tessellated { texels: Some(_), .. }) => {
                 "a larger 'geometry.texels'"
             }
-            Cut::Seen(..) | Cut::Tessellated(..) => "a larger 'geometry.pixels'",
+            Cut::Voxels(..) | Cut::Tessellated(..) => "a larger 'geometry.pixels'",
             Cut::Sliced(_) | Cut::SlicedBox(..) => sliced::FEWER,
         }
     }
@@ -255,13 +255,17 @@ impl Displaced {
                 Cut::Texels(texels) => {
                     let settings = MeshSettings { texels, ..MeshSettings::default() };
                     let mesher = Mesher::watched(&of.mesh, &of.map, &settings, &watch);
-                    mesher.map_err(|error| of.error(error)).and_then(|mesher| made(&of, &mesher, left, watch))
+                    mesher
+                        .map_err(|error| of.error(error))
+                        .and_then(|mesher| make_triangles(&of, &mesher, left, watch))
                 }
-                Cut::Seen(view, levels, cull) => {
+                Cut::Voxels(view, levels, cull) => {
                     let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
                     let coarser = of.coarser(levels);
                     let mesher = Mesher::with_levels(&of.mesh, &of.map, &coarser, &settings, &watch);
-                    mesher.map_err(|error| of.error(error)).and_then(|mesher| made(&of, &mesher, left, watch))
+                    mesher
+                        .map_err(|error| of.error(error))
+                        .and_then(|mesher| make_triangles(&of, &mesher, left, watch))
                 }
                 Cut::Sliced(settings) => sliced::triangles(&of.mesh, &of.map, settings, left, &watch),
                 Cut::SlicedBox(settings, camera) => match &of.object {
@@ -335,7 +339,7 @@ fn to_be_made(
 }
 
 /// Displaced triangles and the memory that they take.
-fn made(
+fn make_triangles(
     of: &DisplacedSource,
     mesher: &Mesher,
     left: u64,

@@ -90,7 +90,7 @@ impl ShellRays {
     }
 
     /// Stores the hits on these segments that are the nearest so far.
-    fn keep(&mut self, surface: &PreparedSurface, number: u32, lanes: Lanes, seen: &mut RegionHits) {
+    fn store(&mut self, surface: &PreparedSurface, number: u32, lanes: Lanes, seen: &mut RegionHits) {
         let Self { triangle, side, looks, searched, points, at, paths, hits, keys, .. } = self;
         for (sums, costs) in self.costs.iter_mut().zip(&hits.cost) {
             places(*searched).for_each(|place| sums[place] += costs[place]);
@@ -105,7 +105,7 @@ impl ShellRays {
         for from in places(found) {
             let ShellRay { triangle, block, place } = looks[from];
             let rank = (*side < 0.0, triangle);
-            if seen.of(block).keep_of(place as usize, rank, *side, keys[from], (from, at, paths, hits)) {
+            if seen.of(block).store_from(place as usize, rank, *side, keys[from], (from, at, paths, hits)) {
                 self.nearest |= 1 << from;
             }
         }
@@ -131,7 +131,7 @@ impl ShellRays {
 
 impl PreparedSurface<'_> {
     /// Traces rays in several shells together and stores the hits that are the nearest so far.
-    pub(super) fn look_together(
+    pub(super) fn trace_together(
         &self,
         shell_rays: &mut [ShellRays],
         batch: &mut PathBatch,
@@ -151,7 +151,7 @@ impl PreparedSurface<'_> {
             }
             self.search_together(shell_rays, batch, lanes);
             for shell in shell_rays.iter_mut() {
-                shell.keep(self, number, lanes, seen);
+                shell.store(self, number, lanes, seen);
             }
         }
         // Tracers report the cost of finding the hit.

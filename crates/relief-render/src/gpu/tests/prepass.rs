@@ -101,7 +101,7 @@ fn depths(gpu: &Gpu, job: &Job, clip: Clip) -> Vec<f32> {
             multiview_mask: None,
         });
         pass.set_pipeline(&program);
-        pass.set_bind_group(0, &maps.seen, &[0, targets.whole]);
+        pass.set_bind_group(0, &maps.for_camera, &[0, targets.whole]);
         pass.set_bind_group(1, &mesh.group, &[]);
         pass.draw(0..vertices, 0..1 + u32::from(root == Root::PrepassShells && surface.two_sided));
         drop(pass);

@@ -29,7 +29,7 @@ fn made_by(renderer: &mut GpuRenderer, job: &Job) -> (Vec<Corner>, Vec<Face>) {
         block_on(gpu.read(&readable, buffer.size(), |bytes| all.extend_from_slice(bytes))).expect("bytes");
         all
     };
-    let [totals, corners, faces] = renderer.made(0).expect("it is tessellated").map(read);
+    let [totals, corners, faces] = renderer.tessellation_buffers(0).expect("it is tessellated").map(read);
     let totals = read_all::<u32>(&totals);
     let [points, triangles] = [totals[12], totals[13]].map(|count| count as usize);
     assert_eq!(totals[0] as usize, 3 * triangles);
