@@ -130,7 +130,7 @@ impl CpuRenderer {
     }
 
     /// Returns the addresses of cached BVHs, and of cached exact tracers.
-    #[cfg(test)]
+    #[cfg(all(test, feature = "gpu"))]
     pub(crate) fn cached(&self) -> [Vec<*const ()>; 2] {
         let casters = self.casters.iter().map(|(_, caster)| Arc::as_ptr(caster).cast());
         let tracers = self.tracers.iter().map(|(_, tracer)| Arc::as_ptr(tracer).cast());

@@ -11,7 +11,9 @@ mod triangle_cache;
 mod triangles;
 
 pub use displaced::GeometryError;
-pub use tessellation::{Capacity, TessellatedBase, Tessellation};
+#[cfg(feature = "gpu")]
+pub use tessellation::Capacity;
+pub use tessellation::{TessellatedBase, Tessellation};
 pub use triangles::Triangles;
 
 use std::sync::Arc;

@@ -119,7 +119,7 @@ const PIXELS: LaneText = LaneText {
 };
 
 /// Whether a function is called for each lane by itself: the rays of shadows go ways of their own, and so do
-/// look-ups in what lights see.
+/// look-ups in shadow maps.
 fn is_one_by_one(name: &str) -> bool {
     let stage = &STAGES[SHADOW];
     let goes_alone = |entry: &&Entry| {
