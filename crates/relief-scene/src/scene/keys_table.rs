@@ -80,7 +80,7 @@ fn surface(name: &'static str, form: Form, default: &'static str, about: &'stati
     Key { name, of_surface: true, form, default, about }
 }
 
-/// Returns all keys in the recommended order of a scene file: first those of surfaces, then those
+/// Returns all keys in the recommended order of a scene file: first keys of surfaces, then keys
 /// of the scene.
 pub fn keys() -> Vec<Key> {
     let builtins = Builtin::ALL.map(Builtin::name).to_vec();

@@ -135,7 +135,7 @@ impl Surface {
         Self { color, color_place: ColorPlace::default(), colors: None, file_colors: None, ..self }
     }
 
-    /// Sets the placement and the wrap of the colour picture. Default: those of the height map.
+    /// Sets the placement and the wrap of the colour picture. By default they follow the height map.
     #[must_use]
     pub fn with_color_place(self, color_place: ColorPlace) -> Self {
         Self { color_place, ..self }
