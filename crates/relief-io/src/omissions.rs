@@ -138,17 +138,24 @@ pub struct Remark {
 
 impl Remark {
     /// Creates a remark without an option's value.
+    ///
+    /// `text` describes the case in this file: a whole sentence without a full stop. Users see it
+    /// as it is, after the file's path and a colon.
     pub fn new(row: &'static Omission, text: impl Into<String>) -> Self {
         Self { row, text: text.into(), mend: None }
     }
 
-    /// Adds the value of an option.
+    /// Sets the value of the option that reads the file in another way. The row says which option.
+    ///
+    /// `mend` is the value alone, without the option's name: a number, or numbers separated by
+    /// commas. It replaces an earlier value. Default: none.
     #[must_use]
     pub fn with_mend(self, mend: impl Into<String>) -> Self {
         Self { mend: Some(mend.into()), ..self }
     }
 
-    /// Turns the remark into a note on a file.
+    /// Turns the remark into a note on a file. `path` is the file's path, or the name given with
+    /// its bytes.
     pub fn of(self, path: impl Into<PathBuf>) -> ReadNote {
         ReadNote { path: path.into(), remark: self }
     }

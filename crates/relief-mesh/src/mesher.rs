@@ -134,11 +134,18 @@ impl Mesher {
         Self::of_at_most(mesh, map, settings, MOST, watch)
     }
 
-    /// Counts the mesh of a view, with coarser levels of the height map.
+    /// Counts the mesh of a view, with coarser levels of the height map. The mesh is made when it
+    /// is streamed.
     ///
-    /// Each level is half as wide and high as the one before. A point is displaced by the level
-    /// whose texels are as wide as a voxel is there, and in between by two of them. See the filter
-    /// levels of `relief-bake`.
+    /// The view is [`MeshSettings::view`], and the edge rule must be `pixels`.
+    ///
+    /// `coarser` has the levels above `map`, the finest first, without `map` itself. Each has half
+    /// the sides of the one before, rounded down. Any number of levels is accepted. Where a coarser
+    /// level is needed than there is, the last one is used.
+    ///
+    /// A point is displaced by the level whose texels are as wide as a voxel is there, and in
+    /// between by two of them. All levels have the displacement of `map`. See the filter levels of
+    /// `relief-bake`.
     ///
     /// # Errors
     ///

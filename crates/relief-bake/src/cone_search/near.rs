@@ -14,7 +14,8 @@ use super::point::Point;
 use super::slope::{Patch, may_peak_inside, steepest_in_quarter, steepest_into};
 use super::tie::is_nearly_flat;
 
-/// Squared slopes from the points of a row of texels to the blocks around them.
+/// Squared slopes from the points of a row of texels to the blocks around them. Slopes are in
+/// heights per metre.
 pub(crate) struct NearRow {
     region: Region,
     /// Squared slopes of the patches themselves at each texel. Entries beyond the last texel are
@@ -26,7 +27,8 @@ pub(crate) struct NearRow {
 }
 
 impl NearRow {
-    /// Allocates a row of `width` texels.
+    /// Creates a row for a map of `width` texels a row. All slopes are 0 until
+    /// [`fill`](Self::fill).
     pub fn new(width: usize) -> Self {
         let places = (width + 1).next_multiple_of(LANES) + LANES;
         Self {
@@ -36,7 +38,8 @@ impl NearRow {
         }
     }
 
-    /// Fills it for a row.
+    /// Computes the slopes from the texels of row `row` of the map of `field`. Rows beyond the map
+    /// have the texels that its wrap gives them.
     #[inline(always)]
     pub fn fill<S: Simd>(&mut self, simd: S, near: &Near, field: &Field, row: i64) {
         self.region = near.region;
@@ -52,7 +55,8 @@ impl NearRow {
         }
     }
 
-    /// Returns squared slopes of `count` texels from a column on, given the row above.
+    /// Returns the greatest squared slope of each of `count` texels from column `first` on, at most
+    /// a vector's lanes. `above` is the row above, filled as well.
     #[inline(always)]
     pub fn of_texels(&self, above: &Self, first: usize, count: usize) -> Lanes {
         let mut best = [0.0; LANES];

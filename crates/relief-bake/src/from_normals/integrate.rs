@@ -61,7 +61,13 @@ impl IntegratedHeights {
     }
 }
 
-/// Integrates slopes along `u` and along `v` (down in the picture), in metres up for a metre along.
+/// Integrates slopes to heights in metres by least squares. The mean of the heights is 0.
+///
+/// `size` is columns and rows. `slopes` are two planes, row by row from the top: along `u` (right)
+/// and along `v` (down in the picture). Both are in metres up for a metre along.
+///
+/// `how` gives the size of a texel in metres, the wrap and the damping. Its axes do not matter, and
+/// slopes steeper than its steepest one are accepted.
 ///
 /// Takes two planes of `f64` besides its input and result.
 ///

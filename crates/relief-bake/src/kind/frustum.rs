@@ -131,8 +131,10 @@ const PARAMS: &[Param] = &[BITS];
 /// Quadrants in the order of the channels: whether they go forward along `u` and `v`.
 const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [false, false]];
 
-/// Computes the frustum map of a height map. It takes five times the memory of the height map, and
-/// 4/3 more during the bake.
+/// Computes the frustum map of a height map. It is valid in any metric: tops are in heights, slopes
+/// in heights per texel.
+///
+/// It takes five times the memory of the height map, and 4/3 more during the bake.
 ///
 /// # Errors
 ///

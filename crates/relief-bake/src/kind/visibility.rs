@@ -81,7 +81,8 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// First hits of all texels in one direction.
+/// First hits of all texels in one direction. The ray of a texel starts on the surface at the
+/// texel's centre.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View<'a> {
     /// Direction of unit length: along `+u`, along `+v` and up the base normal.
@@ -94,8 +95,12 @@ pub struct View<'a> {
 }
 
 impl View<'_> {
-    /// Returns the texture coordinates, not wrapped, of a texel's first hit. The texel must be in
-    /// the map.
+    /// Returns the texture coordinates of the first hit of a texel's ray. The ray starts on the
+    /// surface at the texel's centre and goes along [`direction`](Self::direction).
+    ///
+    /// A tile of the map is 0 to 1. Coordinates are not wrapped, so hits in other tiles lie
+    /// outside. `None` if the ray leaves the relief or has no hit within its reach. The texel must
+    /// be in the map.
     pub fn hit(&self, column: u32, row: u32) -> Option<[f64; 2]> {
         let [width, height] = self.size.map(f64::from);
         let steps = f64::from(self.steps[row as usize * self.size[0] as usize + column as usize]);
@@ -107,8 +112,11 @@ impl View<'_> {
         })
     }
 
-    /// Returns the texel, counted row by row, nearest to a texel's first hit in a map of that wrap;
-    /// `None` for the sky. The texel must be in the map.
+    /// Returns the texel nearest to the [`hit`](Self::hit) of a texel's ray, as
+    /// `row * width + column`.
+    ///
+    /// `wrap` is the map's wrap, which brings hits in other tiles into the map. `None` if there is
+    /// no hit: the texel sees the sky. The texel must be in the map.
     pub fn seen(&self, column: u32, row: u32, wrap: Wrap) -> Option<usize> {
         let [width, height] = self.size;
         let index = |at: f64, side: u32| wrap.index((at * f64::from(side)).floor() as i64, side) as usize;

@@ -200,7 +200,9 @@ impl ImageObject {
         &self.layout
     }
 
-    /// Atlas of the images' maps, with zeros around each.
+    /// Atlas of the images' maps, placed by [`layout`](Self::layout), with a border of one texel of
+    /// 0 around each. Heights are as in the images: 0 is an image's base plane, 1 its plane nearest
+    /// to the viewer (see [`View`]).
     pub fn heights(&self) -> &HeightMap {
         &self.heights
     }
@@ -210,7 +212,7 @@ impl ImageObject {
         self.cells
     }
 
-    /// Difference of heights beyond which a cell jumps.
+    /// Difference of heights, as in [`heights`](Self::heights), beyond which a cell jumps.
     pub fn jump(&self) -> f64 {
         self.jump
     }

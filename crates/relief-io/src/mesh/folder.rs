@@ -25,6 +25,9 @@ pub fn inside(folder: &Path, path: &Path, named: &str) -> Result<PathBuf, ReadPr
 }
 
 /// Whether a path stays in the folder in which it begins, on every system.
+///
+/// Only its text is read: links are not followed. Paths with `..`, a colon, a backslash or a NUL
+/// are refused, as are absolute and empty paths.
 pub fn stays(path: &Path) -> bool {
     // A colon belongs to a scheme or a drive, and backslashes are separators on some systems.
     let is_plain = !path.to_string_lossy().contains([':', '\\', '\0']);

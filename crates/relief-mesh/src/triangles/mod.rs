@@ -69,7 +69,7 @@ pub struct Triangles {
     full_bounds: Option<FullBounds>,
 }
 
-/// Numbers of a vertex of the mesh: its own, and the number that shares its normal.
+/// Numbers of a vertex of the written mesh: its own, and the number that shares its normal.
 #[derive(Clone, Copy, Debug)]
 pub struct Numbered {
     pub number: u32,
@@ -332,7 +332,8 @@ impl Triangles {
         if self.base == BaseSurface::Lift { self.edges.lift(edge) } else { 0.0 }
     }
 
-    /// Returns the vertex at a corner of the base, by the corner's number.
+    /// Returns the displaced vertex at a corner of the base. `number` is as in
+    /// [`corner_numbered`](Self::corner_numbered).
     pub fn corner_vertex(&self, relief: &Relief, number: u32) -> Vertex {
         let vertex = self.corners.used[number as usize];
         let leading = self.at_corner(vertex);
@@ -340,7 +341,11 @@ impl Triangles {
         relief.vertex_at(relief.displaced(&leading), &own, &self.corners.frame(vertex))
     }
 
-    /// Returns the numbers of a corner of the base, by the corner's number.
+    /// Returns the numbers of the vertex at a corner of the base: its own, and the number of the
+    /// first corner that shares its normal.
+    ///
+    /// `number` counts from 0 the corners that triangles use, in the order in which they are
+    /// written. It is the vertex's own number.
     pub fn corner_numbered(&self, number: u32) -> Numbered {
         self.corners.numbered(self.corners.used[number as usize])
     }

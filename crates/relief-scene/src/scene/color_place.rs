@@ -25,7 +25,7 @@ impl Default for ColorPlace {
     }
 }
 
-/// Affine map of texture coordinates.
+/// Affine map from a mesh's texture coordinates to the coordinates of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Affine {
     linear: DMat2,
@@ -56,14 +56,16 @@ impl Affine {
         self.linear.abs_diff_eq(other.linear, SAME) && self.offset.abs_diff_eq(other.offset, SAME)
     }
 
-    /// Returns this map followed by a material's transform.
+    /// Returns this map followed by a material's transform, given as two rows as in
+    /// [`ColorPlace::rows`].
     pub fn then(&self, [u, v]: [[f32; 3]; 2]) -> Self {
         let [u, v] = [u, v].map(|row| row.map(f64::from));
         let linear = DMat2::from_cols_array(&[u[0], v[0], u[1], v[1]]);
         Self { linear: linear * self.linear, offset: linear * self.offset + DVec2::new(u[2], v[2]) }
     }
 
-    /// Returns both rows as in [`ColorPlace::rows`].
+    /// Returns both rows of the map, as in [`ColorPlace::rows`]. Their products with the mesh's
+    /// texture coordinates `(u, v, 1)` are the picture's coordinates.
     pub fn rows(&self) -> [[f32; 3]; 2] {
         let Self { linear, offset } = self;
         let row = |axis: usize| [linear.x_axis[axis], linear.y_axis[axis], offset[axis]].map(|n| n as f32);

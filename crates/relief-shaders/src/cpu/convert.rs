@@ -79,8 +79,9 @@ impl Shell {
         Self::between([0.0, 1.0], [0, 1, 2], [0.0; 3])
     }
 
-    /// Returns a shell between two heights with corners in the order `places`. `lift` has the
-    /// coefficients of a smooth base in the same order.
+    /// Returns a shell between two heights, least and greatest, from 0 to 1. `places` is the order
+    /// of its corners, from [`places_of`](Self::places_of). `lift` has the coefficients of a smooth
+    /// base in metres, in the same order.
     pub fn between(heights: [f32; 2], places: [u32; 3], lift: [f32; 3]) -> Self {
         Self::new(heights, places[0] | (places[1] << 2) | (places[2] << 4), lift)
     }
@@ -101,8 +102,11 @@ impl Shell {
         Self { order: self.order | crate::surface::FOLDED, ..self }
     }
 
-    /// Returns the places of a triangle's corners by rising `numbers`, so that all triangles agree
-    /// on the order of a side that they share.
+    /// Returns the order of a triangle's corners by rising `numbers`. The first result is the
+    /// corner with the lowest number, from 0 to 2; the last is the corner with the highest.
+    ///
+    /// `numbers` are the corners' vertices in the welded mesh. All triangles then agree on the
+    /// order of the ends of a shared side.
     pub fn places_of(numbers: [u32; 3]) -> [u32; 3] {
         let mut places = [0u32, 1, 2];
         places.sort_by_key(|place| numbers[*place as usize]);

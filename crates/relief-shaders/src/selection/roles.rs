@@ -60,9 +60,11 @@ impl Selection {
         2.0 * self.choices[SURFACE].value("tolerance")
     }
 
-    /// Returns the kind of quadrics that the surface follows around the corners of its triangles,
-    /// if it follows any. Its triangles are moved out along their normals where relief would rise
-    /// above them.
+    /// Returns which coefficients the surface's quadrics have. `None` if rays do not follow
+    /// quadrics around the corners of triangles.
+    ///
+    /// Quadrics have all relief carved into their triangles. Where relief would rise above them, a
+    /// renderer must first move the triangles out along their normals.
     pub fn quadrics(&self) -> Option<QuadricCoefficients> {
         let Choice { entry, params, .. } = &self.choices[SURFACE];
         let (place, _) = entry.param("coefficients")?;

@@ -48,14 +48,23 @@ pub enum FrustumMapError {
 }
 
 /// Returns the index of a quadrant among the four planes of slopes: forward along both axes,
-/// backward along `u`, along `v`, along both.
+/// backward along `u`, along `v`, along both. `forward` says whether it goes forward along `u` and
+/// along `v`.
 pub fn quadrant(forward: [bool; 2]) -> usize {
     usize::from(!forward[0]) + 2 * usize::from(!forward[1])
 }
 
 impl FrustumMap {
-    /// Creates a frustum map from baked planes, row by row from the top: tops in heights, and
-    /// slopes in heights a texel for the quadrants in the order of [`quadrant`].
+    /// Creates a frustum map from baked planes, which have one value per dual cell. A dual cell
+    /// `(i, j)` lies between the centres of texels `(i, j)` and `(i + 1, j + 1)`.
+    ///
+    /// `size` is the height map's columns and rows, and `wrap` is its wrap. There is a dual cell
+    /// for each texel. Planes are stored row by row from the top.
+    ///
+    /// `top` is the greatest of a cell's four heights, as texels give them. `slopes` has a plane
+    /// for each quadrant, in the order of [`quadrant`], in heights per texel. Over the quadrant the
+    /// surface lies at most at `top + slope * d`. There `d` is the Chebyshev distance from the cell
+    /// in texels.
     ///
     /// # Errors
     ///
@@ -85,17 +94,19 @@ impl FrustumMap {
         Self { size: [map.width(), map.height()], wrap: map.wrap(), top, slopes }
     }
 
-    /// Returns the tops of all cells, row by row.
+    /// Returns the tops of all dual cells, in heights, row by row from the top.
     pub fn top(&self) -> &[f32] {
         &self.top
     }
 
-    /// Returns the least slopes of all cells in a quadrant, row by row.
+    /// Returns the least slopes of all dual cells in a quadrant, in heights per texel, row by row.
+    /// `forward` says whether the quadrant goes forward along `u` and along `v`.
     pub fn slopes(&self, forward: [bool; 2]) -> &[f32] {
         &self.slopes[quadrant(forward)]
     }
 
-    /// Returns the planes: tops, and slopes in the order of [`quadrant`].
+    /// Returns the planes as [`new`](Self::new) takes them: tops in heights, and slopes in heights
+    /// per texel in the order of [`quadrant`].
     pub fn into_planes(self) -> (Vec<f32>, [Vec<f32>; 4]) {
         (self.top, self.slopes)
     }

@@ -67,7 +67,8 @@ impl Visibility {
         &self.directions
     }
 
-    /// Returns the texel, counted row by row, that a texel sees in a direction; `None` for the sky.
+    /// Returns the texel that a texel sees in a direction; `None` for the sky. Both texels are
+    /// numbers `row * width + column`. `direction` is an index in [`directions`](Self::directions).
     pub fn seen(&self, texel: usize, direction: usize) -> Option<usize> {
         let seen = self.seen[direction * self.texels + texel];
         (seen != SKY).then_some(seen as usize)

@@ -78,7 +78,8 @@ impl Colors {
         }
     }
 
-    /// Reads the material and colours of a primitive with `count` vertices.
+    /// Reads the material and colours of a primitive with `count` vertices. The memory of its lists
+    /// counts against the limit of `builder`.
     pub fn of_primitive(
         &mut self,
         primitive: &Primitive<'_>,
@@ -137,7 +138,8 @@ impl Colors {
         Ok(OfPrimitive { material: place, uvs, tints })
     }
 
-    /// Adds a triangle with the given corners of its primitive.
+    /// Adds the next triangle of the mesh. `corners` are indices of its vertices in the primitive
+    /// `of`. The memory counts against the limit of `builder`.
     pub fn triangle(
         &mut self,
         of: &OfPrimitive,
@@ -165,8 +167,19 @@ impl Colors {
         Ok(())
     }
 
-    /// Returns the colours of all triangles, with their pictures; none if no material and no vertex
-    /// has any.
+    /// Returns the colours of all triangles, with their pictures. `None` if no triangle has a
+    /// material and no vertex has a colour.
+    ///
+    /// Call it after [`triangle`](Self::triangle) for every triangle. `document` is the glTF file.
+    /// Pictures are read from `buffers`, and their memory counts against the limit of `builder`.
+    /// Remarks on everything left out are added to `notes`.
+    ///
+    /// Factors and colours of vertices are linear. Where a triangle's first texture coordinate is
+    /// NaN, the triangle has the mesh's own coordinates: the caller fills them in.
+    ///
+    /// # Errors
+    ///
+    /// When a material or a picture is damaged, or the memory exceeds its limit.
     pub fn finish(
         mut self,
         document: &Document,

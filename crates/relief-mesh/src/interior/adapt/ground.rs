@@ -4,8 +4,8 @@
 use super::delaunay::Delaunay;
 use crate::Judge;
 
-/// Distance of the surface from a triangle along the direction of displacement, positive where the
-/// surface is above.
+/// Distance of the surface from a triangle along the direction of displacement, in heights of the
+/// map. Positive where the surface is above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap<P = [f64; 2]> {
     pub height: f64,
@@ -13,7 +13,7 @@ pub struct Gap<P = [f64; 2]> {
     pub place: P,
 }
 
-/// Greatest and least distance of the surface from a triangle or line.
+/// Greatest and least distance of the surface from a triangle or line, with their signs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gaps<P = [f64; 2]> {
     pub above: Gap<P>,
@@ -28,7 +28,7 @@ impl<P: Copy + Default> Gaps<P> {
         Self { above, below }
     }
 
-    /// Adds a distance.
+    /// Adds a distance, in heights of the map, at `place`.
     pub fn take(&mut self, height: f64, place: impl Fn() -> P) {
         if height > self.above.height {
             self.above = Gap { height, place: place() };
@@ -38,13 +38,16 @@ impl<P: Copy + Default> Gaps<P> {
         }
     }
 
-    /// Returns both distances, widened by the bend of the triangle.
+    /// Returns the greatest and the least distance, in this order, widened by the triangle's bend.
+    ///
+    /// `bend` is the bound that `Ground::bend` returns, at least 0, in heights of the map. It is
+    /// added to the greatest distance and subtracted from the least.
     pub fn bent(self, bend: f64) -> [Gap<P>; 2] {
         let Self { above, below } = self;
         [Gap { height: above.height + bend, ..above }, Gap { height: below.height - bend, ..below }]
     }
 
-    /// Returns the distance of greater absolute value, if there is any.
+    /// Returns the distance of greater absolute value, with its sign. `None` if there is none.
     pub fn worst(&self) -> Option<Gap<P>> {
         let gap = if self.above.height >= -self.below.height { self.above } else { self.below };
         gap.height.is_finite().then_some(gap)
@@ -75,7 +78,7 @@ pub trait Ground {
     /// Returns the distance between insertable points, in steps.
     fn step(&self, judge: Judge) -> i32;
 
-    /// Returns the height of the surface at a point.
+    /// Returns the height of the surface at a point, in heights of the map.
     fn height(&self, point: [i32; 2]) -> f64;
 
     /// Returns an upper bound on the numbers of the centres of texels.
@@ -103,8 +106,8 @@ pub trait Ground {
     /// Returns whether a triangle is left out because its middle lies over a hole.
     fn is_left_out(&self, corners: [Corner; 3]) -> bool;
 
-    /// Returns a bound on how much farther the surface may be than the distances say, as the
-    /// direction of displacement turns over the triangle.
+    /// Returns a bound on how much farther the surface may be than the distances say, in heights of
+    /// the map. The reason is that the direction of displacement turns over the triangle.
     fn bend(&self, _corners: [Corner; 3]) -> f64 {
         0.0
     }

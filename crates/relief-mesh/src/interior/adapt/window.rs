@@ -20,8 +20,13 @@ pub struct Window {
 }
 
 impl Window {
-    /// Creates a window over a tile between two places, in steps. The first place lies in the first
-    /// cell, the last in the last. `height` returns the height at a corner.
+    /// Creates a window over a tile from place `from` to place `to`, in steps of 1/16 of a cell.
+    ///
+    /// Both are counted from the window's first corner. `from` lies in the first cell, from 0 to
+    /// [`STEPS`] along both axes. `to` is greater and lies in the last cell.
+    ///
+    /// `height` returns the height of the map at corner `[column, row]` of the window. The caller
+    /// adds the place of the window's first corner, and wraps the result into the map.
     pub fn new(from: [i32; 2], to: [i32; 2], mut height: impl FnMut([usize; 2]) -> f32) -> Self {
         let corners = to.map(|to| ((to + STEPS - 1) / STEPS + 1) as usize);
         let mut heights = Vec::with_capacity(corners[0] * corners[1]);
@@ -32,7 +37,7 @@ impl Window {
         Self { corners, heights, holes: Vec::new(), from, to }
     }
 
-    /// Adds holes: `is_hole` says which cells are holes.
+    /// Adds holes. `is_hole` says whether cell `[column, row]` of the window is a hole.
     #[must_use]
     pub fn with_holes(mut self, mut is_hole: impl FnMut([usize; 2]) -> bool) -> Self {
         let [across, down] = self.corners.map(|corners| corners - 1);
@@ -48,13 +53,14 @@ impl Window {
         !self.holes.is_empty()
     }
 
-    /// Returns whether the cell at a place, in cells, is a hole.
+    /// Returns whether the cell at a place is a hole. The place is in cells from the window's first
+    /// corner.
     pub fn is_hole(&self, place: [f64; 2]) -> bool {
         let [i, j] = self.cell_at(place).map(|at| at as usize);
         self.holes.get(j * (self.corners[0] - 1) + i).is_some_and(|is_hole| *is_hole)
     }
 
-    /// Returns the corners that touch both holes and other cells.
+    /// Returns the corners that touch both holes and other cells, as `[column, row]` in the window.
     pub fn outline(&self) -> impl Iterator<Item = [i32; 2]> + use<'_> {
         let [across, down] =
             if self.has_holes() { self.corners.map(|corners| corners as i32) } else { [0; 2] };
@@ -71,17 +77,19 @@ impl Window {
         &self.heights[..self.corners[0] * self.corners[1]]
     }
 
-    /// Returns the heights at a row of corners.
+    /// Returns the heights at row `j` of the window's corners.
     pub fn row(&self, j: usize) -> &[f32] {
         &self.heights[j * self.corners[0]..][..self.corners[0]]
     }
 
-    /// Returns the heights at four corners, from the corner number `at` onward.
+    /// Returns the heights at four corners, from the corner with the index `at` onward. Corners are
+    /// counted row by row.
     pub fn four(&self, at: i32) -> &[f32; 4] {
         self.heights[at as usize..].first_chunk().unwrap_or(&[0.0; 4])
     }
 
-    /// Returns the heights at the corners of a cell: `h00`, `h10`, `h01`, `h11`.
+    /// Returns the heights at the corners of cell `[i, j]`, column and row in the window: `h00`,
+    /// `h10`, `h01`, `h11`. The first digit is along the row.
     pub fn cell(&self, [i, j]: [i32; 2]) -> [f64; 4] {
         let at = j as usize * self.corners[0] + i as usize;
         let below = at + self.corners[0];
@@ -104,13 +112,14 @@ impl Window {
         self.corners[1]
     }
 
-    /// Returns the cell at a place, in cells. A place that rounding put beyond the border is in the
-    /// cell at the border.
+    /// Returns column and row of the cell at a place. The place is in cells from the window's first
+    /// corner. A place that rounding put beyond the border is in the cell at the border.
     pub fn cell_at(&self, place: [f64; 2]) -> [i32; 2] {
         [0, 1].map(|axis| (place[axis].floor() as i32).clamp(0, self.corners[axis] as i32 - 2))
     }
 
-    /// Returns the height at a lattice point.
+    /// Returns the height of the bilinear surface at a lattice point of the window, in heights of
+    /// the map. The point is in steps from the window's first corner.
     pub fn height_at(&self, point: [i32; 2]) -> f64 {
         let cell = [0, 1].map(|axis| (point[axis] / STEPS).min(self.corners[axis] as i32 - 2));
         let part = |axis: usize| f64::from(point[axis] - STEPS * cell[axis]) / f64::from(STEPS);
