@@ -36,8 +36,8 @@ impl Affine {
     /// Identity.
     pub const SAME: Affine = Affine { linear: DMat2::IDENTITY, offset: DVec2::ZERO };
 
-    /// Returns the map from a triangle's texture coordinates in the mesh to coordinates in its picture.
-    /// `None` if the triangle has no area in the mesh's coordinates.
+    /// Returns the map from a triangle's texture coordinates in the mesh to coordinates in its
+    /// picture. `None` if the triangle has no area in the mesh's coordinates.
     pub fn of_triangle(mesh: &Mesh, colors: &MeshColors, triangle: u32) -> Option<Self> {
         let Some(corners) = colors.uvs.get(triangle as usize) else { return Some(Self::SAME) };
         let [a, b, c] = mesh.corners(triangle).map(|corner| corner.uv.as_dvec2());
