@@ -275,7 +275,8 @@ fn an_error_in_metres_holds_between_the_texels() {
     assert!(farthest(std::slice::from_ref(&named)).0 <= 1.0 + BITS_M && named.triangles.len() > 100);
     assert_eq!(named.about["metres"]["from"], "tile-size");
     // The codes of a picture are no heights on the ground, whatever size its tile has.
-    let picture = mesh_of(&folder, "none.png --tile-size 400,240 --scale 5m --texels 4");
+    folder.write("codes.png", crate::common::maps::Map::hills().png());
+    let picture = mesh_of(&folder, "codes.png --tile-size 400,240 --scale 5m --texels 4");
     assert_eq!(picture.about["metres"]["from"], "tile-size");
     assert_eq!(picture.about["metres"]["exaggeration"], Value::Null);
 }
