@@ -256,7 +256,7 @@ fn a_file_of_integers_that_would_be_wrong_is_not_written() {
         };
         let written = write_glb(&path, &layout, |sink| blocks.iter().try_for_each(&mut *sink));
         let problem = written.expect_err("it lies beyond").problem.to_string();
-        assert!(problem.contains("beyond"), "{problem}");
+        assert!(problem.contains("outside"), "{problem}");
     }
     assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 0);
 }
