@@ -115,7 +115,7 @@ impl PreparedSurface<'_> {
                 next.clear();
                 for (number, block) in blocks.iter_mut().enumerate() {
                     block.take(|triangle, place| {
-                        next.push(ShellRay { triangle, block: number as u32, place })
+                        next.push(ShellRay { triangle, block: number as u32, place });
                     });
                 }
                 if next.is_empty() {
