@@ -91,7 +91,7 @@ impl Layer {
     /// Every layer.
     pub const ALL: [Layer; 2] = [Layer::Nearest, Layer::Outermost];
 
-    /// Returns the name used on the command line.
+    /// Returns the name of this layer, as files and the command spell it: `nearest` or `outermost`.
     pub const fn name(self) -> &'static str {
         match self {
             Layer::Nearest => "nearest",

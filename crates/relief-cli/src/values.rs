@@ -84,23 +84,26 @@ pub fn setting(text: &str) -> Result<(String, f64), String> {
     Ok((key.to_owned(), value))
 }
 
-/// Reads a part of a material: `diffuse=R,G,B`, `specular=R,G,B` or `shininess=N`.
+/// Reads a value of a material, such as `base=R,G,B`, `roughness=N` or `shininess=N`.
 pub fn material(text: &str) -> Result<MaterialSpec, String> {
-    let form = "diffuse=R,G,B, specular=R,G,B or shininess=N";
+    let form =
+        "base=R,G,B, roughness=N, metallic=N, emission=R,G,B, diffuse=R,G,B, specular=R,G,B or shininess=N";
     let (part, value) = text.split_once('=').ok_or_else(|| format!("write it as {form}"))?;
-    let none = MaterialSpec::default();
-    match part.trim() {
-        "diffuse" => Ok(MaterialSpec { diffuse: Some(numbers(value, form)?), ..none }),
-        "specular" => Ok(MaterialSpec { specular: Some(numbers(value, form)?), ..none }),
-        "shininess" => {
-            let [shininess] = numbers(value, form)?;
-            Ok(MaterialSpec { shininess: Some(shininess), ..none })
-        }
-        other => {
-            Err(UnknownName::new("part of a material", other, ["diffuse", "specular", "shininess"])
-                .to_string())
-        }
+    let part = part.trim();
+    let mut spec = MaterialSpec::default();
+    let colour = || numbers(value, form).map(Some);
+    let number = || numbers(value, form).map(|[number]: [f32; 1]| Some(number));
+    match part {
+        "diffuse" => spec.diffuse = colour()?,
+        "specular" => spec.specular = colour()?,
+        "shininess" => spec.shininess = numbers(value, form).map(|[number]| Some(number))?,
+        "base" => spec.base = colour()?,
+        "roughness" => spec.roughness = number()?,
+        "metallic" => spec.metallic = number()?,
+        "emission" => spec.emission = colour()?,
+        other => return Err(UnknownName::new("part of a material", other, MaterialSpec::PARTS).to_string()),
     }
+    Ok(spec)
 }
 
 /// Reads a point light: `X,Y,Z`, white with intensity 1, or `X,Y,Z,R,G,B`.
@@ -144,8 +147,10 @@ mod tests {
         assert_eq!(material("shininess=7"), Ok(MaterialSpec { shininess, ..MaterialSpec::default() }));
         let diffuse = Some([1.0, 0.5, 0.0]);
         assert_eq!(material("diffuse = 1, 0.5,0"), Ok(MaterialSpec { diffuse, ..MaterialSpec::default() }));
+        let roughness = Some(0.25);
+        assert_eq!(material("roughness=0.25"), Ok(MaterialSpec { roughness, ..MaterialSpec::default() }));
         assert!(
-            ["", "diffuse", "diffuse=1", "shininess=1.5", "difuse=1,1,1"]
+            ["", "diffuse", "diffuse=1", "shininess=1.5", "difuse=1,1,1", "metallic=1,1", "rough=1"]
                 .iter()
                 .all(|bad| material(bad).is_err())
         );

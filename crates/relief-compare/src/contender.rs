@@ -70,8 +70,8 @@ impl Contender {
         named.filter_map(Result::ok).collect()
     }
 
-    /// Returns a copy with `steps` steps: of its search, or the search's limit, or of its
-    /// refinement. `None` if it has none of these.
+    /// Returns a copy with `steps` steps, at least 1: as many slices, else steps of its search, else the
+    /// search's limit, else steps of its refinement. `None` if it has none of these.
     ///
     /// # Errors
     ///

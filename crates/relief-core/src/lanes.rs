@@ -71,9 +71,8 @@ impl Lanes {
     /// Runs `op` compiled for vectors of this width, and returns its result.
     ///
     /// Only code that is inlined into `op` is compiled for the width. Long closures are not
-    /// inlined. Use a type whose `with_simd` is `#[inline(always)]`. If the machine lacks the
-    /// width, x86-64 runs `op` one number at a time; other processors use the vectors that they
-    /// have.
+    /// inlined. Use a type whose `with_simd` is `#[inline(always)]`. A machine that
+    /// lacks the width uses the next smaller one that it has, down to one number at a time.
     #[inline(always)]
     pub fn run<Op: WithSimd>(self, op: Op) -> Op::Output {
         #[cfg(target_arch = "x86_64")]
@@ -102,7 +101,7 @@ impl Lanes {
         op.with_simd(pulp::Scalar::new())
     }
 
-    /// Number of lanes.
+    /// Returns the number of lanes, from 1 to 16.
     pub const fn count(self) -> usize {
         match self {
             Self::One => 1,

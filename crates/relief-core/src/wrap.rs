@@ -25,7 +25,7 @@ impl Wrap {
     /// All wraps, in the order of the shaders' numbers.
     pub const ALL: [Wrap; 3] = [Wrap::Repeat, Wrap::Clamp, Wrap::Mirror];
 
-    /// Name on the command line and in scenes.
+    /// Returns the name of this wrap, as scenes spell it: `repeat`, `clamp` or `mirror`.
     pub const fn name(self) -> &'static str {
         match self {
             Wrap::Repeat => "repeat",

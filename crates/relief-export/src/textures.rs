@@ -51,6 +51,9 @@ pub fn need(binding: &Binding, needs: &[MapNeed], options: &Options) -> Option<T
         ("normal_map", _) => {
             (PICTURES, text("surface_settings.normal_levels", "1; 2 if there is more than one level"))
         }
+        ("material_map", _) => {
+            (PICTURES, text("surface_settings.material_levels", "1; 2 if there is a map of emission"))
+        }
         (_, Some(MapSlot::Environment)) => (PICTURES, text("surface_settings.environment_levels", "6")),
         (_, Some(MapSlot::Lights)) => (KEYS, text("1", "one for each shadow map")),
         (_, Some(MapSlot::Object)) => (PLACES, text("1", "1")),

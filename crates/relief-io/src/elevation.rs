@@ -52,7 +52,8 @@ impl GridTransform {
     }
 
     /// Returns the six numbers `a b c d e f` of `x = a column + b row + c` and `y = d column + e
-    /// row + f`.
+    /// row + f`. `x` and `y` are in the file's coordinate system. Columns and rows count from the
+    /// outer corner of the first texel, so its centre is at one half.
     pub fn affine(&self) -> [f64; 6] {
         let Self { origin: [c, f], column: [a, d], row: [b, e] } = *self;
         [a, b, c, d, e, f]

@@ -27,7 +27,7 @@ pub enum Convention {
 }
 
 impl Convention {
-    /// Name used on the command line.
+    /// Returns the name of this convention, as files and the command spell it: `height` or `depth`.
     pub const fn name(self) -> &'static str {
         match self {
             Convention::Height => "height",

@@ -21,7 +21,7 @@ pub enum GreenSign {
 }
 
 impl GreenSign {
-    /// Name used on the command line.
+    /// Returns the name of this direction, as files and the command spell it: `+y` or `-y`.
     pub const fn name(self) -> &'static str {
         match self {
             GreenSign::PlusY => "+y",

@@ -46,6 +46,8 @@ pub struct JobSurface {
     /// The normal map, if any. Without one, and if a stage reads them, normals derived from the
     /// height map, from its second level on.
     pub normal_map: Option<Arc<Mipmaps>>,
+    /// Maps of the material, if any are read: occlusion, roughness and metalness, then emission.
+    pub material_maps: Option<Arc<Mipmaps>>,
     /// The baked maps that the selection reads, and the environment map if it is visible. A GPU
     /// renderer builds a missing pyramid of heights itself.
     pub maps: Vec<(MapSlot, Arc<BakedMap>)>,
@@ -114,6 +116,7 @@ impl JobSurface {
             hole_map: HoleTexture::new(self.holes().map(Arc::as_ref)),
             color_map,
             normal_map,
+            material_map: self.material_maps.as_deref().map_or(ColorTexture::BLANK, of_levels),
             maps: self.maps.iter().map(|(slot, map)| (*slot, &**map)).chain(lights).collect(),
         }
     }

@@ -6,6 +6,7 @@ use relief_bake::kind::normal::{Axes, Derivative, normals};
 use relief_core::area_mean::{coarser, coarser_of, coarser_size, level_count};
 use relief_core::{HeightMap, Metric, Watch};
 use relief_io::Picture;
+use relief_scene::material_maps::MaterialMaps;
 
 /// Least `z` of a unit normal from which slopes are computed. Slopes are at most 20, as steep as 87
 /// degrees.
@@ -99,6 +100,22 @@ impl Mipmaps {
         Some(Self { size, layers: 2, finest: None, levels: chain(second, size) })
     }
 
+    /// Creates the maps of a material, in one layer or, with emission, in two. `levels` says whether
+    /// there are coarser ones.
+    pub fn of_materials(maps: &MaterialMaps, levels: bool) -> Self {
+        let size = maps.size();
+        let layers = 1 + usize::from(maps.has_emission());
+        let levels = match (levels, layers) {
+            (true, 1) => chain(maps.texels().iter().map(|texel| texel.as_chunks::<4>().0[0]).collect(), size),
+            (true, _) => chain(maps.texels().to_vec(), size),
+            (false, _) => {
+                let layer = |of| maps.texels().iter().map(move |texel| texel.as_chunks::<4>().0[of]);
+                (0..layers).flat_map(layer).collect()
+            }
+        };
+        Self { size, layers, finest: None, levels }
+    }
+
     /// Returns columns and rows of the finest level.
     pub fn size(&self) -> [u32; 2] {
         self.size
@@ -111,7 +128,7 @@ impl Mipmaps {
 
     /// Returns the number of levels.
     pub fn levels(&self) -> u32 {
-        if self.finest.is_some() && self.levels.is_empty() { 1 } else { level_count(self.size) }
+        if self.coarser().is_empty() { 1 } else { level_count(self.size) }
     }
 
     /// Returns the texels of the finest level, in one layer or in all.

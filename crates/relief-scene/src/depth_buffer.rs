@@ -19,7 +19,7 @@ impl Clip {
     /// Both choices, in the order in which help lists them.
     pub const ALL: [Clip; 2] = [Clip::Standard, Clip::Reversed];
 
-    /// Returns the name used on the command line and in scene files.
+    /// Returns the name of this depth convention, as scenes spell it: `standard` or `reversed`.
     pub const fn name(self) -> &'static str {
         match self {
             Clip::Standard => "standard",

@@ -27,6 +27,7 @@ pub mod depth_buffer;
 pub mod environment;
 pub mod light;
 pub mod material;
+pub mod material_maps;
 mod scene;
 pub mod shadow_map;
 pub mod tone;

@@ -20,7 +20,7 @@ impl Tone {
     /// All curves, in the order in which help lists them.
     pub const ALL: [Tone; 2] = [Tone::None, Tone::Agx];
 
-    /// Returns the name used on the command line and in scene files.
+    /// Returns the name of this tone curve, as files and the command spell it: `none` or `agx`.
     pub const fn name(self) -> &'static str {
         match self {
             Tone::None => "none",

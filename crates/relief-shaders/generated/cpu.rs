@@ -690,6 +690,65 @@ impl MapSettings {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// The material at a hit, read once for all lights. All colours are linear RGB.
+pub struct Material {
+    /// The part of the light that is scattered in all directions, and the part that passes through the
+    /// surface.
+    pub diffuse: rt::Vec3<f32>,
+    pub transmitted: rt::Vec3<f32>,
+    /// The highlight's colour, or the part of the light that is reflected along the normal.
+    pub specular: rt::Vec3<f32>,
+    /// The part of a light that is the same from all around that leaves toward the eye.
+    pub around: rt::Vec3<f32>,
+    /// Light that the surface gives by itself.
+    pub emission: rt::Vec3<f32>,
+    /// The part of the light from all around that arrives, by the material's map.
+    pub occlusion: f32,
+    /// The square of alpha, the width of the facets' distribution.
+    pub squared_alpha: f32,
+    /// The cosine between the normal and the view, at least a little, and its share in the part of facets
+    /// that others hide.
+    pub upright: f32,
+    pub masking: f32,
+    /// The light that facets reflect more than once, as a part of the light reflected once by facets of
+    /// specular colour 1.
+    pub again: f32,
+}
+impl Material {
+    pub fn new(
+        diffuse: impl rt::Into<rt::Vec3<f32>>,
+        transmitted: impl rt::Into<rt::Vec3<f32>>,
+        specular: impl rt::Into<rt::Vec3<f32>>,
+        around: impl rt::Into<rt::Vec3<f32>>,
+        emission: impl rt::Into<rt::Vec3<f32>>,
+        occlusion: impl rt::Into<f32>,
+        squared_alpha: impl rt::Into<f32>,
+        upright: impl rt::Into<f32>,
+        masking: impl rt::Into<f32>,
+        again: impl rt::Into<f32>,
+    ) -> Self {
+        Self { diffuse: rt::into(diffuse), transmitted: rt::into(transmitted), specular: rt::into(specular), around: rt::into(around), emission: rt::into(emission), occlusion: rt::into(occlusion), squared_alpha: rt::into(squared_alpha), upright: rt::into(upright), masking: rt::into(masking), again: rt::into(again) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// The mirrored part of the light from all around.
+pub struct Mirrored {
+    /// The part of the light that is reflected.
+    pub part: rt::Vec3<f32>,
+    /// The deviation of facets from the normal, in radians.
+    pub lean: f32,
+}
+impl Mirrored {
+    pub fn new(
+        part: impl rt::Into<rt::Vec3<f32>>,
+        lean: impl rt::Into<f32>,
+    ) -> Self {
+        Self { part: rt::into(part), lean: rt::into(lean) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The means of the normals n and the slopes s in an area, in tangent space. n is (-sx, -sy, 1) nz.
 pub struct Normals {
     /// nx, ny, nz, sx
@@ -1014,24 +1073,31 @@ pub struct SurfaceSettings {
     pub choices: [Choice; 11],
     /// For each slot of baked maps.
     pub maps: [MapSettings; 8],
+    /// Linear RGB. For `metallic-roughness`, the base colour, and the reflection of materials that
+    /// are no metals.
     pub diffuse: rt::Vec4<f32>,
     pub specular: rt::Vec4<f32>,
+    /// Light that the surface gives by itself, linear RGB.
+    pub emission: rt::Vec4<f32>,
     /// Rows that turn texture coordinates (u, v) into the colour map's coordinates: x u + y v + z
     /// each.
     pub color_u: rt::Vec4<f32>,
     pub color_v: rt::Vec4<f32>,
-    /// Columns and rows of the height map, the colour map and the normal map.
+    /// Columns and rows of the height map, the colour map, the normal map and the material map.
     pub height_size: rt::Vec2<u32>,
     pub color_size: rt::Vec2<u32>,
     pub normal_size: rt::Vec2<u32>,
+    pub material_size: rt::Vec2<u32>,
     /// Levels of detail of each, at least 1. Normals derived from heights begin at level 1 of the
     /// height map, which is the finest level of the normal map.
     pub height_levels: u32,
     pub color_levels: u32,
     pub normal_levels: u32,
-    /// Texels of the colour map and of the normal map per texel of the height map.
+    pub material_levels: u32,
+    /// Texels of the colour map, the normal map and the material map per texel of the height map.
     pub color_texels: f32,
     pub normal_texels: f32,
+    pub material_texels: f32,
     /// Metres of a tile along u and v for which normals were derived.
     pub normal_tile_m: rt::Vec2<f32>,
     /// Wrap of the height map and the normal map, then of the colour map along both of its axes.
@@ -1039,6 +1105,12 @@ pub struct SurfaceSettings {
     pub color_wrap_u: u32,
     pub color_wrap_v: u32,
     pub shininess: u32,
+    /// Roughness and metalness, each from 0 to 1; factors on the material map's.
+    pub roughness: f32,
+    pub metallic: f32,
+    /// 1 if the first layer of the material map is read: occlusion, roughness and metalness. 2 if
+    /// the second one is: emission. 3 for both.
+    pub has_material: u32,
     pub has_color: u32,
     pub has_normal: u32,
     /// 1 if hits in holes of the height map are misses; 2 if hits where the colour map's opacity is
@@ -1084,21 +1156,28 @@ impl SurfaceSettings {
         maps: impl rt::Into<[MapSettings; 8]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
+        emission: impl rt::Into<rt::Vec4<f32>>,
         color_u: impl rt::Into<rt::Vec4<f32>>,
         color_v: impl rt::Into<rt::Vec4<f32>>,
         height_size: impl rt::Into<rt::Vec2<u32>>,
         color_size: impl rt::Into<rt::Vec2<u32>>,
         normal_size: impl rt::Into<rt::Vec2<u32>>,
+        material_size: impl rt::Into<rt::Vec2<u32>>,
         height_levels: impl rt::Into<u32>,
         color_levels: impl rt::Into<u32>,
         normal_levels: impl rt::Into<u32>,
+        material_levels: impl rt::Into<u32>,
         color_texels: impl rt::Into<f32>,
         normal_texels: impl rt::Into<f32>,
+        material_texels: impl rt::Into<f32>,
         normal_tile_m: impl rt::Into<rt::Vec2<f32>>,
         wrap: impl rt::Into<u32>,
         color_wrap_u: impl rt::Into<u32>,
         color_wrap_v: impl rt::Into<u32>,
         shininess: impl rt::Into<u32>,
+        roughness: impl rt::Into<f32>,
+        metallic: impl rt::Into<f32>,
+        has_material: impl rt::Into<u32>,
         has_color: impl rt::Into<u32>,
         has_normal: impl rt::Into<u32>,
         has_holes: impl rt::Into<u32>,
@@ -1120,7 +1199,7 @@ impl SurfaceSettings {
         jump: impl rt::Into<f32>,
         cutoff: impl rt::Into<f32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), color_u: rt::into(color_u), color_v: rt::into(color_v), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), color_wrap_u: rt::into(color_wrap_u), color_wrap_v: rt::into(color_wrap_v), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels), images: rt::into(images), solids: rt::into(solids), cells: rt::into(cells), jump: rt::into(jump), cutoff: rt::into(cutoff) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), emission: rt::into(emission), color_u: rt::into(color_u), color_v: rt::into(color_v), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), material_size: rt::into(material_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), material_levels: rt::into(material_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), material_texels: rt::into(material_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), color_wrap_u: rt::into(color_wrap_u), color_wrap_v: rt::into(color_wrap_v), shininess: rt::into(shininess), roughness: rt::into(roughness), metallic: rt::into(metallic), has_material: rt::into(has_material), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels), images: rt::into(images), solids: rt::into(solids), cells: rt::into(cells), jump: rt::into(jump), cutoff: rt::into(cutoff) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -1568,6 +1647,8 @@ pub(crate) struct Resources<'g> {
     pub(crate) hole_map: rt::HoleTexture<'g>,
     #[doc = "group(0) binding(11)"]
     pub(crate) light_map: rt::MapTexture<'g>,
+    #[doc = "group(0) binding(16)"]
+    pub(crate) material_map: rt::ColorTexture<'g>,
     #[doc = "group(0) binding(3)"]
     pub(crate) normal_map: rt::ColorTexture<'g>,
     #[doc = "group(0) binding(12)"]
@@ -2209,10 +2290,10 @@ impl<'g> Resources<'g> {
         hit: Hit,
         normal: impl rt::Into<rt::Vec3<f32>>,
         view: impl rt::Into<rt::Vec3<f32>>,
-        color_1: impl rt::Into<rt::Vec3<f32>>,
+        material: Material,
         params: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_bent_normal(at_4, hit, rt::into(normal), rt::into(view), rt::into(color_1), rt::into(params)))
+        rt::into(self.v_ambient_bent_normal(at_4, hit, rt::into(normal), rt::into(view), material, rt::into(params)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -2222,13 +2303,13 @@ impl<'g> Resources<'g> {
         hit: Hit,
         normal: rt::Vec3<f32>,
         view: rt::Vec3<f32>,
-        color_1: rt::Vec3<f32>,
+        material: Material,
         params: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.v_ambient_texel_between(hit.uv, rt::Scalar(at_4.level));
         let _e10 = self.v_from_tangent_space(at_4, _e8.xyz());
         let _e13 = self.frame.ambient;
-        return ((_e13.xyz() * color_1) * normal.dot(_e10).max(rt::Scalar(0f32)));
+        return ((_e13.xyz() * material.around) * normal.dot(_e10).max(rt::Scalar(0f32)));
     }
     pub(crate) fn ambient_bounce(
         &self,
@@ -2236,10 +2317,10 @@ impl<'g> Resources<'g> {
         hit_1: Hit,
         normal_1: impl rt::Into<rt::Vec3<f32>>,
         view_1: impl rt::Into<rt::Vec3<f32>>,
-        color_2: impl rt::Into<rt::Vec3<f32>>,
+        material_1: Material,
         params_1: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_bounce(at_5, hit_1, rt::into(normal_1), rt::into(view_1), rt::into(color_2), rt::into(params_1)))
+        rt::into(self.v_ambient_bounce(at_5, hit_1, rt::into(normal_1), rt::into(view_1), material_1, rt::into(params_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -2249,12 +2330,12 @@ impl<'g> Resources<'g> {
         hit_1: Hit,
         normal_1: rt::Vec3<f32>,
         view_1: rt::Vec3<f32>,
-        color_2: rt::Vec3<f32>,
+        material_1: Material,
         params_1: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        let _e13 = self.v_ambient_texel_between(hit_1.uv, rt::Scalar(at_5.level));
-        return ((_e8.xyz() * color_2) * _e13.x());
+        let _e14 = self.v_ambient_texel_between(hit_1.uv, rt::Scalar(at_5.level));
+        return ((_e8.xyz() * material_1.around) * _e14.x());
     }
     pub(crate) fn ambient_constant(
         &self,
@@ -2262,10 +2343,10 @@ impl<'g> Resources<'g> {
         hit_2: Hit,
         normal_2: impl rt::Into<rt::Vec3<f32>>,
         view_2: impl rt::Into<rt::Vec3<f32>>,
-        color_3: impl rt::Into<rt::Vec3<f32>>,
+        material_2: Material,
         params_2: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_constant(at_6, hit_2, rt::into(normal_2), rt::into(view_2), rt::into(color_3), rt::into(params_2)))
+        rt::into(self.v_ambient_constant(at_6, hit_2, rt::into(normal_2), rt::into(view_2), material_2, rt::into(params_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -2275,11 +2356,144 @@ impl<'g> Resources<'g> {
         hit_2: Hit,
         normal_2: rt::Vec3<f32>,
         view_2: rt::Vec3<f32>,
-        color_3: rt::Vec3<f32>,
+        material_2: Material,
         params_2: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        return (_e8.xyz() * color_3);
+        return (_e8.xyz() * material_2.around);
+    }
+    pub(crate) fn cosine_inside(&self, cosine: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_cosine_inside(rt::into(cosine)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_cosine_inside(&self, cosine: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let _e3 = rt::Scalar(self.surface_settings.ior);
+        let eta = (rt::Scalar(1f32) / _e3);
+        return (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine * cosine)))).max(rt::Scalar(0f32)).sqrt();
+    }
+    pub(crate) fn fresnel(&self, cosine_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_fresnel(rt::into(cosine_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_fresnel(&self, cosine_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let ior = rt::Scalar(self.surface_settings.ior);
+        let _e4 = self.v_cosine_inside(cosine_1);
+        let across_1 = ((cosine_1 - (ior * _e4)) / (cosine_1 + (ior * _e4)).max(rt::Scalar(0.000001f32)));
+        let along_21 = (((ior * cosine_1) - _e4) / ((ior * cosine_1) + _e4).max(rt::Scalar(0.000001f32)));
+        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_21);
+        return (rt::Scalar(0.5f32) * waves.dot(waves));
+    }
+    pub(crate) fn shade_blinn_phong_mirrored(
+        &self,
+        material_3: Material,
+        mean: impl rt::Into<rt::Scalar<f32>>,
+        cosine_2: impl rt::Into<rt::Scalar<f32>>,
+        params_3: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Mirrored {
+        rt::into(self.v_shade_blinn_phong_mirrored(material_3, rt::into(mean), rt::into(cosine_2), rt::into(params_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_shade_blinn_phong_mirrored(
+        &self,
+        material_3: Material,
+        mean: rt::Scalar<f32>,
+        cosine_2: rt::Scalar<f32>,
+        params_3: rt::Vec4<f32>,
+    ) -> Mirrored {
+        let _e4 = self.v_fresnel(cosine_2);
+        let _e7 = rt::Scalar(self.surface_settings.shininess);
+        let lean = ((rt::Scalar(2f32) / (_e7.to_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean).max(rt::Scalar(0f32)))).sqrt();
+        return <Mirrored>::new(<rt::Vec3<f32>>::from_scalars(_e4, _e4, _e4), lean);
+    }
+    pub(crate) fn facet_reflection(
+        &self,
+        cosine_3: impl rt::Into<rt::Scalar<f32>>,
+        squared_alpha: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_facet_reflection(rt::into(cosine_3), rt::into(squared_alpha)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_facet_reflection(
+        &self,
+        cosine_3: rt::Scalar<f32>,
+        squared_alpha: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        let alpha = squared_alpha.sqrt();
+        let roughness = alpha.sqrt();
+        let x_4 = (cosine_3 / (cosine_3 + (rt::Scalar(0.65f32) * alpha)));
+        let a6_ = (rt::Scalar(0.1878f32) + (alpha * (rt::Scalar(-0.9742f32) + (alpha * (rt::Scalar(1.3709f32) + (alpha * rt::Scalar(-0.6017f32)))))));
+        let a0_ = (rt::Scalar(1.0034f32) + (alpha * (rt::Scalar(0.0071f32) + (alpha * a6_))));
+        let a1_ = (rt::Scalar(-0.4137f32) + (alpha * (rt::Scalar(-0.4144f32) + (alpha * (rt::Scalar(-0.877f32) + (alpha * (rt::Scalar(-1.6058f32) + (alpha * rt::Scalar(0.9124f32)))))))));
+        let a2_ = (rt::Scalar(2.5855f32) + (alpha * (rt::Scalar(0.3239f32) + (alpha * (rt::Scalar(2.4708f32) + (alpha * rt::Scalar(0.7166f32)))))));
+        let a3_ = (rt::Scalar(-8.9277f32) + (alpha * (rt::Scalar(-0.5518f32) + (alpha * rt::Scalar(-3.0114f32)))));
+        let a4_ = (rt::Scalar(11.8249f32) + (alpha * rt::Scalar(0.937f32)));
+        let all_1 = (a0_ + (x_4 * (a1_ + (x_4 * (a2_ + (x_4 * (a3_ + (x_4 * (a4_ + (x_4 * rt::Scalar(-5.0796f32)))))))))));
+        let b5_ = (rt::Scalar(3.4396f32) + (roughness * (rt::Scalar(-0.7093f32) + (roughness * rt::Scalar(-0.4004f32)))));
+        let b0_ = (rt::Scalar(1.1487f32) + (roughness * (rt::Scalar(-3.4586f32) + (roughness * b5_))));
+        let b1_ = (rt::Scalar(-0.6771f32) + (roughness * (rt::Scalar(5.7828f32) + (roughness * (rt::Scalar(-8.8951f32) + (roughness * rt::Scalar(4.2115f32)))))));
+        let b2_ = (rt::Scalar(0.558f32) + (roughness * (rt::Scalar(-7.0899f32) + (roughness * rt::Scalar(4.2721f32)))));
+        let b3_ = (rt::Scalar(0.1714f32) + (roughness * rt::Scalar(5.0718f32)));
+        let rest_3 = (b0_ + (x_4 * (b1_ + (x_4 * (b2_ + (x_4 * (b3_ + (x_4 * rt::Scalar(-0.1958f32)))))))));
+        let slant = (rt::Scalar(1f32) - cosine_3.min(rt::Scalar(1f32)));
+        let squared = (slant * slant);
+        let grazing = (((squared * squared) * slant) * rest_3);
+        return <rt::Vec2<f32>>::from_scalars((all_1 - grazing), grazing);
+    }
+    pub(crate) fn shade_metallic_roughness_mirrored(
+        &self,
+        material_4: Material,
+        mean_1: impl rt::Into<rt::Scalar<f32>>,
+        cosine_4: impl rt::Into<rt::Scalar<f32>>,
+        params_4: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Mirrored {
+        rt::into(self.v_shade_metallic_roughness_mirrored(material_4, rt::into(mean_1), rt::into(cosine_4), rt::into(params_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_shade_metallic_roughness_mirrored(
+        &self,
+        material_4: Material,
+        mean_1: rt::Scalar<f32>,
+        cosine_4: rt::Scalar<f32>,
+        params_4: rt::Vec4<f32>,
+    ) -> Mirrored {
+        let white = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
+        let _e10 = self.v_facet_reflection(rt::Scalar(material_4.upright), rt::Scalar(material_4.squared_alpha));
+        let part_9 = (((material_4.specular * _e10.x()) + (white * _e10.y())) * (white + (material_4.specular * rt::Scalar(material_4.again))));
+        return <Mirrored>::new(part_9, rt::Scalar(material_4.squared_alpha).sqrt());
+    }
+    pub(crate) fn shade_mirrored_stage(
+        &self,
+        material_5: Material,
+        mean_2: impl rt::Into<rt::Scalar<f32>>,
+        cosine_5: impl rt::Into<rt::Scalar<f32>>,
+    ) -> Mirrored {
+        rt::into(self.v_shade_mirrored_stage(material_5, rt::into(mean_2), rt::into(cosine_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_shade_mirrored_stage(
+        &self,
+        material_5: Material,
+        mean_2: rt::Scalar<f32>,
+        cosine_5: rt::Scalar<f32>,
+    ) -> Mirrored {
+        let _e7 = rt::Scalar(self.surface_settings.choices[7usize].number);
+        match rt::Scalar::into_inner(_e7) {
+            0u32 => {
+                let _e12 = self.surface_settings.choices[7usize].params;
+                let _e13 = self.v_shade_blinn_phong_mirrored(material_5, mean_2, cosine_5, _e12);
+                return _e13;
+            }
+            _ => {
+                let _e18 = self.surface_settings.choices[7usize].params;
+                let _e19 = self.v_shade_metallic_roughness_mirrored(material_5, mean_2, cosine_5, _e18);
+                return _e19;
+            }
+        }
     }
     pub(crate) fn levels_of(
         &self,
@@ -2460,10 +2674,10 @@ impl<'g> Resources<'g> {
         hit_3: Hit,
         normal_4: impl rt::Into<rt::Vec3<f32>>,
         view_3: impl rt::Into<rt::Vec3<f32>>,
-        color_4: impl rt::Into<rt::Vec3<f32>>,
-        params_3: impl rt::Into<rt::Vec4<f32>>,
+        material_6: Material,
+        params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_environment(at_7, hit_3, rt::into(normal_4), rt::into(view_3), rt::into(color_4), rt::into(params_3)))
+        rt::into(self.v_ambient_environment(at_7, hit_3, rt::into(normal_4), rt::into(view_3), material_6, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ambient_environment(
@@ -2472,38 +2686,34 @@ impl<'g> Resources<'g> {
         hit_3: Hit,
         normal_4: rt::Vec3<f32>,
         view_3: rt::Vec3<f32>,
-        color_4: rt::Vec3<f32>,
-        params_3: rt::Vec4<f32>,
+        material_6: Material,
+        params_5: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut light: rt::Vec3<f32>;
 
-        let mean_2 = normal_4.length();
+        let mean_9 = normal_4.length();
         let n_10 = normal_4.normalize();
-        let cosine_3 = n_10.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let ior = rt::Scalar(self.surface_settings.ior);
-        let eta = (rt::Scalar(1f32) / ior);
-        let inside_4 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
-        let across_1 = ((cosine_3 - (ior * inside_4)) / (cosine_3 + (ior * inside_4)).max(rt::Scalar(0.000001f32)));
-        let along_21 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
-        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_21);
-        let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
-        let _e47 = rt::Scalar(self.surface_settings.shininess);
-        let lean = ((rt::Scalar(2f32) / (_e47.to_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
-        let mirrored = ((n_10 * (rt::Scalar(2f32) * cosine_3)) - view_3);
-        let _e67 = self.v_environment_in_lobe(mirrored, (rt::Scalar(2f32) * lean));
-        light = (_e67 * reflected);
-        let transmission = rt::Scalar(self.surface_settings.transmission);
-        let _e73 = light;
-        let _e74 = self.v_environment_on(n_10);
-        light = (_e73 + ((_e74 * color_4) * (rt::Scalar(1f32) - reflected)));
-        if rt::Scalar::into_branch_condition(transmission.elementwise_gt(rt::Scalar(0f32))) {
-            let refracted = ((n_10 * ((eta * cosine_3) - inside_4)) - (view_3 * eta));
-            let _e90 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta) * lean));
-            let _e91 = light;
-            light = (_e91 + (_e90 * (transmission * (rt::Scalar(1f32) - reflected))));
+        let cosine_10 = n_10.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let _e12 = self.v_shade_mirrored_stage(material_6, mean_9, cosine_10);
+        let reflected = ((n_10 * (rt::Scalar(2f32) * cosine_10)) - view_3);
+        let _e20 = self.v_environment_in_lobe(reflected, (rt::Scalar(2f32) * rt::Scalar(_e12.lean)));
+        light = (_e20 * _e12.part);
+        let enters = (<rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32)) - _e12.part);
+        let _e30 = light;
+        let _e31 = self.v_environment_on(n_10);
+        light = (_e30 + ((_e31 * material_6.diffuse) * enters));
+        let _e38 = rt::Scalar(self.surface_settings.transmission);
+        if rt::Scalar::into_branch_condition(_e38.elementwise_gt(rt::Scalar(0f32))) {
+            let _e43 = rt::Scalar(self.surface_settings.ior);
+            let eta_1 = (rt::Scalar(1f32) / _e43);
+            let _e47 = self.v_cosine_inside(cosine_10);
+            let refracted = ((n_10 * ((eta_1 * cosine_10) - _e47)) - (view_3 * eta_1));
+            let _e56 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta_1) * rt::Scalar(_e12.lean)));
+            let _e57 = light;
+            light = (_e57 + (_e56 * (material_6.transmitted * enters)));
         }
-        let _e97 = light;
-        return (_e97 * params_3.x());
+        let _e62 = light;
+        return (_e62 * params_5.x());
     }
     pub(crate) fn hemisphere_grade(
         &self,
@@ -2527,10 +2737,10 @@ impl<'g> Resources<'g> {
         hit_4: Hit,
         normal_6: impl rt::Into<rt::Vec3<f32>>,
         view_4: impl rt::Into<rt::Vec3<f32>>,
-        color_5: impl rt::Into<rt::Vec3<f32>>,
-        params_4: impl rt::Into<rt::Vec4<f32>>,
+        material_7: Material,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_hemisphere(at_8, hit_4, rt::into(normal_6), rt::into(view_4), rt::into(color_5), rt::into(params_4)))
+        rt::into(self.v_ambient_hemisphere(at_8, hit_4, rt::into(normal_6), rt::into(view_4), material_7, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -2540,12 +2750,12 @@ impl<'g> Resources<'g> {
         hit_4: Hit,
         normal_6: rt::Vec3<f32>,
         view_4: rt::Vec3<f32>,
-        color_5: rt::Vec3<f32>,
-        params_4: rt::Vec4<f32>,
+        material_7: Material,
+        params_6: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        let _e12 = self.v_hemisphere_grade(normal_6, params_4.x());
-        return ((_e8.xyz() * color_5) * _e12);
+        let _e13 = self.v_hemisphere_grade(normal_6, params_6.x());
+        return ((_e8.xyz() * material_7.around) * _e13);
     }
     pub(crate) fn ambient_occlusion(
         &self,
@@ -2553,10 +2763,10 @@ impl<'g> Resources<'g> {
         hit_5: Hit,
         normal_7: impl rt::Into<rt::Vec3<f32>>,
         view_5: impl rt::Into<rt::Vec3<f32>>,
-        color_6: impl rt::Into<rt::Vec3<f32>>,
-        params_5: impl rt::Into<rt::Vec4<f32>>,
+        material_8: Material,
+        params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_occlusion(at_9, hit_5, rt::into(normal_7), rt::into(view_5), rt::into(color_6), rt::into(params_5)))
+        rt::into(self.v_ambient_occlusion(at_9, hit_5, rt::into(normal_7), rt::into(view_5), material_8, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -2566,12 +2776,12 @@ impl<'g> Resources<'g> {
         hit_5: Hit,
         normal_7: rt::Vec3<f32>,
         view_5: rt::Vec3<f32>,
-        color_6: rt::Vec3<f32>,
-        params_5: rt::Vec4<f32>,
+        material_8: Material,
+        params_7: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        let _e13 = self.v_ambient_texel_between(hit_5.uv, rt::Scalar(at_9.level));
-        return ((_e8.xyz() * color_6) * _e13.x());
+        let _e14 = self.v_ambient_texel_between(hit_5.uv, rt::Scalar(at_9.level));
+        return ((_e8.xyz() * material_8.around) * _e14.x());
     }
     pub(crate) fn ambient_sky(
         &self,
@@ -2579,10 +2789,10 @@ impl<'g> Resources<'g> {
         hit_6: Hit,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
         view_6: impl rt::Into<rt::Vec3<f32>>,
-        color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_6: impl rt::Into<rt::Vec4<f32>>,
+        material_9: Material,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_sky(at_10, hit_6, rt::into(normal_8), rt::into(view_6), rt::into(color_7), rt::into(params_6)))
+        rt::into(self.v_ambient_sky(at_10, hit_6, rt::into(normal_8), rt::into(view_6), material_9, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -2592,16 +2802,16 @@ impl<'g> Resources<'g> {
         hit_6: Hit,
         normal_8: rt::Vec3<f32>,
         view_6: rt::Vec3<f32>,
-        color_7: rt::Vec3<f32>,
-        params_6: rt::Vec4<f32>,
+        material_9: Material,
+        params_8: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.v_ambient_texel_between(hit_6.uv, rt::Scalar(at_10.level));
         let _e10 = self.v_from_tangent_space(at_10, _e8.xyz());
-        let toward_6 = (rt::Scalar(0.5f32) * ((_e10 / rt::Vec3::splat_from_scalar(_e10.length().max(rt::Scalar(0.000001f32)))) + normal_8));
-        let part_9 = normal_8.dot(_e10).max(rt::Scalar(0f32));
+        let toward_7 = (rt::Scalar(0.5f32) * ((_e10 / rt::Vec3::splat_from_scalar(_e10.length().max(rt::Scalar(0.000001f32)))) + normal_8));
+        let part_10 = normal_8.dot(_e10).max(rt::Scalar(0f32));
         let _e24 = self.frame.ambient;
-        let _e28 = self.v_hemisphere_grade(toward_6, params_6.x());
-        return ((_e24.xyz() * color_7) * (part_9 * _e28));
+        let _e29 = self.v_hemisphere_grade(toward_7, params_8.x());
+        return ((_e24.xyz() * material_9.around) * (part_10 * _e29));
     }
     pub(crate) fn ambient_stage(
         &self,
@@ -2609,9 +2819,9 @@ impl<'g> Resources<'g> {
         hit_7: Hit,
         normal_9: impl rt::Into<rt::Vec3<f32>>,
         view_7: impl rt::Into<rt::Vec3<f32>>,
-        color_8: impl rt::Into<rt::Vec3<f32>>,
+        material_10: Material,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_stage(at_11, hit_7, rt::into(normal_9), rt::into(view_7), rt::into(color_8)))
+        rt::into(self.v_ambient_stage(at_11, hit_7, rt::into(normal_9), rt::into(view_7), material_10))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ambient_stage(
@@ -2620,43 +2830,43 @@ impl<'g> Resources<'g> {
         hit_7: Hit,
         normal_9: rt::Vec3<f32>,
         view_7: rt::Vec3<f32>,
-        color_8: rt::Vec3<f32>,
+        material_10: Material,
     ) -> rt::Vec3<f32> {
         let _e9 = rt::Scalar(self.surface_settings.choices[10usize].number);
         match rt::Scalar::into_inner(_e9) {
             0u32 => {
                 let _e14 = self.surface_settings.choices[10usize].params;
-                let _e15 = self.v_ambient_constant(at_11, hit_7, normal_9, view_7, color_8, _e14);
+                let _e15 = self.v_ambient_constant(at_11, hit_7, normal_9, view_7, material_10, _e14);
                 return _e15;
             }
             1u32 => {
                 let _e20 = self.surface_settings.choices[10usize].params;
-                let _e21 = self.v_ambient_occlusion(at_11, hit_7, normal_9, view_7, color_8, _e20);
+                let _e21 = self.v_ambient_occlusion(at_11, hit_7, normal_9, view_7, material_10, _e20);
                 return _e21;
             }
             2u32 => {
                 let _e26 = self.surface_settings.choices[10usize].params;
-                let _e27 = self.v_ambient_bent_normal(at_11, hit_7, normal_9, view_7, color_8, _e26);
+                let _e27 = self.v_ambient_bent_normal(at_11, hit_7, normal_9, view_7, material_10, _e26);
                 return _e27;
             }
             3u32 => {
                 let _e32 = self.surface_settings.choices[10usize].params;
-                let _e33 = self.v_ambient_bounce(at_11, hit_7, normal_9, view_7, color_8, _e32);
+                let _e33 = self.v_ambient_bounce(at_11, hit_7, normal_9, view_7, material_10, _e32);
                 return _e33;
             }
             4u32 => {
                 let _e38 = self.surface_settings.choices[10usize].params;
-                let _e39 = self.v_ambient_environment(at_11, hit_7, normal_9, view_7, color_8, _e38);
+                let _e39 = self.v_ambient_environment(at_11, hit_7, normal_9, view_7, material_10, _e38);
                 return _e39;
             }
             5u32 => {
                 let _e44 = self.surface_settings.choices[10usize].params;
-                let _e45 = self.v_ambient_hemisphere(at_11, hit_7, normal_9, view_7, color_8, _e44);
+                let _e45 = self.v_ambient_hemisphere(at_11, hit_7, normal_9, view_7, material_10, _e44);
                 return _e45;
             }
             _ => {
                 let _e50 = self.surface_settings.choices[10usize].params;
-                let _e51 = self.v_ambient_sky(at_11, hit_7, normal_9, view_7, color_8, _e50);
+                let _e51 = self.v_ambient_sky(at_11, hit_7, normal_9, view_7, material_10, _e50);
                 return _e51;
             }
         }
@@ -2697,14 +2907,14 @@ impl<'g> Resources<'g> {
     fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
         let mut turn: rt::Scalar<f32>;
 
-        let x_4 = v.x().abs();
+        let x_5 = v.x().abs();
         let y_1 = v.y().abs();
-        if rt::Scalar::into_branch_condition((!(x_4 + y_1).elementwise_gt(rt::Scalar(0f32)))) {
+        if rt::Scalar::into_branch_condition((!(x_5 + y_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e13 = self.v_eighth_turn((x_4.min(y_1) / x_4.max(y_1)));
+        let _e13 = self.v_eighth_turn((x_5.min(y_1) / x_5.max(y_1)));
         turn = _e13;
-        if rt::Scalar::into_branch_condition(y_1.elementwise_gt(x_4)) {
+        if rt::Scalar::into_branch_condition(y_1.elementwise_gt(x_5)) {
             let _e16 = turn;
             turn = (rt::Scalar(0.25f32) - _e16);
         }
@@ -3022,15 +3232,15 @@ impl<'g> Resources<'g> {
         let parts_4 = <rt::Vec3<f32>>::from_scalars(_e16, _e18, _e20);
         let limited = parts_4.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
-        let normal_23 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_25 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_23 * offset));
-        let t_35 = place_25.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let normal_27 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
+        let place_26 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
+        let t_35 = place_26.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
-        let volume = (second_1.cross(third_1).dot(normal_23) * rt::Scalar(way.turn));
+        let volume = (second_1.cross(third_1).dot(normal_27) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_14 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_25 - (along * t_35)).length(), volume);
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_26 - (along * t_35)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -3311,13 +3521,13 @@ impl<'g> Resources<'g> {
         bend_1: rt::Scalar<f32>,
         at_14: WayPoint,
     ) -> rt::Scalar<f32> {
-        let part_10 = ((rt::Scalar(at_14.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
-        let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_10));
+        let part_11 = ((rt::Scalar(at_14.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
+        let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_11));
         let _e29 = self.v_uv_of(pixel_4, (at_14.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
         let slope_6 = ((rt::Scalar(b_3.point.height) - rt::Scalar(a_3.point.height)) - bend_1);
-        let height_16 = (rt::Scalar(a_3.point.height) + (part_10 * (slope_6 + (part_10 * bend_1))));
+        let height_16 = (rt::Scalar(a_3.point.height) + (part_11 * (slope_6 + (part_11 * bend_1))));
         return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_14.point.height) - height_16).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_4: ShellPoint, b_4: ShellPoint) -> ShellPoint {
@@ -3509,18 +3719,18 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_3 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_145 = ((grid_1.origin - cell_3) + (grid_1.step * t_10));
+        let at_148 = ((grid_1.origin - cell_3) + (grid_1.step * t_10));
         let z_1 = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
         let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_145.x())) + (by_3 * at_145.y())) + ((twist * at_145.x()) * at_145.y()))), (dz - (((bx * grid_1.step.x()) + (by_3 * grid_1.step.y())) + (twist * ((at_145.x() * grid_1.step.y()) + (at_145.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_148.x())) + (by_3 * at_148.y())) + ((twist * at_148.x()) * at_148.y()))), (dz - (((bx * grid_1.step.x()) + (by_3 * grid_1.step.y())) + (twist * ((at_148.x() * grid_1.step.y()) + (at_148.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn object_none_cell(
         &self,
         cell_4: impl rt::Into<rt::Vec2<i32>>,
         level_11: impl rt::Into<rt::Scalar<u32>>,
-        params_7: impl rt::Into<rt::Vec4<f32>>,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_none_cell(rt::into(cell_4), rt::into(level_11), rt::into(params_7)))
+        rt::into(self.v_object_none_cell(rt::into(cell_4), rt::into(level_11), rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3528,7 +3738,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_4: rt::Vec2<i32>,
         level_11: rt::Scalar<u32>,
-        params_7: rt::Vec4<f32>,
+        params_9: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_cell(cell_4, level_11);
         return _e3;
@@ -3593,9 +3803,9 @@ impl<'g> Resources<'g> {
         &self,
         cell_6: impl rt::Into<rt::Vec2<i32>>,
         level_13: impl rt::Into<rt::Scalar<u32>>,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_depth_cell(rt::into(cell_6), rt::into(level_13), rt::into(params_8)))
+        rt::into(self.v_object_depth_cell(rt::into(cell_6), rt::into(level_13), rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3603,7 +3813,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_6: rt::Vec2<i32>,
         level_13: rt::Scalar<u32>,
-        params_8: rt::Vec4<f32>,
+        params_10: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_cell_of_images(cell_6, level_13);
         return _e3;
@@ -3629,9 +3839,9 @@ impl<'g> Resources<'g> {
         &self,
         cell_8: impl rt::Into<rt::Vec2<i32>>,
         level_15: impl rt::Into<rt::Scalar<u32>>,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_hull_cell(rt::into(cell_8), rt::into(level_15), rt::into(params_9)))
+        rt::into(self.v_object_hull_cell(rt::into(cell_8), rt::into(level_15), rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3639,7 +3849,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_8: rt::Vec2<i32>,
         level_15: rt::Scalar<u32>,
-        params_9: rt::Vec4<f32>,
+        params_11: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_cell_of_mask(cell_8, level_15);
         return _e3;
@@ -3648,9 +3858,9 @@ impl<'g> Resources<'g> {
         &self,
         cell_9: impl rt::Into<rt::Vec2<i32>>,
         level_16: impl rt::Into<rt::Scalar<u32>>,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_blend_cell(rt::into(cell_9), rt::into(level_16), rt::into(params_10)))
+        rt::into(self.v_object_blend_cell(rt::into(cell_9), rt::into(level_16), rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3658,7 +3868,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_9: rt::Vec2<i32>,
         level_16: rt::Scalar<u32>,
-        params_10: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_cell(cell_9, level_16);
         return _e3;
@@ -3852,9 +4062,9 @@ impl<'g> Resources<'g> {
         }
         let k_44 = (number_1 - n_11);
         let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_44, m_4);
-        let x_5 = ((apex_1.x() * (m_4 - k_44)) + (sweep_1.end.x() * k_44));
+        let x_6 = ((apex_1.x() * (m_4 - k_44)) + (sweep_1.end.x() * k_44));
         let y_2 = ((apex_1.y() * (m_4 - k_44)) + (sweep_1.end.y() * k_44));
-        return <SweptPoint>::new(_e29.x(), _e29.y(), x_5, y_2, m_4, ON_SECOND);
+        return <SweptPoint>::new(_e29.x(), _e29.y(), x_6, y_2, m_4, ON_SECOND);
     }
     pub(crate) fn low_point(
         &self,
@@ -3872,15 +4082,15 @@ impl<'g> Resources<'g> {
         column: SweptColumn,
         at_16: rt::Scalar<i32>,
     ) -> SweptPoint {
-        let x_6 = rt::Scalar(column.column);
+        let x_7 = rt::Scalar(column.column);
         if rt::Scalar::into_branch_condition(at_16.elementwise_gt(rt::Scalar(0i32))) {
             let y_3 = ((rt::Scalar(column.inside) + at_16) - rt::Scalar(1i32));
-            return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_16 - rt::Scalar(1i32)).to_u32()), x_6, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
+            return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_16 - rt::Scalar(1i32)).to_u32()), x_7, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
         }
         let columns = sweep_2.end.x();
-        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_6, columns);
-        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_6.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_6.elementwise_eq(columns)));
-        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_6 * columns), (sweep_2.end.y() * x_6), columns, sides_1);
+        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_7, columns);
+        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_7.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_7.elementwise_eq(columns)));
+        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_7 * columns), (sweep_2.end.y() * x_7), columns, sides_1);
     }
     pub(crate) fn chain_point(
         &self,
@@ -4041,16 +4251,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_none_parts(
         &self,
         level_18: impl rt::Into<rt::Scalar<u32>>,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_none_parts(rt::into(level_18), rt::into(params_11)))
+        rt::into(self.v_object_none_parts(rt::into(level_18), rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_none_parts(
         &self,
         level_18: rt::Scalar<u32>,
-        params_11: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
@@ -4074,16 +4284,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_depth_parts(
         &self,
         level_19: impl rt::Into<rt::Scalar<u32>>,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_depth_parts(rt::into(level_19), rt::into(params_12)))
+        rt::into(self.v_object_depth_parts(rt::into(level_19), rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth_parts(
         &self,
         level_19: rt::Scalar<u32>,
-        params_12: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         let _e2 = self.v_parts_of_images();
         return _e2;
@@ -4091,32 +4301,32 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_hull_parts(
         &self,
         level_20: impl rt::Into<rt::Scalar<u32>>,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_hull_parts(rt::into(level_20), rt::into(params_13)))
+        rt::into(self.v_object_hull_parts(rt::into(level_20), rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull_parts(
         &self,
         level_20: rt::Scalar<u32>,
-        params_13: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
     pub(crate) fn object_blend_parts(
         &self,
         level_21: impl rt::Into<rt::Scalar<u32>>,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_blend_parts(rt::into(level_21), rt::into(params_14)))
+        rt::into(self.v_object_blend_parts(rt::into(level_21), rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_blend_parts(
         &self,
         level_21: rt::Scalar<u32>,
-        params_14: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
@@ -4280,14 +4490,14 @@ impl<'g> Resources<'g> {
         pixel_6: PixelIn,
         at_18: Entered,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
         a_5: ShellPoint,
         b_5: ShellPoint,
         bend_2: impl rt::Into<rt::Scalar<f32>>,
         ends: impl rt::Into<rt::Vec2<f32>>,
         beyond: impl rt::Into<rt::Vec3<f32>>,
     ) -> Path {
-        rt::into(self.v_chord_path(pixel_6, at_18, rt::into(middle_1), rt::into(params_15), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
+        rt::into(self.v_chord_path(pixel_6, at_18, rt::into(middle_1), rt::into(params_17), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chord_path(
@@ -4295,7 +4505,7 @@ impl<'g> Resources<'g> {
         pixel_6: PixelIn,
         at_18: Entered,
         middle_1: rt::Scalar<f32>,
-        params_15: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
         a_5: ShellPoint,
         b_5: ShellPoint,
         bend_2: rt::Scalar<f32>,
@@ -4362,7 +4572,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e125.elementwise_gt(rt::Scalar(0f32))) {
             let _e128 = path_12;
             let _e129 = path_12;
-            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_15.x());
+            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_17.x());
             let _e134 = self.v_path_from(_e128, _e133);
             path_12 = _e134;
         }
@@ -4374,9 +4584,9 @@ impl<'g> Resources<'g> {
         pixel_7: PixelIn,
         at_19: Entered,
         middle_2: impl rt::Into<rt::Scalar<f32>>,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_chord_reach(pixel_7, at_19, rt::into(middle_2), rt::into(params_16)))
+        rt::into(self.v_chord_reach(pixel_7, at_19, rt::into(middle_2), rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4385,13 +4595,13 @@ impl<'g> Resources<'g> {
         pixel_7: PixelIn,
         at_19: Entered,
         middle_2: rt::Scalar<f32>,
-        params_16: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e11 = self.v_height_size(rt::Scalar(0u32));
         let _e14 = self.v_height_size(rt::Scalar(0u32));
         let texel_6 = (at_19.metric.x().max(at_19.metric.z()).sqrt() / _e11.x().max(_e14.y()));
         let _e18 = self.v_shell_slack(pixel_7, middle_2);
-        return (_e18 + ((rt::Scalar(2f32) * params_16.x()) * texel_6));
+        return (_e18 + ((rt::Scalar(2f32) * params_18.x()) * texel_6));
     }
     pub(crate) fn way_bend(
         &self,
@@ -4671,14 +4881,14 @@ impl<'g> Resources<'g> {
         let _e81 = z;
         let _e82 = x_1;
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
-        let place_26 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
-        let cell_29 = place_26.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
-        let part_11 = (place_26 - cell_29);
+        let place_27 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
+        let cell_29 = place_27.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
+        let part_12 = (place_27 - cell_29);
         let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
         let first_12 = ((cell_29.y().to_u32() * side_6) + cell_29.x().to_u32());
-        let beside_4 = (first_12 + side_6).select((first_12 + rt::Scalar(1u32)), part_11.x().elementwise_gt(part_11.y()));
-        let least_2 = part_11.x().min(part_11.y());
-        let most_7 = part_11.x().max(part_11.y());
+        let beside_4 = (first_12 + side_6).select((first_12 + rt::Scalar(1u32)), part_12.x().elementwise_gt(part_12.y()));
+        let least_2 = part_12.x().min(part_12.y());
+        let most_7 = part_12.x().max(part_12.y());
         return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_12, beside_4, ((first_12 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_2), least_2));
     }
     pub(crate) fn image_of_object(&self, number_3: impl rt::Into<rt::Scalar<u32>>) -> Image {
@@ -5046,9 +5256,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slope_of(&self, value: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let squared = ((rt::Scalar(0.125f32) * value) * value);
-        if rt::Scalar::into_branch_condition(squared.elementwise_gt(rt::Scalar(0f32))) {
-            return (((rt::Scalar(1f32) - value) * (rt::Scalar(1f32) + value)) / squared);
+        let squared_1 = ((rt::Scalar(0.125f32) * value) * value);
+        if rt::Scalar::into_branch_condition(squared_1.elementwise_gt(rt::Scalar(0f32))) {
+            return (((rt::Scalar(1f32) - value) * (rt::Scalar(1f32) + value)) / squared_1);
         }
         return rt::Scalar(-1f32);
     }
@@ -5203,31 +5413,31 @@ impl<'g> Resources<'g> {
         at_26: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_24 = at_26.facing;
-        let _e4 = self.v_plane_distance(pixel_13, normal_24);
+        let normal_28 = at_26.facing;
+        let _e4 = self.v_plane_distance(pixel_13, normal_28);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_13, at_26, normal_24, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_13, at_26, normal_28, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_13, at_26, normal_24, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_13, at_26, normal_28, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_8 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
         let apart_2 = ((sum_8 - (rt::Scalar(2f32) * area_1)) * (sum_8 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
         let longer = (rt::Scalar(0.5f32) * (sum_8 + apart_2));
         let shorter = ((area_1 * area_1) / longer);
-        let squared_1 = shorter.max((longer / (anisotropy * anisotropy)));
+        let squared_2 = shorter.max((longer / (anisotropy * anisotropy)));
         let _e53 = rt::Scalar(self.frame.sample_width);
-        return (squared_1.sqrt() * _e53);
+        return (squared_2.sqrt() * _e53);
     }
     pub(crate) fn detail_fade(
         &self,
         pixel_14: PixelIn,
         at_27: Entered,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_14, at_27, rt::into(params_17)))
+        rt::into(self.v_detail_fade(pixel_14, at_27, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5235,24 +5445,24 @@ impl<'g> Resources<'g> {
         &self,
         pixel_14: PixelIn,
         at_27: Entered,
-        params_17: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_14, at_27, params_17.x());
-        let begin_4 = (params_17.z() * params_17.w());
+        let _e4 = self.v_footprint_of(pixel_14, at_27, params_19.x());
+        let begin_4 = (params_19.z() * params_19.w());
         let _e8 = self.v_depth_in_samples(pixel_14, at_27);
-        let part_12 = ((begin_4 - _e8) / (begin_4 - params_17.z()).max(rt::Scalar(0.000001f32)));
+        let part_13 = ((begin_4 - _e8) / (begin_4 - params_19.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
-        let _e20 = self.v_levels_of((_e4 / params_17.y()), _e19);
-        let level_47 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_47, _e4, part_12.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let _e20 = self.v_levels_of((_e4 / params_19.y()), _e19);
+        let level_49 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_49, _e4, part_13.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_15: PixelIn,
         at_28: Entered,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_15, at_28, rt::into(params_18)))
+        rt::into(self.v_detail_footprint(pixel_15, at_28, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5260,20 +5470,20 @@ impl<'g> Resources<'g> {
         &self,
         pixel_15: PixelIn,
         at_28: Entered,
-        params_18: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_15, at_28, params_18.x());
+        let _e4 = self.v_footprint_of(pixel_15, at_28, params_20.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
-        let _e10 = self.v_levels_of((_e4 / params_18.y()), _e9);
+        let _e10 = self.v_levels_of((_e4 / params_20.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
         pixel_16: PixelIn,
         at_29: Entered,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_16, at_29, rt::into(params_19)))
+        rt::into(self.v_detail_none(pixel_16, at_29, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5281,7 +5491,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_16: PixelIn,
         at_29: Entered,
-        params_19: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
@@ -5415,8 +5625,8 @@ impl<'g> Resources<'g> {
         before: rt::Scalar<u32>,
         all: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let part_13 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
-        return (part_13 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
+        let part_14 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
+        return (part_14 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
     }
     pub(crate) fn sum_of_quotients(
         &self,
@@ -5658,12 +5868,12 @@ impl<'g> Resources<'g> {
         let on_short = (((_e15 - rt::Scalar(place_9.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_10.parts.x().to_f32()));
         let on_other = ((rt::Scalar(place_9.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_10.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
-        let x_7 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(0u32)));
+        let x_8 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(0u32)));
         let y_5 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(2u32)));
         let _e88 = self.v_dice_points_before(rows_10, rt::Scalar(place_9.row));
         let number_25 = ((_e88 + rt::Scalar(place_9.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(INSIDE, number_25, <rt::Vec3<f32>>::from_scalars(x_7, y_5, z_2));
+        return <DicePoint>::new(INSIDE, number_25, <rt::Vec3<f32>>::from_scalars(x_8, y_5, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -5931,11 +6141,11 @@ impl<'g> Resources<'g> {
         }
         let _e24 = rest_1;
         let _e27 = rest_1;
-        let part_14 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
-        let square_1 = (part_14 * part_14);
+        let part_15 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
+        let square_1 = (part_15 * part_15);
         let sum_9 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_14) * sum_9));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_15) * sum_9));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -5990,13 +6200,13 @@ impl<'g> Resources<'g> {
         level_30: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let finer = level_30.to_u32();
-        let part_15 = (level_30 - finer.to_f32());
+        let part_16 = (level_30 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_8, finer);
-        if rt::Scalar::into_branch_condition(part_15.elementwise_eq(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(part_16.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
         }
         let _e10 = self.v_height_and_slope(uv_8, (finer + rt::Scalar(1u32)));
-        return (_e5 + ((_e10 - _e5) * part_15));
+        return (_e5 + ((_e10 - _e5) * part_16));
     }
     pub(crate) fn sloped_uv(
         &self,
@@ -6097,11 +6307,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_16.level));
         let _e5 = self.v_texels_around(uv_10, _e4);
-        let level_48 = rt::Scalar(path_16.level).to_i32();
-        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_48);
-        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_48);
-        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_48);
-        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_48);
+        let level_50 = rt::Scalar(path_16.level).to_i32();
+        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_50);
+        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_50);
+        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_50);
+        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_50);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
@@ -6123,13 +6333,119 @@ impl<'g> Resources<'g> {
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_27 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_5 = place_27.floor();
+        let place_28 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_5 = place_28.floor();
         let _e13 = self.v_search_texel_between(path_17, uv_11, below_5.to_i32());
         let lower_1 = _e13.x();
         let _e21 = self.v_search_texel_between(path_17, uv_11, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_27 - below_5)));
+        return (lower_1 + ((upper - lower_1) * (place_28 - below_5)));
+    }
+    pub(crate) fn material_of_texels(
+        &self,
+        place_10: impl rt::Into<rt::Vec2<f32>>,
+        layer_5: impl rt::Into<rt::Scalar<i32>>,
+        level_32: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_material_of_texels(rt::into(place_10), rt::into(layer_5), rt::into(level_32)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_material_of_texels(
+        &self,
+        place_10: rt::Vec2<f32>,
+        layer_5: rt::Scalar<i32>,
+        level_32: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e5 = self.surface_settings.material_size;
+        let _e6 = self.v_level_texels(_e5, level_32);
+        let point_27 = ((place_10 * _e6.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e13 = self.v_cell_of(point_27);
+        let i_6 = _e13.to_i32();
+        let _e19 = rt::Scalar(self.surface_settings.color_wrap_u);
+        let _e20 = self.v_color_index(i_6.x(), _e6.x(), _e19);
+        let _e27 = rt::Scalar(self.surface_settings.color_wrap_u);
+        let _e28 = self.v_color_index((i_6.x() + rt::Scalar(1i32)), _e6.x(), _e27);
+        let _e33 = rt::Scalar(self.surface_settings.color_wrap_v);
+        let _e34 = self.v_color_index(i_6.y(), _e6.y(), _e33);
+        let _e41 = rt::Scalar(self.surface_settings.color_wrap_v);
+        let _e42 = self.v_color_index((i_6.y() + rt::Scalar(1i32)), _e6.y(), _e41);
+        let k_47 = level_32.to_i32();
+        let _e46 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e20, _e34), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e49 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e28, _e34), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e52 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e20, _e42), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e55 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e28, _e42), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e57 = self.v_bilinear(_e46, _e49, _e52, _e55, (point_27 - _e13));
+        return _e57;
+    }
+    pub(crate) fn material_at(
+        &self,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        layer_6: impl rt::Into<rt::Scalar<i32>>,
+        level_33: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_material_at(rt::into(uv_12), rt::into(layer_6), rt::into(level_33)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_material_at(
+        &self,
+        uv_12: rt::Vec2<f32>,
+        layer_6: rt::Scalar<i32>,
+        level_33: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e3 = self.v_color_place(uv_12);
+        let _e4 = self.v_material_of_texels(_e3, layer_6, level_33);
+        return _e4;
+    }
+    pub(crate) fn material_layer(
+        &self,
+        uv_13: impl rt::Into<rt::Vec2<f32>>,
+        footprint_2: impl rt::Into<rt::Scalar<f32>>,
+        layer_7: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_material_layer(rt::into(uv_13), rt::into(footprint_2), rt::into(layer_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_material_layer(
+        &self,
+        uv_13: rt::Vec2<f32>,
+        footprint_2: rt::Scalar<f32>,
+        layer_7: rt::Scalar<i32>,
+    ) -> rt::Vec3<f32> {
+        let _e5 = rt::Scalar(self.surface_settings.material_texels);
+        let _e9 = rt::Scalar(self.surface_settings.material_levels);
+        let _e10 = self.v_levels_of((footprint_2 * _e5), _e9);
+        let _e12 = self.v_material_at(uv_13, layer_7, rt::Scalar(_e10.fine));
+        let fine_1 = _e12.xyz();
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e10.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e20 = self.v_material_at(uv_13, layer_7, (rt::Scalar(_e10.fine) + rt::Scalar(1u32)));
+            return (fine_1 + ((_e20.xyz() - fine_1) * rt::Scalar(_e10.part)));
+        }
+        return fine_1;
+    }
+    pub(crate) fn emission_at(
+        &self,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
+        footprint_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_emission_at(rt::into(uv_14), rt::into(footprint_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_emission_at(
+        &self,
+        uv_14: rt::Vec2<f32>,
+        footprint_3: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = rt::Scalar(self.surface_settings.has_material);
+        if rt::Scalar::into_branch_condition((_e4 & rt::Scalar(2u32)).elementwise_eq(rt::Scalar(0u32))) {
+            let _e11 = self.surface_settings.emission;
+            return _e11.xyz();
+        }
+        let _e15 = self.surface_settings.emission;
+        let _e18 = self.v_material_layer(uv_14, footprint_3, rt::Scalar(1i32));
+        return (_e15.xyz() * _e18);
     }
     pub(crate) fn ends_on(&self, sweep_4: Sweep, chain_1: SweptChain, other: SweptChain) -> bool {
         rt::into(self.v_ends_on(sweep_4, chain_1, other))
@@ -6205,36 +6521,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_enter(
         &self,
         pixel_20: PixelIn,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_20)))
+        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_enter(
         &self,
         pixel_20: PixelIn,
-        params_20: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_30: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_20);
         let _e5 = self.v_plane_distance(pixel_20, _e2);
-        let point_27 = (pixel_20.origin + (pixel_20.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_20, _e2, point_27);
+        let point_28 = (pixel_20.origin + (pixel_20.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_20, _e2, point_28);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_34 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
+        let uv_38 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
         let tangent_1 = (((pixel_20.a.tangent * wa) + (pixel_20.b.tangent * wb_1)) + (pixel_20.c.tangent * wc_1));
         let bitangent = (((pixel_20.a.bitangent * wa) + (pixel_20.b.bitangent * wb_1)) + (pixel_20.c.bitangent * wc_1));
-        let normal_25 = ((((pixel_20.a.normal * wa) + (pixel_20.b.normal * wb_1)) + (pixel_20.c.normal * wc_1)).normalize() * rt::Scalar(pixel_20.side));
+        let normal_29 = ((((pixel_20.a.normal * wa) + (pixel_20.b.normal * wb_1)) + (pixel_20.c.normal * wc_1)).normalize() * rt::Scalar(pixel_20.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
         let area_2 = ((tt * bb) - (tb * tb));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
-        let descent_2 = (rt::Scalar(0f32) - normal_25.dot((pixel_20.direction / rt::Vec3::splat_from_scalar(pixel_20.direction.length()))));
+        let descent_2 = (rt::Scalar(0f32) - normal_29.dot((pixel_20.direction / rt::Vec3::splat_from_scalar(pixel_20.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
             local_30 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
@@ -6242,7 +6558,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_30;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_27, uv_34, tangent_1, bitangent, normal_25, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_28, uv_38, tangent_1, bitangent, normal_29, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -6266,9 +6582,9 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_21)))
+        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6277,23 +6593,23 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
-        params_21: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Prism {
         let origin_4 = (pixel_22.origin + (along_5 * middle_3));
         let _e8 = self.v_ordered(pixel_22, rt::Scalar(0u32));
         let _e10 = self.v_ordered(pixel_22, rt::Scalar(1u32));
         let _e12 = self.v_ordered(pixel_22, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_21.y() * rt::Scalar(pixel_22.side))));
+        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_23.y() * rt::Scalar(pixel_22.side))));
     }
     pub(crate) fn frame_at(
         &self,
         pixel_23: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
         point_10: impl rt::Into<rt::Vec3<f32>>,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        uv_15: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_23, rt::into(weights_1), rt::into(point_10), rt::into(uv_12), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_23, rt::into(weights_1), rt::into(point_10), rt::into(uv_15), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6302,7 +6618,7 @@ impl<'g> Resources<'g> {
         pixel_23: PixelIn,
         weights_1: rt::Vec3<f32>,
         point_10: rt::Vec3<f32>,
-        uv_12: rt::Vec2<f32>,
+        uv_15: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
         let _e6 = self.v_ordered(pixel_23, rt::Scalar(0u32));
@@ -6310,11 +6626,11 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_ordered(pixel_23, rt::Scalar(2u32));
         let tangent_2 = (((_e6.tangent * weights_1.x()) + (_e8.tangent * weights_1.y())) + (_e10.tangent * weights_1.z()));
         let bitangent_1 = (((_e6.bitangent * weights_1.x()) + (_e8.bitangent * weights_1.y())) + (_e10.bitangent * weights_1.z()));
-        let normal_26 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
+        let normal_30 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
-        let unit = (normal_26.normalize() * rt::Scalar(pixel_23.side));
-        return <Entered>::new(rt::Scalar(1u32), point_10, uv_12, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let unit = (normal_30.normalize() * rt::Scalar(pixel_23.side));
+        return <Entered>::new(rt::Scalar(1u32), point_10, uv_15, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
@@ -6332,8 +6648,8 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_plane_normal(pixel_24);
         let unit_1 = (_e2 * (rt::Scalar(pixel_24.side) / _e2.dot(_e2).sqrt()));
-        let cosine_4 = (rt::Scalar(0f32) - unit_1.dot(along_6));
-        return (unit_1 - (along_6 * (rt::Scalar(0.0625f32) - cosine_4).max(rt::Scalar(0f32))));
+        let cosine_11 = (rt::Scalar(0f32) - unit_1.dot(along_6));
+        return (unit_1 - (along_6 * (rt::Scalar(0.0625f32) - cosine_11).max(rt::Scalar(0f32))));
     }
     pub(crate) fn shell_middle(
         &self,
@@ -6352,11 +6668,11 @@ impl<'g> Resources<'g> {
         let mut at_32: Entered;
 
         let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_35 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_39 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_25, along_7);
-        let point_28 = (pixel_25.origin + (along_7 * _e17));
+        let point_29 = (pixel_25.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_25, along_7);
-        let _e21 = self.v_frame_at(pixel_25, third_2, point_28, uv_35, _e20);
+        let _e21 = self.v_frame_at(pixel_25, third_2, point_29, uv_39, _e20);
         at_32 = _e21;
         rt::Scalar(at_32.segments) = rt::Scalar(0u32);
         let _e25 = at_32;
@@ -6512,28 +6828,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn root_behind(
         &self,
         c_6: impl rt::Into<rt::Vec3<f32>>,
-        place_10: impl rt::Into<rt::Scalar<f32>>,
+        place_11: impl rt::Into<rt::Scalar<f32>>,
         end: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_root_behind(rt::into(c_6), rt::into(place_10), rt::into(end)))
+        rt::into(self.v_root_behind(rt::into(c_6), rt::into(place_11), rt::into(end)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_root_behind(
         &self,
         c_6: rt::Vec3<f32>,
-        place_10: rt::Scalar<f32>,
+        place_11: rt::Scalar<f32>,
         end: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut first: rt::Scalar<f32>;
 
         let _e3 = self.v_both_roots(c_6);
         first = end;
-        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_10)) {
+        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_11)) {
             let _e7 = first;
             first = _e7.min(_e3.x());
         }
-        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_10)) {
+        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_11)) {
             let _e12 = first;
             first = _e12.min(_e3.y());
         }
@@ -6642,12 +6958,12 @@ impl<'g> Resources<'g> {
                             let _e63 = begin;
                             let long_2 = (end_5 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_4;
-                            let part_16 = ((number_9 - _e67).to_f32() / _e53.to_f32());
+                            let part_17 = ((number_9 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_4;
                             let next_10 = (((number_9 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin;
                             let _e82 = begin;
-                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_16)), (_e82 + (long_2 * next_10)));
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_17)), (_e82 + (long_2 * next_10)));
                         }
                         let _e86 = count_4;
                         count_4 = (_e86 + _e53);
@@ -6663,30 +6979,30 @@ impl<'g> Resources<'g> {
     pub(crate) fn folded_enter(
         &self,
         pixel_29: PixelIn,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_folded_enter(pixel_29, rt::into(params_22)))
+        rt::into(self.v_folded_enter(pixel_29, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_enter(
         &self,
         pixel_29: PixelIn,
-        params_22: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_33: Entered;
 
         let along_25 = pixel_29.direction.normalize();
         let _e4 = self.v_middle_of(pixel_29, along_25);
-        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_22);
+        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_24);
         let _e6 = self.v_shell_middle(pixel_29, along_25);
         at_33 = _e6;
         let _e8 = self.v_way_of(pixel_29, _e5, along_25);
         let _e9 = self.v_shell_slack(pixel_29, _e4);
         let _e10 = self.v_way_offsets(pixel_29, _e5, _e9);
         let _e11 = at_33;
-        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_22);
+        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_24);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_22.x(), rt::Scalar(0u32));
+        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_24.x(), rt::Scalar(0u32));
         rt::Scalar(at_33.segments) = rt::Scalar(_e17.count);
         let _e19 = at_33;
         return _e19;
@@ -6732,9 +7048,9 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_23)))
+        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_span_of(
@@ -6743,14 +7059,14 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
-        params_23: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_2: Shell;
         let mut span_1: rt::Vec2<f32>;
 
         shell_2 = pixel_30.shell;
         let _e9 = shell_2.lift;
-        shell_2.lift = (_e9 * params_23.y());
+        shell_2.lift = (_e9 * params_25.y());
         let _e12 = shell_2;
         let _e13 = self.v_offsets_of(_e12);
         let _e14 = self.v_shell_slack(pixel_30, middle_4);
@@ -6799,22 +7115,22 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_36 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_36, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_36, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_40 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_40, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_40, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
         prism_9: Prism,
-        place_11: impl rt::Into<rt::Vec3<f32>>,
+        place_12: impl rt::Into<rt::Vec3<f32>>,
         from_point: ShellPoint,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_from(prism_9, rt::into(place_11), from_point))
+        rt::into(self.v_shell_point_from(prism_9, rt::into(place_12), from_point))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_point_from(
         &self,
         prism_9: Prism,
-        place_11: rt::Vec3<f32>,
+        place_12: rt::Vec3<f32>,
         from_point: ShellPoint,
     ) -> ShellPoint {
         let mut w_1: rt::Vec3<f32>;
@@ -6844,12 +7160,12 @@ impl<'g> Resources<'g> {
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
-                    let normal_27 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
+                    let normal_31 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
                     let _e49 = w_1.x();
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_3 = ((place_11 - base_1) - (normal_27 * offset_7));
+                    let rest_4 = ((place_12 - base_1) - (normal_31 * offset_7));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
@@ -6858,14 +7174,14 @@ impl<'g> Resources<'g> {
                     let _e82 = w_1.z();
                     let _e86 = w_1.y();
                     let third_3 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
-                    let a_33 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_27 * second_4));
-                    let b_33 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_27 * third_3));
-                    let c_24 = (normal_27 * width_5);
+                    let a_33 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_31 * second_4));
+                    let b_33 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_31 * third_3));
+                    let c_24 = (normal_31 * width_5);
                     let across_4 = b_33.cross(c_24);
                     let one_over = (rt::Scalar(1f32) / a_33.dot(across_4));
-                    let db = (rest_3.dot(across_4) * one_over);
-                    let dc = (rest_3.dot(c_24.cross(a_33)) * one_over);
-                    let dh = (rest_3.dot(a_33.cross(b_33)) * one_over);
+                    let db = (rest_4.dot(across_4) * one_over);
+                    let dc = (rest_4.dot(c_24.cross(a_33)) * one_over);
+                    let dh = (rest_4.dot(a_33.cross(b_33)) * one_over);
                     let _e126 = w_1.x();
                     let _e130 = w_1.y();
                     let _e133 = w_1.z();
@@ -6885,46 +7201,46 @@ impl<'g> Resources<'g> {
     pub(crate) fn shell_point(
         &self,
         prism_10: Prism,
-        place_12: impl rt::Into<rt::Vec3<f32>>,
+        place_13: impl rt::Into<rt::Vec3<f32>>,
         height_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_10, rt::into(place_12), rt::into(height_2)))
+        rt::into(self.v_shell_point(prism_10, rt::into(place_13), rt::into(height_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point(
         &self,
         prism_10: Prism,
-        place_12: rt::Vec3<f32>,
+        place_13: rt::Vec3<f32>,
         height_2: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let _e8 = self.v_shell_point_from(prism_10, place_12, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
+        let _e8 = self.v_shell_point_from(prism_10, place_13, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
         return _e8;
     }
     pub(crate) fn surface_prism_enter(
         &self,
         pixel_31: PixelIn,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_24)))
+        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_enter(
         &self,
         pixel_31: PixelIn,
-        params_24: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_34: rt::Scalar<bool>;
         let mut at_34: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_31.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_folded_enter(pixel_31, params_24);
+            let _e6 = self.v_folded_enter(pixel_31, params_26);
             return _e6;
         }
         let along_26 = pixel_31.direction.normalize();
         let _e9 = self.v_middle_of(pixel_31, along_26);
-        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_24);
-        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_24);
+        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_26);
+        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_26);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_34 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -6958,7 +7274,7 @@ impl<'g> Resources<'g> {
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_11 = _e84.max(quarters_1);
-        rt::Scalar(at_34.segments) = (most_11 / params_24.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        rt::Scalar(at_34.segments) = (most_11 / params_26.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
         let _e95 = at_34;
         return _e95;
     }
@@ -7036,22 +7352,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_25)))
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
-        params_25: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_35: Entered;
 
-        let _e2 = self.v_surface_plane_enter(pixel_33, params_25);
+        let _e2 = self.v_surface_plane_enter(pixel_33, params_27);
         at_35 = _e2;
         let _e6 = at_35.point;
-        let _e8 = self.v_quadric_of(pixel_33, _e6, params_25.y());
+        let _e8 = self.v_quadric_of(pixel_33, _e6, params_27.y());
         at_35.of_surface = _e8;
         let _e11 = at_35.metric.x();
         let _e14 = at_35.metric.z();
@@ -7065,19 +7381,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_26)))
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
-        params_26: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_36: Entered;
 
-        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_26);
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_28);
         at_36 = _e2;
         let along_27 = pixel_34.direction.length();
         let _e6 = at_36;
@@ -7091,7 +7407,7 @@ impl<'g> Resources<'g> {
         let _e22 = rt::Scalar(at_36.segments);
         let _e28 = at_36.span.y();
         let _e31 = at_36.span.x();
-        rt::Scalar(at_36.segments) = rt::Scalar(0u32).select((_e22 * params_26.z().to_u32()), _e28.elementwise_gt(_e31));
+        rt::Scalar(at_36.segments) = rt::Scalar(0u32).select((_e22 * params_28.z().to_u32()), _e28.elementwise_gt(_e31));
         let _e34 = at_36;
         return _e34;
     }
@@ -7240,21 +7556,21 @@ impl<'g> Resources<'g> {
         number_11: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
         let _e4 = self.v_tetrahedron(pixel_36, along_14, middle_6, number_11);
-        let inside_5 = _e4.inside;
-        return inside_5.y().elementwise_gt(inside_5.x());
+        let inside_4 = _e4.inside;
+        return inside_4.y().elementwise_gt(inside_4.x());
     }
     pub(crate) fn surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_27)))
+        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
-        params_27: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_36: rt::Scalar<bool>;
         let mut local_37: rt::Scalar<bool>;
@@ -7331,18 +7647,18 @@ impl<'g> Resources<'g> {
         point_12: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_plane_weights(pixel_39, normal_17, point_12);
-        let inside_6 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
-        return (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
+        let inside_5 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        return (inside_5 / rt::Vec3::splat_from_scalar(((inside_5.x() + inside_5.y()) + inside_5.z())));
     }
-    pub(crate) fn is_on_map(&self, uv_13: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_on_map(rt::into(uv_13)))
+    pub(crate) fn is_on_map(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_on_map(rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_on_map(&self, uv_13: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_is_on_map(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let mut local_38: rt::Scalar<bool>;
 
-        let beyond_4 = ((uv_13.x() - rt::Scalar(0.5f32)).abs().max((uv_13.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
+        let beyond_4 = ((uv_16.x() - rt::Scalar(0.5f32)).abs().max((uv_16.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition((!_e14.elementwise_ne(WRAP_CLAMP))) {
             local_38 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
@@ -7355,23 +7671,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_enter(
         &self,
         pixel_40: PixelIn,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_28)))
+        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_facets_enter(
         &self,
         pixel_40: PixelIn,
-        params_28: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_39: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
-        let point_29 = (pixel_40.origin + (pixel_40.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_29);
-        let uv_37 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let point_30 = (pixel_40.origin + (pixel_40.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_30);
+        let uv_41 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_3 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let sum_11 = ((((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z())) * rt::Scalar(pixel_40.side));
@@ -7379,27 +7695,27 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_37);
+            let _e77 = self.v_is_on_map(uv_41);
             local_39 = _e77;
         } else {
             local_39 = rt::Scalar(false);
         }
         let _e79 = local_39;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_37, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_30, uv_41, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
         pixel_41: PixelIn,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_29)))
+        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_slices_enter(
         &self,
         pixel_41: PixelIn,
-        params_29: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_40: rt::Scalar<bool>;
         let mut local_41: rt::Scalar<bool>;
@@ -7407,9 +7723,9 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_41);
         let _e5 = self.v_triangle_distance(pixel_41, _e2);
-        let point_30 = (pixel_41.origin + (pixel_41.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_41, _e2, point_30);
-        let uv_38 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
+        let point_31 = (pixel_41.origin + (pixel_41.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_41, _e2, point_31);
+        let uv_42 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
         let tangent_4 = (((pixel_41.a.tangent * _e8.x()) + (pixel_41.b.tangent * _e8.y())) + (pixel_41.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_41.a.bitangent * _e8.x()) + (pixel_41.b.bitangent * _e8.y())) + (pixel_41.c.bitangent * _e8.z()));
         let raw_ = (((pixel_41.a.normal * _e8.x()) + (pixel_41.b.normal * _e8.y())) + (pixel_41.c.normal * _e8.z()));
@@ -7421,8 +7737,8 @@ impl<'g> Resources<'g> {
         let _e87 = rt::Scalar(self.surface_settings.bias_m);
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
         let height_m = (_e87 + (_e90 * slice_6.x()));
-        let normal_28 = raw_.normalize();
-        let _e95 = self.v_is_on_map(uv_38);
+        let normal_32 = raw_.normalize();
+        let _e95 = self.v_is_on_map(uv_42);
         if rt::Scalar::into_branch_condition(_e95) {
             local_40 = ((slice_6.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
         } else {
@@ -7442,21 +7758,21 @@ impl<'g> Resources<'g> {
         }
         let _e122 = local_42;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_38, tangent_4, bitangent_3, normal_28, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_28, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_31 - (raw_ * height_m)), uv_42, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
         pixel_42: PixelIn,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_30)))
+        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_enter(
         &self,
         pixel_42: PixelIn,
-        params_30: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_38: Entered;
 
@@ -7471,16 +7787,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_frames_enter(
         &self,
         pixel_43: PixelIn,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_31)))
+        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_enter(
         &self,
         pixel_43: PixelIn,
-        params_31: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_39: Entered;
 
@@ -7494,16 +7810,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_32)))
+        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
-        params_32: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_40: Entered;
 
@@ -7695,9 +8011,9 @@ impl<'g> Resources<'g> {
         along_15: rt::Scalar<f32>,
         across: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let x_8 = (along_15 * rt::Scalar(1.7320508f32));
+        let x_9 = (along_15 * rt::Scalar(1.7320508f32));
         let y_6 = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_8), (middle_7 - x_8), (middle_7 + y_6), (middle_7 - y_6)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_9), (middle_7 - x_9), (middle_7 + y_6), (middle_7 - y_6)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn least_at(
         &self,
@@ -7746,28 +8062,28 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_at(
         &self,
-        uv_14: impl rt::Into<rt::Vec2<f32>>,
-        layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_32: impl rt::Into<rt::Scalar<u32>>,
+        uv_17: impl rt::Into<rt::Vec2<f32>>,
+        layer_8: impl rt::Into<rt::Scalar<i32>>,
+        level_34: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_14), rt::into(layer_5), rt::into(level_32)))
+        rt::into(self.v_normal_at(rt::into(uv_17), rt::into(layer_8), rt::into(level_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_at(
         &self,
-        uv_14: rt::Vec2<f32>,
-        layer_5: rt::Scalar<i32>,
-        level_32: rt::Scalar<u32>,
+        uv_17: rt::Vec2<f32>,
+        layer_8: rt::Scalar<i32>,
+        level_34: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_32);
-        let _e7 = self.v_texels_around(uv_14, _e6);
-        let k_47 = level_32.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e6 = self.v_level_texels(_e5, level_34);
+        let _e7 = self.v_texels_around(uv_17, _e6);
+        let k_48 = level_34.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_48));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_48));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_48));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_48));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -7811,55 +8127,55 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_30))) {
             return own;
         }
-        let part_17 = (((apart_3 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
-        return (beside + ((own - beside) * part_17));
+        let part_18 = (((apart_3 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_18));
     }
     pub(crate) fn slopes_between_creases(
         &self,
         at_42: Entered,
-        uv_15: impl rt::Into<rt::Vec2<f32>>,
+        uv_18: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_42, rt::into(uv_15)))
+        rt::into(self.v_slopes_between_creases(at_42, rt::into(uv_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
         at_42: Entered,
-        uv_15: rt::Vec2<f32>,
+        uv_18: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut part_4: rt::Vec2<f32>;
 
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_31 = ((uv_15 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_31);
+        let point_32 = ((uv_18 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_32);
         let _e11 = self.v_sloped_cell(_e9.to_i32());
         let cell_30 = _e11.to_f32();
-        part_4 = (point_31 - cell_30);
+        part_4 = (point_32 - cell_30);
         let _e17 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e17.elementwise_eq(WRAP_CLAMP)) {
             let _e20 = part_4;
             part_4 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
         }
-        let i_6 = cell_30.to_i32();
-        let _e30 = self.v_height_cell(i_6, rt::Scalar(0u32));
+        let i_7 = cell_30.to_i32();
+        let _e30 = self.v_height_cell(i_7, rt::Scalar(0u32));
         let _e31 = part_4;
         let _e32 = self.v_cell_slopes(_e30, _e31);
-        let _e37 = self.v_sloped_cell((i_6 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e37 = self.v_sloped_cell((i_7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e39 = self.v_height_cell(_e37, rt::Scalar(0u32));
         let _e40 = part_4;
         let _e41 = self.v_cell_slopes(_e39, _e40);
         let before_u = _e41.x();
-        let _e47 = self.v_sloped_cell((i_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e47 = self.v_sloped_cell((i_7 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e49 = self.v_height_cell(_e47, rt::Scalar(0u32));
         let _e50 = part_4;
         let _e51 = self.v_cell_slopes(_e49, _e50);
         let behind_u = _e51.x();
-        let _e57 = self.v_sloped_cell((i_6 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e57 = self.v_sloped_cell((i_7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e59 = self.v_height_cell(_e57, rt::Scalar(0u32));
         let _e60 = part_4;
         let _e61 = self.v_cell_slopes(_e59, _e60);
         let before_v = _e61.y();
-        let _e67 = self.v_sloped_cell((i_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e67 = self.v_sloped_cell((i_7 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e69 = self.v_height_cell(_e67, rt::Scalar(0u32));
         let _e70 = part_4;
         let _e71 = self.v_cell_slopes(_e69, _e70);
@@ -7900,41 +8216,41 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn texels_apart(
         &self,
-        place_13: impl rt::Into<rt::Scalar<f32>>,
+        place_14: impl rt::Into<rt::Scalar<f32>>,
         side_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_texels_apart(rt::into(place_13), rt::into(side_3)))
+        rt::into(self.v_texels_apart(rt::into(place_14), rt::into(side_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_texels_apart(
         &self,
-        place_13: rt::Scalar<f32>,
+        place_14: rt::Scalar<f32>,
         side_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e4.elementwise_ne(WRAP_CLAMP)) {
             return rt::Scalar(2f32);
         }
-        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_13).max(rt::Scalar(0f32))) - ((place_13 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
+        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_14).max(rt::Scalar(0f32))) - ((place_14 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
     }
     pub(crate) fn normal_from_height(
         &self,
         at_44: Entered,
-        uv_16: impl rt::Into<rt::Vec2<f32>>,
+        uv_19: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_44, rt::into(uv_16)))
+        rt::into(self.v_normal_from_height(at_44, rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
         at_44: Entered,
-        uv_16: rt::Vec2<f32>,
+        uv_19: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_44, uv_16);
+            let _e9 = self.v_slopes_between_creases(at_44, uv_19);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
             let _e17 = self.v_normal_of_slopes(at_44, slopes.x(), slopes.y());
@@ -7942,15 +8258,15 @@ impl<'g> Resources<'g> {
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e30 = self.v_height_at((uv_16 + du), rt::Scalar(0u32));
-        let _e33 = self.v_height_at((uv_16 - du), rt::Scalar(0u32));
+        let _e30 = self.v_height_at((uv_19 + du), rt::Scalar(0u32));
+        let _e33 = self.v_height_at((uv_19 - du), rt::Scalar(0u32));
         let rise_u_1 = (_e30 - _e33);
-        let _e37 = self.v_height_at((uv_16 + dv), rt::Scalar(0u32));
-        let _e40 = self.v_height_at((uv_16 - dv), rt::Scalar(0u32));
+        let _e37 = self.v_height_at((uv_19 + dv), rt::Scalar(0u32));
+        let _e40 = self.v_height_at((uv_19 - dv), rt::Scalar(0u32));
         let rise_v_1 = (_e37 - _e40);
-        let _e46 = self.v_texels_apart((uv_16.x() * _e3.x()), _e3.x());
+        let _e46 = self.v_texels_apart((uv_19.x() * _e3.x()), _e3.x());
         let rate_u_1 = (rt::Scalar(1f32) / _e46);
-        let _e53 = self.v_texels_apart((uv_16.y() * _e3.y()), _e3.y());
+        let _e53 = self.v_texels_apart((uv_19.y() * _e3.y()), _e3.y());
         let rate_v_1 = (rt::Scalar(1f32) / _e53);
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u_1 = (rise_u_1 * ((rate_u_1 * _e3.x()) * _e60));
@@ -7962,24 +8278,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn finest_normal(
         &self,
         at_45: Entered,
-        uv_17: impl rt::Into<rt::Vec2<f32>>,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_45, rt::into(uv_17)))
+        rt::into(self.v_finest_normal(at_45, rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
         at_45: Entered,
-        uv_17: rt::Vec2<f32>,
+        uv_20: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_17, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e9 = self.v_normal_at(uv_20, rt::Scalar(0i32), rt::Scalar(0u32));
             let _e11 = self.v_from_tangent_space(at_45, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_45, uv_17);
+        let _e13 = self.v_normal_from_height(at_45, uv_20);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -7995,9 +8311,9 @@ impl<'g> Resources<'g> {
         pixel_47: PixelIn,
         at_46: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_47, at_46, rt::into(k_5), rt::into(params_33)))
+        rt::into(self.v_surface_plane_segment(pixel_47, at_46, rt::into(k_5), rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
@@ -8005,7 +8321,7 @@ impl<'g> Resources<'g> {
         pixel_47: PixelIn,
         at_46: Entered,
         k_5: rt::Scalar<u32>,
-        params_33: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_3: rt::Scalar<f32>;
@@ -8059,9 +8375,9 @@ impl<'g> Resources<'g> {
         pixel_48: PixelIn,
         at_47: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_48, at_47, rt::into(k_6), rt::into(params_34)))
+        rt::into(self.v_folded_segment(pixel_48, at_47, rt::into(k_6), rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
@@ -8069,7 +8385,7 @@ impl<'g> Resources<'g> {
         pixel_48: PixelIn,
         at_47: Entered,
         k_6: rt::Scalar<u32>,
-        params_34: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> Path {
         let mut a_13: WayPoint;
         let mut b_13: WayPoint;
@@ -8078,13 +8394,13 @@ impl<'g> Resources<'g> {
 
         let along_32 = pixel_48.direction.normalize();
         let _e6 = self.v_middle_of(pixel_48, along_32);
-        let _e7 = self.v_prism_of(pixel_48, along_32, _e6, params_34);
+        let _e7 = self.v_prism_of(pixel_48, along_32, _e6, params_36);
         let _e8 = self.v_shell_slack(pixel_48, _e6);
         let _e9 = self.v_way_of(pixel_48, _e7, along_32);
         let _e10 = self.v_way_offsets(pixel_48, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_48, at_47, _e6, params_34);
+        let _e11 = self.v_chord_reach(pixel_48, at_47, _e6, params_36);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_48, _e7, along_32, _e9, _e10, _e12, params_34.x(), k_6);
+        let _e14 = self.v_way_chord(pixel_48, _e7, along_32, _e9, _e10, _e12, params_36.x(), k_6);
         let _e16 = self.v_before_turn(_e7, along_32, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_32, _e9, _e16.x());
         a_13 = _e18;
@@ -8102,15 +8418,15 @@ impl<'g> Resources<'g> {
         let _e38 = rt::Scalar(a_13.t);
         let _e41 = rt::Scalar(b_13.t);
         let _e43 = rt::Scalar(a_13.t);
-        let part_18 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
+        let part_19 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
         let _e48 = rt::Scalar(a_13.point.height);
         let _e53 = rt::Scalar(b_13.point.height);
-        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_18);
+        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_19);
         let _e56 = a_13.point;
         let _e58 = b_13.point;
         let _e60 = rt::Scalar(a_13.t);
         let _e62 = rt::Scalar(b_13.t);
-        let _e64 = self.v_chord_path(pixel_48, at_47, _e6, params_34, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e64 = self.v_chord_path(pixel_48, at_47, _e6, params_36, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_19 = _e64;
         let _e67 = rt::Scalar(a_13.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
@@ -8131,9 +8447,9 @@ impl<'g> Resources<'g> {
         pixel_49: PixelIn,
         at_48: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_49, at_48, rt::into(k_7), rt::into(params_35)))
+        rt::into(self.v_surface_prism_segment(pixel_49, at_48, rt::into(k_7), rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
@@ -8141,27 +8457,27 @@ impl<'g> Resources<'g> {
         pixel_49: PixelIn,
         at_48: Entered,
         k_7: rt::Scalar<u32>,
-        params_35: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> Path {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_49.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_49, at_48, k_7, params_35);
+            let _e8 = self.v_folded_segment(pixel_49, at_48, k_7, params_37);
             return _e8;
         }
         let along_33 = pixel_49.direction.normalize();
         let _e11 = self.v_middle_of(pixel_49, along_33);
-        let _e12 = self.v_prism_of(pixel_49, along_33, _e11, params_35);
+        let _e12 = self.v_prism_of(pixel_49, along_33, _e11, params_37);
         let heights_2 = pixel_49.shell.heights;
-        let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
+        let mean_10 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
         let _e20 = self.v_chord_end(at_48, k_7);
         let _e23 = self.v_chord_end(at_48, (k_7 + rt::Scalar(1u32)));
-        let _e25 = self.v_shell_point(_e12, (along_33 * _e20), mean_3);
-        let _e27 = self.v_shell_point(_e12, (along_33 * _e23), mean_3);
+        let _e25 = self.v_shell_point(_e12, (along_33 * _e20), mean_10);
+        let _e27 = self.v_shell_point(_e12, (along_33 * _e23), mean_10);
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_33 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_49, at_48, _e11, params_35);
+        let _e56 = self.v_chord_reach(pixel_49, at_48, _e11, params_37);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_49, at_48, _e11, params_35, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_49, at_48, _e11, params_37, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
@@ -8169,9 +8485,9 @@ impl<'g> Resources<'g> {
         pixel_50: PixelIn,
         at_49: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_49, rt::into(k_8), rt::into(params_36)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_49, rt::into(k_8), rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
@@ -8179,7 +8495,7 @@ impl<'g> Resources<'g> {
         pixel_50: PixelIn,
         at_49: Entered,
         k_8: rt::Scalar<u32>,
-        params_36: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
@@ -8194,8 +8510,8 @@ impl<'g> Resources<'g> {
         let _e12 = self.v_plane_distance(pixel_50, _e11);
         let distance_1 = (_e12 * along_34);
         let whole = (at_49.span.y() - at_49.span.x());
-        let first_15 = (at_49.span.x() + (whole * (k_8.to_f32() / params_36.z())));
-        let last_9 = (at_49.span.x() + (whole * ((k_8 + rt::Scalar(1u32)).to_f32() / params_36.z())));
+        let first_15 = (at_49.span.x() + (whole * (k_8.to_f32() / params_38.z())));
+        let last_9 = (at_49.span.x() + (whole * ((k_8 + rt::Scalar(1u32)).to_f32() / params_38.z())));
         let long_4 = (last_9 - first_15);
         let _e38 = self.v_across_depth(_e9, first_15);
         begin_1 = (at_49.of_surface.w() - (_e38 / _e10));
@@ -8207,7 +8523,7 @@ impl<'g> Resources<'g> {
         let middle_13 = (at_49.of_surface.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_9);
         end_1 = (at_49.of_surface.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_8 + rt::Scalar(1u32)).elementwise_eq(params_36.z().to_u32())) {
+        if rt::Scalar::into_branch_condition((k_8 + rt::Scalar(1u32)).elementwise_eq(params_38.z().to_u32())) {
             let _e68 = end_1;
             local_46 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
@@ -8226,7 +8542,7 @@ impl<'g> Resources<'g> {
         let slope_9 = ((_e84 - _e85) - bend_5);
         let base_3 = (rt::Scalar(0f32) - first_15).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_20 = <Path>::new((at_49.uv + (_e9.duv * first_15)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (distance_1 + first_15), (rt::Scalar(1f32) / params_36.z()), rt::Scalar(0f32));
+        path_20 = <Path>::new((at_49.uv + (_e9.duv * first_15)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (distance_1 + first_15), (rt::Scalar(1f32) / params_38.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e118 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
@@ -8257,9 +8573,9 @@ impl<'g> Resources<'g> {
         pixel_51: PixelIn,
         at_50: Entered,
         k_9: impl rt::Into<rt::Scalar<u32>>,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_50, rt::into(k_9), rt::into(params_37)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_50, rt::into(k_9), rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
@@ -8267,7 +8583,7 @@ impl<'g> Resources<'g> {
         pixel_51: PixelIn,
         at_50: Entered,
         k_9: rt::Scalar<u32>,
-        params_37: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> Path {
         let mut local_47: rt::Scalar<bool>;
         let mut local_48: rt::Scalar<bool>;
@@ -8363,9 +8679,9 @@ impl<'g> Resources<'g> {
         pixel_52: PixelIn,
         at_51: Entered,
         k_10: impl rt::Into<rt::Scalar<u32>>,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_51, rt::into(k_10), rt::into(params_38)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_51, rt::into(k_10), rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
@@ -8373,7 +8689,7 @@ impl<'g> Resources<'g> {
         pixel_52: PixelIn,
         at_51: Entered,
         k_10: rt::Scalar<u32>,
-        params_38: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
@@ -8399,7 +8715,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_52, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_39 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_43 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_52, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -8414,10 +8730,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_39.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_43.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_39.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_43.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -8428,7 +8744,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_39 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_51.metric, RAY_VIEW, rt::Scalar(at_51.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        path_22 = <Path>::new((uv_43 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_51.metric, RAY_VIEW, rt::Scalar(at_51.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
         let _e159 = rt::Scalar(path_22.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
             let _e162 = path_22;
@@ -8445,9 +8761,9 @@ impl<'g> Resources<'g> {
         pixel_53: PixelIn,
         at_52: Entered,
         k_11: impl rt::Into<rt::Scalar<u32>>,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_53, at_52, rt::into(k_11), rt::into(params_39)))
+        rt::into(self.v_surface_facets_segment(pixel_53, at_52, rt::into(k_11), rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8456,7 +8772,7 @@ impl<'g> Resources<'g> {
         pixel_53: PixelIn,
         at_52: Entered,
         k_11: rt::Scalar<u32>,
-        params_39: rt::Vec4<f32>,
+        params_41: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_53);
         let _e5 = self.v_triangle_distance(pixel_53, _e4);
@@ -8471,9 +8787,9 @@ impl<'g> Resources<'g> {
         map_1: impl rt::Into<rt::Scalar<f32>>,
         slice: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_40)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8482,7 +8798,7 @@ impl<'g> Resources<'g> {
         map_1: rt::Scalar<f32>,
         slice: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
-        params_40: rt::Vec4<f32>,
+        params_42: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_1.elementwise_gt(slice);
     }
@@ -8491,9 +8807,9 @@ impl<'g> Resources<'g> {
         map_2: impl rt::Into<rt::Scalar<f32>>,
         slice_1: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_41)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8502,7 +8818,7 @@ impl<'g> Resources<'g> {
         map_2: rt::Scalar<f32>,
         slice_1: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
-        params_41: rt::Vec4<f32>,
+        params_43: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_2.elementwise_ge(slice_1);
     }
@@ -8511,9 +8827,9 @@ impl<'g> Resources<'g> {
         map_3: impl rt::Into<rt::Scalar<f32>>,
         slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_42)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8522,7 +8838,7 @@ impl<'g> Resources<'g> {
         map_3: rt::Scalar<f32>,
         slice_2: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
-        params_42: rt::Vec4<f32>,
+        params_44: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return (map_3 - slice_2).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
@@ -8701,9 +9017,9 @@ impl<'g> Resources<'g> {
         pixel_56: PixelIn,
         at_57: Entered,
         k_12: impl rt::Into<rt::Scalar<u32>>,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_56, at_57, rt::into(k_12), rt::into(params_43)))
+        rt::into(self.v_surface_slices_segment(pixel_56, at_57, rt::into(k_12), rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8712,7 +9028,7 @@ impl<'g> Resources<'g> {
         pixel_56: PixelIn,
         at_57: Entered,
         k_12: rt::Scalar<u32>,
-        params_43: rt::Vec4<f32>,
+        params_45: rt::Vec4<f32>,
     ) -> Path {
         let along_37 = pixel_56.direction.length();
         let _e6 = self.v_plane_normal(pixel_56);
@@ -8859,9 +9175,9 @@ impl<'g> Resources<'g> {
         pixel_58: PixelIn,
         at_58: Entered,
         k_14: impl rt::Into<rt::Scalar<u32>>,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_58, at_58, rt::into(k_14), rt::into(params_44)))
+        rt::into(self.v_surface_object_segment(pixel_58, at_58, rt::into(k_14), rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8870,7 +9186,7 @@ impl<'g> Resources<'g> {
         pixel_58: PixelIn,
         at_58: Entered,
         k_14: rt::Scalar<u32>,
-        params_44: rt::Vec4<f32>,
+        params_46: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_path_through_image(pixel_58, k_14);
         return _e4;
@@ -8880,9 +9196,9 @@ impl<'g> Resources<'g> {
         pixel_59: PixelIn,
         at_59: Entered,
         k_15: impl rt::Into<rt::Scalar<u32>>,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_59, at_59, rt::into(k_15), rt::into(params_45)))
+        rt::into(self.v_surface_frames_segment(pixel_59, at_59, rt::into(k_15), rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8891,7 +9207,7 @@ impl<'g> Resources<'g> {
         pixel_59: PixelIn,
         at_59: Entered,
         k_15: rt::Scalar<u32>,
-        params_45: rt::Vec4<f32>,
+        params_47: rt::Vec4<f32>,
     ) -> Path {
         let _e7 = self.v_frames_around((-pixel_59.direction.normalize()));
         let _e8 = self.v_frame_number(_e7, k_15);
@@ -8921,16 +9237,16 @@ impl<'g> Resources<'g> {
         let h_7 = ((image_9.height.xyz().dot(point_13) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
         let beside_5 = ((u_3 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_5 - rt::Scalar(0.5f32)).abs() - _e24.y()));
-        let uv_40 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_3, v_5)));
+        let uv_44 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_3, v_5)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_146 = (((uv_40 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
-        let _e52 = self.v_cell_of(at_146);
-        let part_19 = (at_146 - _e52);
+        let at_149 = (((uv_44 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let _e52 = self.v_cell_of(at_149);
+        let part_20 = (at_149 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
-        let top_8 = (_e56.x() + ((_e56.y() - _e56.x()) * part_19.x()));
-        let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_19.x()));
-        let map_5 = (top_8 + ((bottom_4 - top_8) * part_19.y()));
+        let top_8 = (_e56.x() + ((_e56.y() - _e56.x()) * part_20.x()));
+        let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_20.x()));
+        let map_5 = (top_8 + ((bottom_4 - top_8) * part_20.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
             local_54 = beside_5.elementwise_le(rt::Scalar(0.5f32));
         } else {
@@ -8950,7 +9266,7 @@ impl<'g> Resources<'g> {
         }
         let is_inside_2 = local_56;
         let _e97 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_40, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
+        return <OnImage>::new(uv_44, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
     }
     pub(crate) fn is_in_image(&self, at_60: OnImage) -> bool {
         rt::into(self.v_is_in_image(at_60))
@@ -9036,9 +9352,9 @@ impl<'g> Resources<'g> {
         pixel_60: PixelIn,
         at_61: Entered,
         k_16: impl rt::Into<rt::Scalar<u32>>,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_60, at_61, rt::into(k_16), rt::into(params_46)))
+        rt::into(self.v_surface_object_slices_segment(pixel_60, at_61, rt::into(k_16), rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9047,7 +9363,7 @@ impl<'g> Resources<'g> {
         pixel_60: PixelIn,
         at_61: Entered,
         k_16: rt::Scalar<u32>,
-        params_46: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> Path {
         let _e5 = self.v_slice_at(at_61.point);
         let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
@@ -9156,9 +9472,9 @@ impl<'g> Resources<'g> {
         let _e33 = self.v_path_slope(path_23, _e32);
         let h_8 = <rt::Vec3<f32>>::from_scalars(height_20, (_e33 / kept), (path_23.h.z() / kept));
         let _e40 = start_1;
-        let rest_4 = (rt::Scalar(path_23.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_8.x().max(rt::Scalar(0f32)), h_8.y(), h_8.z()), rest_4);
-        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_4);
+        let rest_5 = (rt::Scalar(path_23.exit) - _e40);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_8.x().max(rt::Scalar(0f32)), h_8.y(), h_8.z()), rest_5);
+        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_5);
         let _e53 = start_1;
         let base_5 = (rt::Scalar(path_23.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start_1;
@@ -9204,9 +9520,9 @@ impl<'g> Resources<'g> {
         at_64: Entered,
         path_25: Path,
         hit_9: Hit,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_63, at_64, path_25, hit_9, rt::into(params_47)))
+        rt::into(self.v_surface_plane_polish(pixel_63, at_64, path_25, hit_9, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9216,63 +9532,63 @@ impl<'g> Resources<'g> {
         at_64: Entered,
         path_25: Path,
         hit_9: Hit,
-        params_47: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> Hit {
         return hit_9;
     }
     pub(crate) fn weights_at_offset(
         &self,
         prism_11: Prism,
-        place_14: impl rt::Into<rt::Vec3<f32>>,
+        place_15: impl rt::Into<rt::Vec3<f32>>,
         offset_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_14), rt::into(offset_5)))
+        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_15), rt::into(offset_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weights_at_offset(
         &self,
         prism_11: Prism,
-        place_14: rt::Vec3<f32>,
+        place_15: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let corner_5 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
         let a_38 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
         let b_38 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_5 = (place_14 - corner_5);
+        let rest_6 = (place_15 - corner_5);
         let across_7 = a_38.cross(b_38);
         let square_2 = across_7.dot(across_7);
         if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_5 = (rest_5.cross(b_38).dot(across_7) / square_2);
-        let third_4 = (a_38.cross(rest_5).dot(across_7) / square_2);
+        let second_5 = (rest_6.cross(b_38).dot(across_7) / square_2);
+        let third_4 = (a_38.cross(rest_6).dot(across_7) / square_2);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_5) - third_4), second_5, third_4);
     }
     pub(crate) fn shell_point_near(
         &self,
         prism_12: Prism,
-        place_15: impl rt::Into<rt::Vec3<f32>>,
+        place_16: impl rt::Into<rt::Vec3<f32>>,
         height_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_15), rt::into(height_6)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_16), rt::into(height_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point_near(
         &self,
         prism_12: Prism,
-        place_15: rt::Vec3<f32>,
+        place_16: rt::Vec3<f32>,
         height_6: rt::Scalar<f32>,
     ) -> ShellPoint {
         let low_4 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
         let offset_8 = (low_4 + ((_e10 - low_4).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_6));
-        let _e16 = self.v_weights_at_offset(prism_12, place_15, offset_8);
+        let _e16 = self.v_weights_at_offset(prism_12, place_16, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
-        let _e20 = self.v_weights_at_offset(prism_12, place_15, (offset_8 + _e18));
+        let _e20 = self.v_weights_at_offset(prism_12, place_16, (offset_8 + _e18));
         let near_8 = <ShellPoint>::new(_e20, height_6);
-        let _e22 = self.v_shell_point_from(prism_12, place_15, near_8);
+        let _e22 = self.v_shell_point_from(prism_12, place_16, near_8);
         let moved = (_e22.weights - near_8.weights).abs();
         let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_6).abs()));
         if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
@@ -9284,10 +9600,10 @@ impl<'g> Resources<'g> {
         &self,
         pixel_64: PixelIn,
         prism_13: Prism,
-        place_16: impl rt::Into<rt::Vec3<f32>>,
+        place_17: impl rt::Into<rt::Vec3<f32>>,
         height_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_64, prism_13, rt::into(place_16), rt::into(height_7)))
+        rt::into(self.v_point_of_way(pixel_64, prism_13, rt::into(place_17), rt::into(height_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9295,14 +9611,14 @@ impl<'g> Resources<'g> {
         &self,
         pixel_64: PixelIn,
         prism_13: Prism,
-        place_16: rt::Vec3<f32>,
+        place_17: rt::Vec3<f32>,
         height_7: rt::Scalar<f32>,
     ) -> ShellPoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_16, height_7);
+            let _e8 = self.v_shell_point_near(prism_13, place_17, height_7);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_13, place_16, height_7);
+        let _e9 = self.v_shell_point(prism_13, place_17, height_7);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
@@ -9311,9 +9627,9 @@ impl<'g> Resources<'g> {
         at_65: Entered,
         path_26: Path,
         hit_10: Hit,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_65, at_65, path_26, hit_10, rt::into(params_48)))
+        rt::into(self.v_surface_prism_polish(pixel_65, at_65, path_26, hit_10, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
@@ -9322,7 +9638,7 @@ impl<'g> Resources<'g> {
         at_65: Entered,
         path_26: Path,
         hit_10: Hit,
-        params_48: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_15: rt::Scalar<f32>;
         let mut point_16: ShellPoint;
@@ -9330,11 +9646,11 @@ impl<'g> Resources<'g> {
 
         let along_39 = pixel_65.direction.normalize();
         let _e7 = self.v_middle_of(pixel_65, along_39);
-        let _e8 = self.v_prism_of(pixel_65, along_39, _e7, params_48);
+        let _e8 = self.v_prism_of(pixel_65, along_39, _e7, params_50);
         let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_10.t));
         let _e11 = self.v_grid_of(path_26);
         let texels_5 = _e11.step.abs();
-        let most_13 = ((rt::Scalar(2f32) * params_48.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
+        let most_13 = ((rt::Scalar(2f32) * params_50.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
         t_15 = rt::Scalar(hit_10.t);
         let _e30 = t_15;
         let _e34 = t_15;
@@ -9366,15 +9682,15 @@ impl<'g> Resources<'g> {
                         t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_10.t) - most_13), (rt::Scalar(hit_10.t) + most_13));
                     }
                     let _e75 = t_15;
-                    let place_28 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    let place_29 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_28, _e84);
+                        let _e85 = self.v_shell_point_near(_e8, place_29, _e84);
                         point_16 = _e85;
                     } else {
                         let _e86 = point_16;
-                        let _e87 = self.v_shell_point_from(_e8, place_28, _e86);
+                        let _e87 = self.v_shell_point_from(_e8, place_29, _e86);
                         point_16 = _e87;
                     }
                 }
@@ -9392,9 +9708,9 @@ impl<'g> Resources<'g> {
         at_66: Entered,
         path_27: Path,
         hit_11: Hit,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_66, path_27, hit_11, rt::into(params_49)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_66, path_27, hit_11, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9404,7 +9720,7 @@ impl<'g> Resources<'g> {
         at_66: Entered,
         path_27: Path,
         hit_11: Hit,
-        params_49: rt::Vec4<f32>,
+        params_51: rt::Vec4<f32>,
     ) -> Hit {
         return hit_11;
     }
@@ -9414,9 +9730,9 @@ impl<'g> Resources<'g> {
         at_67: Entered,
         path_28: Path,
         hit_12: Hit,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_67, path_28, hit_12, rt::into(params_50)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_67, path_28, hit_12, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9426,7 +9742,7 @@ impl<'g> Resources<'g> {
         at_67: Entered,
         path_28: Path,
         hit_12: Hit,
-        params_50: rt::Vec4<f32>,
+        params_52: rt::Vec4<f32>,
     ) -> Hit {
         return hit_12;
     }
@@ -9436,9 +9752,9 @@ impl<'g> Resources<'g> {
         at_68: Entered,
         path_29: Path,
         hit_13: Hit,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_68, path_29, hit_13, rt::into(params_51)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_68, path_29, hit_13, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9448,7 +9764,7 @@ impl<'g> Resources<'g> {
         at_68: Entered,
         path_29: Path,
         hit_13: Hit,
-        params_51: rt::Vec4<f32>,
+        params_53: rt::Vec4<f32>,
     ) -> Hit {
         return hit_13;
     }
@@ -9458,9 +9774,9 @@ impl<'g> Resources<'g> {
         at_69: Entered,
         path_30: Path,
         hit_14: Hit,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_69, at_69, path_30, hit_14, rt::into(params_52)))
+        rt::into(self.v_surface_facets_polish(pixel_69, at_69, path_30, hit_14, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9470,7 +9786,7 @@ impl<'g> Resources<'g> {
         at_69: Entered,
         path_30: Path,
         hit_14: Hit,
-        params_52: rt::Vec4<f32>,
+        params_54: rt::Vec4<f32>,
     ) -> Hit {
         return hit_14;
     }
@@ -9480,9 +9796,9 @@ impl<'g> Resources<'g> {
         at_70: Entered,
         path_31: Path,
         hit_15: Hit,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_70, at_70, path_31, hit_15, rt::into(params_53)))
+        rt::into(self.v_surface_slices_polish(pixel_70, at_70, path_31, hit_15, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9492,7 +9808,7 @@ impl<'g> Resources<'g> {
         at_70: Entered,
         path_31: Path,
         hit_15: Hit,
-        params_53: rt::Vec4<f32>,
+        params_55: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted: Hit;
 
@@ -9537,9 +9853,9 @@ impl<'g> Resources<'g> {
         at_71: Entered,
         path_34: Path,
         hit_17: Hit,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_71, at_71, path_34, hit_17, rt::into(params_54)))
+        rt::into(self.v_surface_object_polish(pixel_71, at_71, path_34, hit_17, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9549,7 +9865,7 @@ impl<'g> Resources<'g> {
         at_71: Entered,
         path_34: Path,
         hit_17: Hit,
-        params_54: rt::Vec4<f32>,
+        params_56: rt::Vec4<f32>,
     ) -> Hit {
         let _e5 = self.v_polished_on_image(path_34, hit_17);
         return _e5;
@@ -9560,9 +9876,9 @@ impl<'g> Resources<'g> {
         at_72: Entered,
         path_35: Path,
         hit_18: Hit,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_72, at_72, path_35, hit_18, rt::into(params_55)))
+        rt::into(self.v_surface_frames_polish(pixel_72, at_72, path_35, hit_18, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9572,7 +9888,7 @@ impl<'g> Resources<'g> {
         at_72: Entered,
         path_35: Path,
         hit_18: Hit,
-        params_55: rt::Vec4<f32>,
+        params_57: rt::Vec4<f32>,
     ) -> Hit {
         let _e5 = self.v_polished_on_image(path_35, hit_18);
         return _e5;
@@ -9583,9 +9899,9 @@ impl<'g> Resources<'g> {
         at_73: Entered,
         path_36: Path,
         hit_19: Hit,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_73, at_73, path_36, hit_19, rt::into(params_56)))
+        rt::into(self.v_surface_object_slices_polish(pixel_73, at_73, path_36, hit_19, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9595,7 +9911,7 @@ impl<'g> Resources<'g> {
         at_73: Entered,
         path_36: Path,
         hit_19: Hit,
-        params_56: rt::Vec4<f32>,
+        params_58: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted_1: Hit;
 
@@ -9684,14 +10000,14 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_7.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn is_in_hole(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_in_hole(rt::into(uv_18)))
+    pub(crate) fn is_in_hole(&self, uv_21: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_in_hole(rt::into(uv_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_is_in_hole(&self, uv_18: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_is_in_hole(&self, uv_21: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition((_e3 & rt::Scalar(2u32)).elementwise_ne(rt::Scalar(0u32))) {
-            let _e9 = self.v_color_at(uv_18, rt::Scalar(0u32));
+            let _e9 = self.v_color_at(uv_21, rt::Scalar(0u32));
             let _e13 = rt::Scalar(self.surface_settings.cutoff);
             if rt::Scalar::into_branch_condition(_e9.w().elementwise_lt(_e13)) {
                 return rt::Scalar(true);
@@ -9703,7 +10019,7 @@ impl<'g> Resources<'g> {
         }
         let _e25 = self.v_height_texels(rt::Scalar(0u32));
         let _e27 = self.v_height_size(rt::Scalar(0u32));
-        let _e33 = self.v_cell_of(((uv_18 * _e27) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e33 = self.v_cell_of(((uv_21 * _e27) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let cell_31 = _e33.to_i32();
         let _e37 = self.v_wrap_index(cell_31.x(), _e25.x());
         let _e42 = self.v_wrap_index((cell_31.x() + rt::Scalar(1i32)), _e25.x());
@@ -9717,17 +10033,17 @@ impl<'g> Resources<'g> {
         let below_6 = _e65.x().max(_e70.x());
         return above_7.max(below_6).elementwise_gt(rt::Scalar(0f32));
     }
-    pub(crate) fn in_hole(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_19)))
+    pub(crate) fn in_hole(&self, uv_22: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_in_hole(&self, uv_19: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_in_hole(&self, uv_22: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(false);
         }
-        let _e7 = self.v_is_in_hole(uv_19);
+        let _e7 = self.v_is_in_hole(uv_22);
         return _e7;
     }
     pub(crate) fn hit_on_segment(
@@ -9795,10 +10111,10 @@ impl<'g> Resources<'g> {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_7 = t_17.clamp(rt::Scalar(0f32), rt::Scalar(path_40.exit));
-        let _e19 = self.v_path_uv(path_40, inside_7);
-        let _e20 = self.v_path_height(path_40, inside_7);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_7, cost_3);
+        let inside_6 = t_17.clamp(rt::Scalar(0f32), rt::Scalar(path_40.exit));
+        let _e19 = self.v_path_uv(path_40, inside_6);
+        let _e20 = self.v_path_height(path_40, inside_6);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_6, cost_3);
     }
     pub(crate) fn starting_point(&self, path_41: Path, found_1: SearchResult) -> f32 {
         rt::into(self.v_starting_point(path_41, found_1))
@@ -9825,9 +10141,9 @@ impl<'g> Resources<'g> {
         &self,
         path_42: Path,
         found_2: SearchResult,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_42, found_2, rt::into(params_57)))
+        rt::into(self.v_refine_none(path_42, found_2, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9835,7 +10151,7 @@ impl<'g> Resources<'g> {
         &self,
         path_42: Path,
         found_2: SearchResult,
-        params_57: rt::Vec4<f32>,
+        params_59: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
@@ -9850,16 +10166,16 @@ impl<'g> Resources<'g> {
         &self,
         path_43: Path,
         found_3: SearchResult,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_43, found_3, rt::into(params_58)))
+        rt::into(self.v_refine_offset(path_43, found_3, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
         path_43: Path,
         found_3: SearchResult,
-        params_58: rt::Vec4<f32>,
+        params_60: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_18: rt::Scalar<f32>;
 
@@ -9884,16 +10200,16 @@ impl<'g> Resources<'g> {
         &self,
         path_44: Path,
         found_4: SearchResult,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_44, found_4, rt::into(params_59)))
+        rt::into(self.v_refine_offset_limited(path_44, found_4, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
         path_44: Path,
         found_4: SearchResult,
-        params_59: rt::Vec4<f32>,
+        params_61: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_22: Hit;
 
@@ -9932,23 +10248,23 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let m_5 = path_45.metric;
         let area_5 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
-        let squared_2 = (((((slope_1.x() * slope_1.x()) * m_5.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_5.y())) + ((slope_1.y() * slope_1.y()) * m_5.x())) / area_5);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_5.w() * m_5.w()) * squared_2)).sqrt());
+        let squared_3 = (((((slope_1.x() * slope_1.x()) * m_5.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_5.y())) + ((slope_1.y() * slope_1.y()) * m_5.x())) / area_5);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_5.w() * m_5.w()) * squared_3)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
         path_46: Path,
         found_5: SearchResult,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_46, found_5, rt::into(params_60)))
+        rt::into(self.v_refine_slope(path_46, found_5, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
         path_46: Path,
         found_5: SearchResult,
-        params_60: rt::Vec4<f32>,
+        params_62: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_19: rt::Scalar<f32>;
 
@@ -9962,7 +10278,7 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_path_height(path_46, _e8);
         let rise_1 = (_e11.x() - _e13);
         t_19 = _e8;
-        if rt::Scalar::into_branch_condition(params_60.x().elementwise_gt(rt::Scalar(0.5f32))) {
+        if rt::Scalar::into_branch_condition(params_62.x().elementwise_gt(rt::Scalar(0.5f32))) {
             let _e19 = self.v_path_slope(path_46, _e8);
             let closing = (_e19 - ((_e11.y() * path_46.duv.x()) + (_e11.z() * path_46.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
@@ -9980,16 +10296,16 @@ impl<'g> Resources<'g> {
         &self,
         path_47: Path,
         found_6: SearchResult,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_47, found_6, rt::into(params_61)))
+        rt::into(self.v_refine_slope_iterative(path_47, found_6, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
         path_47: Path,
         found_6: SearchResult,
-        params_61: rt::Vec4<f32>,
+        params_63: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_20: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
@@ -10005,7 +10321,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_20;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_61.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_63.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10020,7 +10336,7 @@ impl<'g> Resources<'g> {
                     let _e28 = t_20;
                     let _e29 = self.v_path_height(path_47, _e28);
                     let rise_2 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_61.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_63.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_20;
                         let _e35 = self.v_path_slope(path_47, _e34);
                         let closing_1 = (_e35 - ((_e23.y() * path_47.duv.x()) + (_e23.z() * path_47.duv.y())));
@@ -10078,16 +10394,16 @@ impl<'g> Resources<'g> {
         &self,
         path_48: Path,
         found_8: SearchResult,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_48, found_8, rt::into(params_62)))
+        rt::into(self.v_refine_binary(path_48, found_8, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
         path_48: Path,
         found_8: SearchResult,
-        params_62: rt::Vec4<f32>,
+        params_64: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
@@ -10098,7 +10414,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_48, found_8, params_62);
+            let _e5 = self.v_refine_none(path_48, found_8, params_64);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -10116,7 +10432,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = k_21;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_62.x())) {
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_64.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10156,16 +10472,16 @@ impl<'g> Resources<'g> {
         &self,
         path_49: Path,
         found_9: SearchResult,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_49, found_9, rt::into(params_63)))
+        rt::into(self.v_refine_secant(path_49, found_9, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
         path_49: Path,
         found_9: SearchResult,
-        params_63: rt::Vec4<f32>,
+        params_65: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
@@ -10177,7 +10493,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_49, found_9, params_63);
+            let _e5 = self.v_refine_none(path_49, found_9, params_65);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -10206,7 +10522,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e37 = k_22;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_63.x())) {
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_65.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10225,7 +10541,7 @@ impl<'g> Resources<'g> {
                     let _e53 = near_gap_1;
                     t_21 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
                     let _e57 = k_22;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_63.x())) {
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_65.x())) {
                         let _e60 = t_21;
                         let _e61 = self.v_path_gap(path_49, _e60);
                         let _e62 = cost_6;
@@ -10254,16 +10570,16 @@ impl<'g> Resources<'g> {
         &self,
         path_50: Path,
         found_10: SearchResult,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_50, found_10, rt::into(params_64)))
+        rt::into(self.v_refine_true_secant(path_50, found_10, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
         path_50: Path,
         found_10: SearchResult,
-        params_64: rt::Vec4<f32>,
+        params_66: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_1: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
@@ -10274,7 +10590,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_50, found_10, params_64);
+            let _e5 = self.v_refine_none(path_50, found_10, params_66);
             return _e5;
         }
         before_1 = rt::Scalar(found_10.near);
@@ -10301,7 +10617,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = k_23;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_64.x())) {
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_66.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10325,7 +10641,7 @@ impl<'g> Resources<'g> {
                     before_gap = _e58;
                     last = t_38;
                     let _e59 = k_23;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_64.x())) {
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_66.x())) {
                         let _e62 = self.v_path_gap(path_50, t_38);
                         last_gap = _e62;
                         let _e63 = cost_7;
@@ -10345,16 +10661,16 @@ impl<'g> Resources<'g> {
         &self,
         path_51: Path,
         found_11: SearchResult,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_51, found_11, rt::into(params_65)))
+        rt::into(self.v_refine_patch(path_51, found_11, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
         path_51: Path,
         found_11: SearchResult,
-        params_65: rt::Vec4<f32>,
+        params_67: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_22: rt::Scalar<f32>;
         let mut cell_16: rt::Vec2<f32>;
@@ -10380,7 +10696,7 @@ impl<'g> Resources<'g> {
         cell_16 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_65.x().to_u32());
+        let limit = (_e35 + params_67.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -10447,27 +10763,27 @@ impl<'g> Resources<'g> {
         &self,
         path_52: Path,
         found_12: SearchResult,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_52, found_12, rt::into(params_66)))
+        rt::into(self.v_refine_half_texel(path_52, found_12, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
         path_52: Path,
         found_12: SearchResult,
-        params_66: rt::Vec4<f32>,
+        params_68: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_6: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_52, found_12, params_66);
+            let _e6 = self.v_refine_none(path_52, found_12, params_68);
             return _e6;
         }
         let _e9 = self.v_height_size(rt::Scalar(path_52.level));
         let speed_1 = (path_52.duv * _e9).length();
         if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_52.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_52, found_12, params_66);
+            let _e17 = self.v_refine_none(path_52, found_12, params_68);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
@@ -10547,39 +10863,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_none(
         &self,
         path_54: Path,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_none(path_54, rt::into(params_67)))
+        rt::into(self.v_search_none(path_54, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_none(
         &self,
         path_54: Path,
-        params_67: rt::Vec4<f32>,
+        params_69: rt::Vec4<f32>,
     ) -> SearchResult {
         return <SearchResult>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
         path_55: Path,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_linear(path_55, rt::into(params_68)))
+        rt::into(self.v_search_linear(path_55, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_55: Path,
-        params_68: rt::Vec4<f32>,
+        params_70: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
         let mut k_24: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_5 = (path_55.h.y().abs() * path_55.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_2 = rt::Scalar(1f32).max(((params_68.x() * params_68.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_55.share)).ceil());
+        let cosine_12 = (path_55.h.y().abs() * path_55.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps_2 = rt::Scalar(1f32).max(((params_70.x() * params_70.y().mix_scalar(rt::Scalar(1f32), cosine_12)) * rt::Scalar(path_55.share)).ceil());
         let _e24 = self.v_path_gap(path_55, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
@@ -10664,15 +10980,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cells(
         &self,
         path_56: Path,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cells(path_56, rt::into(params_69)))
+        rt::into(self.v_search_cells(path_56, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_56: Path,
-        params_69: rt::Vec4<f32>,
+        params_71: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10681,7 +10997,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_56);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_17 = _e4;
-        let limit_1 = params_69.x().to_u32();
+        let limit_1 = params_71.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -10862,15 +11178,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_59: Path,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_frustum(path_59, rt::into(params_70)))
+        rt::into(self.v_search_frustum(path_59, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_59: Path,
-        params_70: rt::Vec4<f32>,
+        params_72: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_20: rt::Vec2<f32>;
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10883,7 +11199,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_20 = _e9;
-        let limit_2 = params_70.x().to_u32();
+        let limit_2 = params_72.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -10955,18 +11271,18 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(0f32))) {
                         let _e114 = cell_20;
                         let _e117 = t_25;
-                        let at_147 = ((_e2.origin - _e114) + (_e2.step * _e117));
-                        let left_5 = at_147.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_147), forward_3);
+                        let at_150 = ((_e2.origin - _e114) + (_e2.step * _e117));
+                        let left_5 = at_150.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_150), forward_3);
                         let _e129 = t_25;
                         let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e137 = slope_3;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e137) * far_9));
                         let _e143 = t_25;
-                        let rest_6 = (rt::Scalar(path_59.exit) - _e143);
+                        let rest_7 = (rt::Scalar(path_59.exit) - _e143);
                         let _e145 = slope_3;
-                        let _e150 = self.v_stays_above(above_8, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_6);
+                        let _e150 = self.v_stays_above(above_8, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_7);
                         let _e151 = slope_3;
-                        let _e156 = self.v_stays_above(above_8, _e151, left_5.y(), _e2.step.y(), lost_1.y(), rest_6);
+                        let _e156 = self.v_stays_above(above_8, _e151, left_5.y(), _e2.step.y(), lost_1.y(), rest_7);
                         let _e157 = next_1;
                         let _e158 = t_25;
                         next_1 = _e157.max((_e158 + _e150.min(_e156)));
@@ -11030,13 +11346,13 @@ impl<'g> Resources<'g> {
         let mut local_70: rt::Scalar<bool>;
         let mut leave_5: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_7 = (rt::Scalar(path_60.exit) - t_26);
+        let rest_8 = (rt::Scalar(path_60.exit) - t_26);
         let _e8 = self.v_path_height(path_60, t_26);
         let height_21 = (_e8 - apex);
         let terms = (path_60.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_60.exit)) * path_60.h.z().abs()));
         let _e21 = self.v_path_slope(path_60, t_26);
-        let rise_4 = ((_e21 + (path_60.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
-        most = rest_7;
+        let rise_4 = ((_e21 + (path_60.h.z().min(rt::Scalar(0f32)) * rest_8)) - (rt::Scalar(0.0000009536743f32) * terms));
+        most = rest_8;
         if rt::Scalar::into_branch_condition(rise_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
             most = _e34.min((height_21 / (rt::Scalar(0f32) - rise_4)));
@@ -11087,15 +11403,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone(
         &self,
         path_61: Path,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cone(path_61, rt::into(params_71)))
+        rt::into(self.v_search_cone(path_61, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_61: Path,
-        params_71: rt::Vec4<f32>,
+        params_73: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_21: rt::Vec2<f32>;
         let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11106,7 +11422,7 @@ impl<'g> Resources<'g> {
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_21 = _e9;
-        let limit_3 = params_71.x().to_u32();
+        let limit_3 = params_73.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -11131,8 +11447,8 @@ impl<'g> Resources<'g> {
                     let span_10 = (end_10 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_21;
                     let _e49 = t_27;
-                    let at_148 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_148);
+                    let at_151 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_151);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_27;
                     next_2 = _e54;
@@ -11191,9 +11507,9 @@ impl<'g> Resources<'g> {
         cell_22: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
         n_7: impl rt::Into<rt::Scalar<i32>>,
-        level_33: impl rt::Into<rt::Scalar<u32>>,
+        level_35: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_7), rt::into(level_33)))
+        rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_7), rt::into(level_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
@@ -11201,12 +11517,12 @@ impl<'g> Resources<'g> {
         cell_22: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
         n_7: rt::Scalar<i32>,
-        level_33: rt::Scalar<u32>,
+        level_35: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_71: rt::Scalar<bool>;
 
-        let first_18 = ((image_10.x() >> level_33) << level_33);
-        let side_7 = (rt::Scalar(1i32) << level_33);
+        let first_18 = ((image_10.x() >> level_35) << level_35);
+        let side_7 = (rt::Scalar(1i32) << level_35);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
             let low_5 = (cell_22 - (image_10.x() - first_18));
             return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_7.min((n_7 - first_18))));
@@ -11215,7 +11531,7 @@ impl<'g> Resources<'g> {
             let high_1 = ((cell_22 + (image_10.x() - first_18)) + rt::Scalar(1i32));
             return <rt::Vec2<i32>>::from_scalars((high_1 - side_7.min(((n_7 - rt::Scalar(1i32)) - first_18))), high_1);
         }
-        if rt::Scalar::into_branch_condition(level_33.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_35.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
             local_71 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
@@ -11254,18 +11570,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid(
         &self,
         path_62: Path,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_pyramid(path_62, rt::into(params_72)))
+        rt::into(self.v_search_pyramid(path_62, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
         path_62: Path,
-        params_72: rt::Vec4<f32>,
+        params_74: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_34: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_36: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_23: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11287,17 +11603,17 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_34;
+                    let _e28 = level_36;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_34;
-                        level_34 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_36;
+                        level_36 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_23 = _e37.to_i32();
-        let limit_4 = params_72.x().to_u32();
+        let limit_4 = params_74.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -11312,10 +11628,10 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_23.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_29 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_34;
+                    let place_30 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let _e67 = level_36;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_29.x() >> above_level), (place_29.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_30.x() >> above_level), (place_30.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
@@ -11332,7 +11648,7 @@ impl<'g> Resources<'g> {
                     }
                     let left_6 = local_72;
                     if rt::Scalar::into_branch_condition(left_6) {
-                        let _e98 = level_34;
+                        let _e98 = level_36;
                         let _e99 = top;
                         local_74 = _e98.elementwise_lt(_e99);
                     } else {
@@ -11340,13 +11656,13 @@ impl<'g> Resources<'g> {
                     }
                     let _e102 = local_74;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_34 = above_level;
+                        level_36 = above_level;
                     }
                     let _e104 = cell_23.x();
-                    let _e106 = level_34;
+                    let _e106 = level_36;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
                     let _e109 = cell_23.y();
-                    let _e111 = level_34;
+                    let _e111 = level_36;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
@@ -11355,7 +11671,7 @@ impl<'g> Resources<'g> {
                     let span_11 = (end_11 - _e126).max(rt::Scalar(0f32));
                     let low_6 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_10 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_34;
+                    let _e140 = level_36;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
@@ -11376,10 +11692,10 @@ impl<'g> Resources<'g> {
                         let _e160 = cost_14;
                         let _e162 = self.v_map_read(path_62, rt::Scalar(1u32));
                         cost_14 = (_e160 + _e162);
-                        let _e165 = level_34;
-                        let _e168 = level_34;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_29.x() >> _e165), (place_29.y() >> _e168));
-                        let _e172 = level_34;
+                        let _e165 = level_36;
+                        let _e168 = level_36;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_30.x() >> _e165), (place_30.y() >> _e168));
+                        let _e172 = level_36;
                         let _e178 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
                         let _e180 = t_28;
@@ -11400,8 +11716,8 @@ impl<'g> Resources<'g> {
                             let _e216 = t_28;
                             let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
                             cell_23 = _e219.to_i32().clamp(low_6, last_10);
-                            let _e222 = level_34;
-                            level_34 = (_e222 - rt::Scalar(1u32));
+                            let _e222 = level_36;
+                            level_36 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -11419,9 +11735,9 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_11)) {
                         cell_23.set_y((low_6.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e267 = level_34;
-                    let _e272 = level_34;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_29.x() >> (_e267 + rt::Scalar(1u32))), (place_29.y() >> (_e272 + rt::Scalar(1u32))));
+                    let _e267 = level_36;
+                    let _e272 = level_36;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_30.x() >> (_e267 + rt::Scalar(1u32))), (place_30.y() >> (_e272 + rt::Scalar(1u32))));
                     let _e277 = t_28;
                     t_28 = _e277.max(end_11);
                 }
@@ -11435,22 +11751,22 @@ impl<'g> Resources<'g> {
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
         n_8: impl rt::Into<rt::Scalar<i32>>,
-        level_35: impl rt::Into<rt::Scalar<u32>>,
+        level_37: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_8), rt::into(level_35)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_8), rt::into(level_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_8: rt::Scalar<i32>,
-        level_35: rt::Scalar<u32>,
+        level_37: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_75: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_8);
-        let first_19 = ((_e3 >> level_35) << level_35);
-        let last_11 = (first_19 + (rt::Scalar(1i32) << level_35)).min(n_8);
+        let first_19 = ((_e3 >> level_37) << level_37);
+        let last_11 = (first_19 + (rt::Scalar(1i32) << level_37)).min(n_8);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_75 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -11475,17 +11791,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid_texels(
         &self,
         path_63: Path,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_pyramid_texels(path_63, rt::into(params_73)))
+        rt::into(self.v_search_pyramid_texels(path_63, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
         path_63: Path,
-        params_73: rt::Vec4<f32>,
+        params_75: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut level_36: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_38: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
@@ -11500,22 +11816,22 @@ impl<'g> Resources<'g> {
         let step_7 = (path_63.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_36;
+                let _e14 = level_38;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_36;
-                    level_36 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_38;
+                    level_38 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_7);
         texel_3 = _e24.to_i32();
-        let limit_5 = params_73.x().to_u32();
-        let _e35 = level_36;
-        finest_1 = params_73.y().to_u32().min(_e35);
+        let limit_5 = params_75.x().to_u32();
+        let _e35 = level_38;
+        finest_1 = params_75.y().to_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_63.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
@@ -11533,30 +11849,30 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_30 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_31 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_36;
+                    let _e59 = level_38;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_30, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_31, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_36;
-                        let _e73 = level_36;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_30.x() >> _e70), (place_30.y() >> _e73));
+                        let _e70 = level_38;
+                        let _e73 = level_38;
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_31.x() >> _e70), (place_31.y() >> _e73));
                         let _e76 = cost_15;
                         let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
-                        let _e81 = level_36;
+                        let _e81 = level_38;
                         let _e85 = self.v_search_texel(path_63, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_36;
+                    let _e90 = level_38;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_36;
+                    let _e95 = level_38;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
@@ -11582,15 +11898,15 @@ impl<'g> Resources<'g> {
                         let _e141 = t_29;
                         let _e142 = sinks;
                         t_29 = (_e141 + _e142);
-                        let _e144 = level_36;
+                        let _e144 = level_38;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_29;
                             let _e149 = cost_15;
                             return <SearchResult>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_36;
-                        level_36 = (_e154 - rt::Scalar(1u32));
+                        let _e154 = level_38;
+                        level_38 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_29;
                         let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
                         texel_3 = _e160.to_i32().clamp(low_7, last_12);
@@ -11642,15 +11958,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_dilation_erosion(
         &self,
         path_64: Path,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_dilation_erosion(path_64, rt::into(params_74)))
+        rt::into(self.v_search_dilation_erosion(path_64, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
         path_64: Path,
-        params_74: rt::Vec4<f32>,
+        params_76: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_25: rt::Vec2<f32>;
         let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11668,7 +11984,7 @@ impl<'g> Resources<'g> {
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_25 = _e11;
-        let limit_6 = params_74.x().to_u32();
+        let limit_6 = params_76.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -11686,7 +12002,7 @@ impl<'g> Resources<'g> {
                     let span_12 = (end_13 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_30;
                     next_3 = _e38;
-                    looks = params_74.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_76.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e44 = cell_25;
                     let _e45 = self.v_whole_cell(_e44);
                     let _e48 = self.v_image_of(_e45.x(), _e4.x());
@@ -11705,7 +12021,7 @@ impl<'g> Resources<'g> {
                         let _e73 = self.v_map_read(path_64, rt::Scalar(1u32));
                         cost_16 = (_e71 + _e73);
                         let _e75 = cell_25;
-                        let _e77 = self.v_leaves_window(_e2, _e75, params_74.z());
+                        let _e77 = self.v_leaves_window(_e2, _e75, params_76.z());
                         let _e80 = t_30;
                         let reach = (_e77.min(rt::Scalar(path_64.exit)) - _e80).max(rt::Scalar(0f32));
                         let _e84 = t_30;
@@ -11802,15 +12118,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_sphere(
         &self,
         path_65: Path,
-        params_75: impl rt::Into<rt::Vec4<f32>>,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_sphere(path_65, rt::into(params_75)))
+        rt::into(self.v_search_sphere(path_65, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
         path_65: Path,
-        params_75: rt::Vec4<f32>,
+        params_77: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_26: rt::Vec2<f32>;
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11830,7 +12146,7 @@ impl<'g> Resources<'g> {
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_11.x() + far_11.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_26 = _e52;
-        let limit_7 = params_75.x().to_u32();
+        let limit_7 = params_77.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -11850,7 +12166,7 @@ impl<'g> Resources<'g> {
                     let _e78 = self.v_path_uv(path_65, _e77);
                     let _e79 = t_31;
                     let _e80 = self.v_path_height(path_65, _e79);
-                    let _e82 = self.v_distance_at(path_65, _e78, _e80, params_75.z());
+                    let _e82 = self.v_distance_at(path_65, _e78, _e80, params_77.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
                     let _e86 = self.v_map_read(path_65, rt::Scalar(4u32));
@@ -11862,7 +12178,7 @@ impl<'g> Resources<'g> {
                         let _e95 = t_31;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_75.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_77.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
                         let _e102 = t_31;
                         if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_65.exit))))) {
@@ -11922,15 +12238,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone_moved(
         &self,
         path_66: Path,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cone_moved(path_66, rt::into(params_76)))
+        rt::into(self.v_search_cone_moved(path_66, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
         path_66: Path,
-        params_76: rt::Vec4<f32>,
+        params_78: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11943,7 +12259,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_25;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_76.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_78.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -11986,10 +12302,10 @@ impl<'g> Resources<'g> {
                         break 'naga_break;
                     }
                     let _e61 = t_32;
-                    let rest_8 = (rt::Scalar(path_66.exit) - _e61);
+                    let rest_9 = (rt::Scalar(path_66.exit) - _e61);
                     let _e63 = t_32;
                     let _e64 = self.v_path_slope(path_66, _e63);
-                    let rise_5 = (_e64 + (path_66.h.z().min(rt::Scalar(0f32)) * rest_8));
+                    let rise_5 = (_e64 + (path_66.h.z().min(rt::Scalar(0f32)) * rest_9));
                     let terms_1 = (path_66.h.x().abs() + (rt::Scalar(path_66.exit) * (path_66.h.y().abs() + (rt::Scalar(path_66.exit) * path_66.h.z().abs()))));
                     let far_12 = (((path_66.uv.abs() + (path_66.duv.abs() * rt::Scalar(path_66.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_12.x()) + far_12.y()));
@@ -12022,15 +12338,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone(
         &self,
         path_67: Path,
-        params_77: impl rt::Into<rt::Vec4<f32>>,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_relaxed_cone(path_67, rt::into(params_77)))
+        rt::into(self.v_search_relaxed_cone(path_67, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
         path_67: Path,
-        params_77: rt::Vec4<f32>,
+        params_79: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_27: rt::Vec2<f32>;
         let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -12052,7 +12368,7 @@ impl<'g> Resources<'g> {
         let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_67.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_27 = _e36;
-        let limit_8 = params_77.x().to_u32();
+        let limit_8 = params_79.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -12103,7 +12419,7 @@ impl<'g> Resources<'g> {
                     let _e100 = t_33;
                     start_2 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_77.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_79.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = self.v_falls_in_cell(_e71, span_14);
                         if rt::Scalar::into_branch_condition(_e107) {
                             let _e108 = t_33;
@@ -12148,7 +12464,7 @@ impl<'g> Resources<'g> {
                             next_5 = (_e165 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_77.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_79.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e175 = next_5;
                         let _e176 = t_33;
                         local_83 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
@@ -12194,15 +12510,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone_resting(
         &self,
         path_68: Path,
-        params_78: impl rt::Into<rt::Vec4<f32>>,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_relaxed_cone_resting(path_68, rt::into(params_78)))
+        rt::into(self.v_search_relaxed_cone_resting(path_68, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
         path_68: Path,
-        params_78: rt::Vec4<f32>,
+        params_80: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_28: rt::Vec2<f32>;
         let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -12216,7 +12532,7 @@ impl<'g> Resources<'g> {
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_28 = _e9;
-        let limit_9 = params_78.x().to_u32();
+        let limit_9 = params_80.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -12409,16 +12725,16 @@ impl<'g> Resources<'g> {
         &self,
         pixel_77: PixelIn,
         at_78: Entered,
-        params_79: impl rt::Into<rt::Vec4<f32>>,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_77, at_78, rt::into(params_79)))
+        rt::into(self.v_object_none(pixel_77, at_78, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_none(
         &self,
         pixel_77: PixelIn,
         at_78: Entered,
-        params_79: rt::Vec4<f32>,
+        params_81: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
@@ -12578,9 +12894,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_79: PixelIn,
         at_80: Entered,
-        params_80: impl rt::Into<rt::Vec4<f32>>,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_79, at_80, rt::into(params_80)))
+        rt::into(self.v_object_depth(pixel_79, at_80, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12588,7 +12904,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_79: PixelIn,
         at_80: Entered,
-        params_80: rt::Vec4<f32>,
+        params_82: rt::Vec4<f32>,
     ) -> FirstHit {
         let _e3 = self.v_first_in_all(pixel_79, at_80);
         return _e3;
@@ -12597,9 +12913,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_80: PixelIn,
         at_81: Entered,
-        params_81: impl rt::Into<rt::Vec4<f32>>,
+        params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_80, at_81, rt::into(params_81)))
+        rt::into(self.v_object_hull(pixel_80, at_81, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12607,25 +12923,25 @@ impl<'g> Resources<'g> {
         &self,
         pixel_80: PixelIn,
         at_81: Entered,
-        params_81: rt::Vec4<f32>,
+        params_83: rt::Vec4<f32>,
     ) -> FirstHit {
         let _e3 = self.v_first_in_all(pixel_80, at_81);
         return _e3;
     }
-    pub(crate) fn look_into_frame(&self, uv_20: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_look_into_frame(rt::into(uv_20)))
+    pub(crate) fn look_into_frame(&self, uv_23: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_look_into_frame(rt::into(uv_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_look_into_frame(&self, uv_20: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_look_into_frame(&self, uv_23: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_149 = ((uv_20 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_149);
-        let part_20 = (at_149 - _e8);
+        let at_152 = ((uv_23 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_152);
+        let part_21 = (at_152 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_9 = (rt::Scalar(1f32) - part_20.x());
-        let y_7 = (rt::Scalar(1f32) - part_20.y());
-        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_9 * y_7), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_20.x() * y_7), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_9 * part_20.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_20.x() * part_20.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let x_10 = (rt::Scalar(1f32) - part_21.x());
+        let y_7 = (rt::Scalar(1f32) - part_21.y());
+        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_10 * y_7), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_21.x() * y_7), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_10 * part_21.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_21.x() * part_21.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
         let cover_2 = ((weights_6.x() + weights_6.y()) + (weights_6.z() + weights_6.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_6.dot(_e12) / cover_2));
@@ -12683,16 +12999,16 @@ impl<'g> Resources<'g> {
         &self,
         pixel_81: PixelIn,
         at_82: Entered,
-        params_82: impl rt::Into<rt::Vec4<f32>>,
+        params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_81, at_82, rt::into(params_82)))
+        rt::into(self.v_object_blend(pixel_81, at_82, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_blend(
         &self,
         pixel_81: PixelIn,
         at_82: Entered,
-        params_82: rt::Vec4<f32>,
+        params_84: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_23: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -12703,8 +13019,8 @@ impl<'g> Resources<'g> {
         let mut first_5: FirstHit;
         let mut local_89: rt::Scalar<bool>;
 
-        let toward_7 = (-pixel_81.direction.normalize());
-        let _e6 = self.v_frames_around(toward_7);
+        let toward_8 = (-pixel_81.direction.normalize());
+        let _e6 = self.v_frames_around(toward_8);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = k_28;
@@ -12718,13 +13034,13 @@ impl<'g> Resources<'g> {
                     let _e24 = self.v_image_of_object(_e23);
                     let _e25 = k_28;
                     let _e26 = self.v_frame_weight(_e6, _e25);
-                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_7).elementwise_ge(rt::Scalar(0.05f32))) {
+                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_8).elementwise_ge(rt::Scalar(0.05f32))) {
                         let _e31 = k_28;
                         let _e32 = self.v_segment_of(pixel_81, at_82, _e31);
-                        let _e35 = self.v_look_along(_e32, _e24, params_82.w().to_u32());
+                        let _e35 = self.v_look_along(_e32, _e24, params_84.w().to_u32());
                         let seen_7 = (_e26 * _e35.x());
                         let _e38 = cost_23;
-                        cost_23 = (_e38 + (LOOK * (params_82.w().to_u32() + rt::Scalar(1u32))));
+                        cost_23 = (_e38 + (LOOK * (params_84.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
                         cover_1 = (_e46 + seen_7);
                         let _e48 = along_18;
@@ -12764,9 +13080,9 @@ impl<'g> Resources<'g> {
         let _e93 = self.v_path_uv(_e85, t_41);
         let _e94 = self.v_path_height(_e85, t_41);
         let _e95 = cost_23;
-        let hit_64 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
+        let hit_67 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_81, at_82, _e85, hit_64, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_81, at_82, _e85, hit_67, _e97);
         return _e98;
     }
     pub(crate) fn object_stage(&self, pixel_82: PixelIn, at_83: Entered) -> FirstHit {
@@ -12861,21 +13177,21 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         return ((rt::Scalar(at_85.footprint) * at_85.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_21: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_21)))
+    pub(crate) fn near_uv(&self, uv_24: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_21: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_24: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_21 - uv_21.floor());
+            return (uv_24 - uv_24.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_21 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_21).floor()));
+            return (uv_24 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_24).floor()));
         }
-        return uv_21;
+        return uv_24;
     }
     pub(crate) fn from_hit(&self, at_86: Entered, hit_23: Hit, light_1: Toward) -> Path {
         rt::into(self.v_from_hit(at_86, hit_23, light_1))
@@ -13043,10 +13359,10 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_10 = (turn_1 * rt::Scalar(6.2831855f32));
-        let s_2 = (x_10 * x_10);
+        let x_11 = (turn_1 * rt::Scalar(6.2831855f32));
+        let s_2 = (x_11 * x_11);
         let last_13 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_10 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_13)))))));
+        return (x_11 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_13)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -13054,9 +13370,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_21 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_21 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_21.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_22 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_22 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_22.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned_1(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned_1(rt::into(turn_3)))
@@ -13120,14 +13436,14 @@ impl<'g> Resources<'g> {
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let cell_32 = at_89.floor();
-        let part_22 = (at_89 - cell_32);
-        let fade = (((part_22 * part_22) * part_22) * ((part_22 * ((part_22 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
+        let part_23 = (at_89 - cell_32);
+        let fade = (((part_23 * part_23) * part_23) * ((part_23 * ((part_23 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_32, part_22, count_6, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_32 + right_5), (part_22 - right_5), count_6, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_32 + down_1), (part_22 - down_1), count_6, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_32 + right_5) + down_1), ((part_22 - right_5) - down_1), count_6, turns_2, seed_3);
+        let _e24 = self.v_gradient_at(cell_32, part_23, count_6, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_32 + right_5), (part_23 - right_5), count_6, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_32 + down_1), (part_23 - down_1), count_6, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_32 + right_5) + down_1), ((part_23 - right_5) - down_1), count_6, turns_2, seed_3);
         let above_9 = (_e24 + ((_e27 - _e24) * fade.x()));
         let below_7 = (_e30 + ((_e35 - _e30) * fade.x()));
         return (above_9 + ((below_7 - above_9) * fade.y()));
@@ -13144,24 +13460,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn holds_filter(
         &self,
         view_12: LightView,
-        place_17: impl rt::Into<rt::Vec3<f32>>,
+        place_18: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_12, rt::into(place_17), rt::into(half)))
+        rt::into(self.v_holds_filter(view_12, rt::into(place_18), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_holds_filter(
         &self,
         view_12: LightView,
-        place_17: rt::Vec3<f32>,
+        place_18: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut local_91: rt::Scalar<bool>;
         let mut local_92: rt::Scalar<bool>;
 
-        let least_7 = (place_17.x().min(place_17.y()) - half);
-        let most_15 = (place_17.x().max(place_17.y()) + half);
-        if rt::Scalar::into_branch_condition(place_17.z().elementwise_gt(rt::Scalar(0f32))) {
+        let least_7 = (place_18.x().min(place_18.y()) - half);
+        let most_15 = (place_18.x().max(place_18.y()) + half);
+        if rt::Scalar::into_branch_condition(place_18.z().elementwise_gt(rt::Scalar(0f32))) {
             local_91 = least_7.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_91 = rt::Scalar(false);
@@ -13311,9 +13627,9 @@ impl<'g> Resources<'g> {
         a_17: Voxel,
         b_17: Voxel,
         c_13: Voxel,
-        level_37: impl rt::Into<rt::Scalar<u32>>,
+        level_39: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_13, rt::into(level_37)))
+        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_13, rt::into(level_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_swept(
@@ -13322,14 +13638,14 @@ impl<'g> Resources<'g> {
         a_17: Voxel,
         b_17: Voxel,
         c_13: Voxel,
-        level_37: rt::Scalar<u32>,
+        level_39: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
         let mut local_96: rt::Scalar<bool>;
         let mut local_97: rt::Scalar<bool>;
 
-        let _e6 = self.v_coarser_voxel(a_17.at, level_37);
-        let _e8 = self.v_coarser_voxel(b_17.at, level_37);
-        let _e10 = self.v_coarser_voxel(c_13.at, level_37);
+        let _e6 = self.v_coarser_voxel(a_17.at, level_39);
+        let _e8 = self.v_coarser_voxel(b_17.at, level_39);
+        let _e10 = self.v_coarser_voxel(c_13.at, level_39);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
@@ -13362,31 +13678,31 @@ impl<'g> Resources<'g> {
         view_13: LightView,
         point_18: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_150 = <rt::Vec4<f32>>::new_31(point_18, rt::Scalar(1f32));
-        let depth_9 = view_13.depth.dot(at_150);
+        let at_153 = <rt::Vec4<f32>>::new_31(point_18, rt::Scalar(1f32));
+        let depth_9 = view_13.depth.dot(at_153);
         let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_13.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_13.column.dot(at_150), view_13.row.dot(at_150)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_13.column.dot(at_153), view_13.row.dot(at_153)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
     }
     pub(crate) fn patch_normal(
         &self,
         at_90: Entered,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_90, rt::into(uv_22)))
+        rt::into(self.v_patch_normal(at_90, rt::into(uv_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
         at_90: Entered,
-        uv_22: rt::Vec2<f32>,
+        uv_25: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let facet = at_90.facing.normalize();
             return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_90.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_22, rt::Scalar(at_90.level));
+        let _e18 = self.v_height_and_slope(uv_25, rt::Scalar(at_90.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
         let along_u_2 = (at_90.tangent + (at_90.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
@@ -13420,19 +13736,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_texel(
         &self,
-        place_18: impl rt::Into<rt::Vec2<i32>>,
+        place_19: impl rt::Into<rt::Vec2<i32>>,
         view_15: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_18), rt::into(view_15)))
+        rt::into(self.v_light_texel(rt::into(place_19), rt::into(view_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_texel(
         &self,
-        place_18: rt::Vec2<i32>,
+        place_19: rt::Vec2<i32>,
         view_15: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_18, rt::Scalar::into_inner(view_15), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_19, rt::Scalar::into_inner(view_15), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
@@ -13453,7 +13769,7 @@ impl<'g> Resources<'g> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column_2: rt::Scalar<f32>;
 
-        let view_27 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_91.number))];
+        let view_31 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_91.number))];
         column_2 = at_91.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -13467,11 +13783,11 @@ impl<'g> Resources<'g> {
                     let _e24 = column_2;
                     let wide_2 = (at_91.high.x().min((_e18 + rt::Scalar(1f32))) - at_91.low.x().max(_e24));
                     let _e27 = column_2;
-                    let place_31 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_27, at_91.point, at_91.normal, (place_31 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let place_32 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_31, at_91.point, at_91.normal, (place_32 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_10 = _e35.clamp(rt::Scalar(at_91.least_depth), rt::Scalar(at_91.most_depth));
-                    let key = (rt::Scalar(view_27.near) / (rt::Scalar(view_27.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_31.to_i32(), rt::Scalar(at_91.number).to_i32());
+                    let key = (rt::Scalar(view_31.near) / (rt::Scalar(view_31.near) + depth_10.max(rt::Scalar(0f32))));
+                    let _e48 = self.v_light_texel(place_32.to_i32(), rt::Scalar(at_91.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -13489,11 +13805,11 @@ impl<'g> Resources<'g> {
         number_15: impl rt::Into<rt::Scalar<u32>>,
         at_92: Entered,
         normal_19: impl rt::Into<rt::Vec3<f32>>,
-        place_19: impl rt::Into<rt::Vec3<f32>>,
+        place_20: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_15), at_92, rt::into(normal_19), rt::into(place_19), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_15), at_92, rt::into(normal_19), rt::into(place_20), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
@@ -13501,22 +13817,22 @@ impl<'g> Resources<'g> {
         number_15: rt::Scalar<u32>,
         at_92: Entered,
         normal_19: rt::Vec3<f32>,
-        place_19: rt::Vec3<f32>,
+        place_20: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_7: rt::Scalar<f32>;
 
-        let view_28 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
-        let texel_m = (rt::Scalar(view_28.texel_m) * rt::Scalar(1f32).select(place_19.z(), rt::Scalar(view_28.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let view_32 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
+        let texel_m = (rt::Scalar(view_32.texel_m) * rt::Scalar(1f32).select(place_20.z(), rt::Scalar(view_32.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_92);
-        let point_32 = (at_92.point + (normal_19 * (bias * texel_m.max(_e19))));
+        let point_33 = (at_92.point + (normal_19 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
-        let low_10 = (place_19.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let low_10 = (place_20.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_14 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_28.size).to_f32(), rt::Scalar(view_28.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_15, point_32, normal_19, low_10, high_4, (place_19.z() - reach_1), (place_19.z() + reach_1));
+        let last_14 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_32.size).to_f32(), rt::Scalar(view_32.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_15, point_33, normal_19, low_10, high_4, (place_20.z() - reach_1), (place_20.z() + reach_1));
         row_7 = low_10.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -13544,19 +13860,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn light_seen(
         &self,
         at_93: Entered,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_93, rt::into(uv_23), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_93, rt::into(uv_26), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
         at_93: Entered,
-        uv_23: rt::Vec2<f32>,
+        uv_26: rt::Vec2<f32>,
         number_16: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
@@ -13568,7 +13884,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_93, uv_23);
+        let _e14 = self.v_patch_normal(at_93, uv_26);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -13695,39 +14011,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn normals_of_level(
         &self,
         at_95: Entered,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
-        level_38: impl rt::Into<rt::Scalar<u32>>,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        level_40: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_95, rt::into(uv_24), rt::into(level_38)))
+        rt::into(self.v_normals_of_level(at_95, rt::into(uv_27), rt::into(level_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
         at_95: Entered,
-        uv_24: rt::Vec2<f32>,
-        level_38: rt::Scalar<u32>,
+        uv_27: rt::Vec2<f32>,
+        level_40: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_38.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_95, uv_24);
+        if rt::Scalar::into_branch_condition(level_40.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_95, uv_27);
             let _e6 = self.v_to_tangent_space(at_95, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_24, rt::Scalar(0i32), level_38);
-            let _e16 = self.v_normal_at(uv_24, rt::Scalar(1i32), level_38);
+            let _e14 = self.v_normal_at(uv_27, rt::Scalar(0i32), level_40);
+            let _e16 = self.v_normal_at(uv_27, rt::Scalar(1i32), level_40);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_11 = ((tile.x() * at_95.tangent.normalize().dot(at_95.tangent)) / at_95.tangent.dot(at_95.tangent));
+        let x_12 = ((tile.x() * at_95.tangent.normalize().dot(at_95.tangent)) / at_95.tangent.dot(at_95.tangent));
         let y_8 = ((tile.y() * at_95.bitangent.normalize().dot(at_95.bitangent)) / at_95.bitangent.dot(at_95.bitangent));
-        let _e44 = self.v_normal_at(uv_24, rt::Scalar(0i32), (level_38 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_24, rt::Scalar(1i32), (level_38 - rt::Scalar(1u32)));
-        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_11), (_e44.y() * y_8), _e44.z());
+        let _e44 = self.v_normal_at(uv_27, rt::Scalar(0i32), (level_40 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_27, rt::Scalar(1i32), (level_40 - rt::Scalar(1u32)));
+        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_12), (_e44.y() * y_8), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
-        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_11) * x_11), ((_e48.y() * x_11) * y_8), ((_e48.z() * y_8) * y_8)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_11)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_8)));
+        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_12) * x_12), ((_e48.y() * x_12) * y_8), ((_e48.z() * y_8) * y_8)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_12)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_8)));
     }
     pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
         rt::into(self.v_sum_of_four(rt::into(four_1)))
@@ -13756,29 +14072,29 @@ impl<'g> Resources<'g> {
         let second_6 = normals.second;
         let slope_12 = <rt::Vec2<f32>>::from_scalars(first_20.w(), second_6.w());
         let upright_1 = first_20.z().max(rt::Scalar(0.05f32));
-        let x_12 = (first_20.x() / upright_1);
+        let x_13 = (first_20.x() / upright_1);
         let y_9 = (first_20.y() / upright_1);
-        let a_40 = ((second_6.x() / upright_1) - (x_12 * x_12)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_40 = (((second_6.y() / upright_1) - (x_12 * y_9)) / a_40);
+        let a_40 = ((second_6.x() / upright_1) - (x_13 * x_13)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_40 = (((second_6.y() / upright_1) - (x_13 * y_9)) / a_40);
         let spread = ((second_6.z() / upright_1) - (y_9 * y_9)).max(rt::Scalar(0f32));
         let d_4 = (spread - (b_40 * b_40)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_6.x(), second_6.y(), first_20.x())) - (first_20.xyz() * slope_12.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_6.y(), second_6.z(), first_20.y())) - (first_20.xyz() * slope_12.y()));
         let most_16 = ((a_40 * a_40) + spread).sqrt().min(rt::Scalar(1f32));
         let along_42 = (with_x / rt::Vec3::splat_from_scalar(a_40.max((with_x.length() / most_16))));
-        let rest_9 = (with_y - (along_42 * b_40));
-        let across_9 = (rest_9 / rt::Vec3::splat_from_scalar(d_4.max((rest_9.length() / most_16))));
+        let rest_10 = (with_y - (along_42 * b_40));
+        let across_9 = (rest_10 / rt::Vec3::splat_from_scalar(d_4.max((rest_10.length() / most_16))));
         let _e77 = self.v_to_tangent_space(at_96, view_16);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_40) + (_e77.y() * b_40))), (-(_e77.y() * d_4)));
         let one_1 = middle_15.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one_1, _e94);
-        let all_1 = _e95.max(rt::Scalar(0.001f32));
-        let aside_8 = ((along_42 * ((_e91.x() - _e91.y()) / all_1)) + (across_9 * ((_e91.z() - _e91.w()) / all_1)));
+        let all_2 = _e95.max(rt::Scalar(0.001f32));
+        let aside_8 = ((along_42 * ((_e91.x() - _e91.y()) / all_2)) + (across_9 * ((_e91.z() - _e91.w()) / all_2)));
         let _e113 = self.v_from_tangent_space(at_96, (first_20.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_20.xyz(), along_42, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_40, b_40), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_20.xyz(), along_42, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_40, b_40), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_2), (_e91 / rt::Vec4::splat_from_scalar(all_2)), rt::Scalar(0f32), _e133);
     }
     pub(crate) fn table_part(&self, at_97: Entered) -> f32 {
         rt::into(self.v_table_part(at_97))
@@ -13815,9 +14131,9 @@ impl<'g> Resources<'g> {
         blended = seen_1;
         let before_5 = (seen_1.normal * rt::Scalar(seen_1.length));
         let _e9 = self.v_from_tangent_space(at_98, table.mean);
-        let mean_4 = (before_5 + ((_e9 - before_5) * part_7));
-        blended.normal = mean_4.normalize();
-        rt::Scalar(blended.length) = mean_4.length().min(rt::Scalar(1f32));
+        let mean_11 = (before_5 + ((_e9 - before_5) * part_7));
+        blended.normal = mean_11.normalize();
+        rt::Scalar(blended.length) = mean_11.length().min(rt::Scalar(1f32));
         rt::Scalar(blended.table_part) = part_7;
         blended.table = table;
         let _e21 = blended;
@@ -13843,48 +14159,48 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        uv_28: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_39: impl rt::Into<rt::Scalar<u32>>,
+        level_41: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_25), rt::into(azimuth), rt::into(elevation), rt::into(level_39)))
+        rt::into(self.v_seen_texel(rt::into(uv_28), rt::into(azimuth), rt::into(elevation), rt::into(level_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_texel(
         &self,
-        uv_25: rt::Vec2<f32>,
+        uv_28: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_39: rt::Scalar<u32>,
+        level_41: rt::Scalar<u32>,
     ) -> SeenTexel {
-        let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_25, layer_8, level_39);
-        let _e12 = self.v_detail_texel_between(uv_25, (layer_8 + rt::Scalar(1i32)), level_39);
+        let layer_11 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
+        let _e9 = self.v_detail_texel_between(uv_28, layer_11, level_41);
+        let _e12 = self.v_detail_texel_between(uv_28, (layer_11 + rt::Scalar(1i32)), level_41);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        uv_29: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_26), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_29), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_in_levels(
         &self,
-        uv_26: rt::Vec2<f32>,
+        uv_29: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_26, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_29, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_26, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_29, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -13893,61 +14209,61 @@ impl<'g> Resources<'g> {
     pub(crate) fn table_of(
         &self,
         at_99: Entered,
-        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        uv_30: impl rt::Into<rt::Vec2<f32>>,
         view_17: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_99, rt::into(uv_27), rt::into(view_17), levels_2))
+        rt::into(self.v_table_of(at_99, rt::into(uv_30), rt::into(view_17), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
         at_99: Entered,
-        uv_27: rt::Vec2<f32>,
+        uv_30: rt::Vec2<f32>,
         view_17: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
         let _e4 = self.v_climb(at_99, view_17);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
-        let toward_8 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
-        let up_4 = (toward_8.z() / toward_8.length());
+        let toward_9 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
+        let up_4 = (toward_9.z() / toward_9.length());
         let elevation_3 = ((up_4 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
-        let _e29 = self.v_turn_of(toward_8.xy());
+        let _e29 = self.v_turn_of(toward_9.xy());
         let azimuth_3 = (_e29 * rt::Scalar(8f32));
-        let a0_ = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
-        let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
+        let a0_1 = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
+        let a1_1 = ((a0_1 + rt::Scalar(1i32)) % rt::Scalar(8i32));
         let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_10 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_27, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_27, a1_, e0_, levels_2);
+        let _e48 = self.v_seen_in_levels(uv_30, a0_1, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_30, a1_1, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_10);
-        let _e51 = self.v_seen_in_levels(uv_27, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_27, a1_, e1_1, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_30, a0_1, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_30, a1_1, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_10);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_13 = ((tile_1.x() * at_99.tangent.normalize().dot(at_99.tangent)) / at_99.tangent.dot(at_99.tangent));
+        let x_14 = ((tile_1.x() * at_99.tangent.normalize().dot(at_99.tangent)) / at_99.tangent.dot(at_99.tangent));
         let y_10 = ((tile_1.y() * at_99.bitangent.normalize().dot(at_99.bitangent)) / at_99.bitangent.dot(at_99.bitangent));
-        let mean_5 = _e56.first.xyz();
-        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_13), (mean_5.y() * y_10), mean_5.z());
-        let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
+        let mean_12 = _e56.first.xyz();
+        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_12.x() * x_14), (mean_12.y() * y_10), mean_12.z());
+        let squared_4 = (mean_12.dot(mean_12) / flatter_1.dot(flatter_1));
         let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_13) * x_13), ((_e56.second.y() * y_10) * y_10), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_13) * y_10), (_e56.second.z() * x_13), (_e56.second.w() * y_10)) * squared_3));
+        return <SeenTable>::new((flatter_1 * squared_4.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_14) * x_14), ((_e56.second.y() * y_10) * y_10), upright_2) * squared_4), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_14) * y_10), (_e56.second.z() * x_14), (_e56.second.w() * y_10)) * squared_4));
     }
     pub(crate) fn mesostructure_normals(
         &self,
         at_100: Entered,
-        uv_28: impl rt::Into<rt::Vec2<f32>>,
+        uv_31: impl rt::Into<rt::Vec2<f32>>,
         view_18: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_100, rt::into(uv_28), rt::into(view_18)))
+        rt::into(self.v_mesostructure_normals(at_100, rt::into(uv_31), rt::into(view_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
         at_100: Entered,
-        uv_28: rt::Vec2<f32>,
+        uv_31: rt::Vec2<f32>,
         view_18: rt::Vec3<f32>,
     ) -> SeenNormals {
         let mut local_99: rt::Scalar<bool>;
@@ -13973,15 +14289,15 @@ impl<'g> Resources<'g> {
         }
         let _e39 = local_99;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_100, uv_28);
+            let _e40 = self.v_finest_normal(at_100, uv_31);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_100, uv_28, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_100, uv_31, rt::Scalar(_e28.fine));
         first_6 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_100, uv_28, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_100, uv_31, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_6;
             let _e57 = first_6;
             first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -13998,7 +14314,7 @@ impl<'g> Resources<'g> {
             let _e80 = self.v_levels_of(rt::Scalar(at_100.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_100, uv_28, view_18, _e80);
+                let _e82 = self.v_table_of(at_100, uv_31, view_18, _e80);
                 let _e83 = self.v_with_table(at_100, _e72, _e82, _e73);
                 return _e83;
             }
@@ -14010,9 +14326,9 @@ impl<'g> Resources<'g> {
         at_101: Entered,
         hit_26: Hit,
         light_5: Toward,
-        params_83: impl rt::Into<rt::Vec4<f32>>,
+        params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_101, hit_26, light_5, rt::into(params_83)))
+        rt::into(self.v_shadow_ray(at_101, hit_26, light_5, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14021,7 +14337,7 @@ impl<'g> Resources<'g> {
         at_101: Entered,
         hit_26: Hit,
         light_5: Toward,
-        params_83: rt::Vec4<f32>,
+        params_85: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_free_way(at_101, hit_26, light_5);
         return _e4;
@@ -14031,9 +14347,9 @@ impl<'g> Resources<'g> {
         at_102: Entered,
         hit_27: Hit,
         light_6: Toward,
-        params_84: impl rt::Into<rt::Vec4<f32>>,
+        params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_102, hit_27, light_6, rt::into(params_84)))
+        rt::into(self.v_shadow_none(at_102, hit_27, light_6, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14042,7 +14358,7 @@ impl<'g> Resources<'g> {
         at_102: Entered,
         hit_27: Hit,
         light_6: Toward,
-        params_84: rt::Vec4<f32>,
+        params_86: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -14051,9 +14367,9 @@ impl<'g> Resources<'g> {
         at_103: Entered,
         hit_28: Hit,
         light_7: Toward,
-        params_85: impl rt::Into<rt::Vec4<f32>>,
+        params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_103, hit_28, light_7, rt::into(params_85)))
+        rt::into(self.v_shadow_entry(at_103, hit_28, light_7, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
@@ -14061,7 +14377,7 @@ impl<'g> Resources<'g> {
         at_103: Entered,
         hit_28: Hit,
         light_7: Toward,
-        params_85: rt::Vec4<f32>,
+        params_87: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_from_hit(at_103, hit_28, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -14082,7 +14398,7 @@ impl<'g> Resources<'g> {
         }
         let _e52 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e42.uv - _e4.uv).abs() * _e52);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_85.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_87.x()));
     }
     pub(crate) fn seed_of(&self, hit_29: Hit) -> u32 {
         rt::into(self.v_seed_of(hit_29))
@@ -14090,9 +14406,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seed_of(&self, hit_29: Hit) -> rt::Scalar<u32> {
-        let place_32 = ((hit_29.uv - hit_29.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_32.y());
-        let _e12 = self.v_mixed((place_32.x() ^ _e10));
+        let place_33 = ((hit_29.uv - hit_29.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_33.y());
+        let _e12 = self.v_mixed((place_33.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn point_of_disc(
@@ -14118,22 +14434,22 @@ impl<'g> Resources<'g> {
         let ring = ((k_31.to_f32() + _e9) / count_7.to_f32());
         let _e16 = self.v_unit_of(seed_4);
         let _e18 = self.v_turned_1(((k_31.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_33 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let place_34 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_5 = light_8.direction.cross(right_6);
-        let toward_9 = ((light_8.direction + (right_6 * place_33.x())) + (up_5 * place_33.y()));
-        let along_43 = toward_9.length();
-        return <Toward>::new((toward_9 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let toward_10 = ((light_8.direction + (right_6 * place_34.x())) + (up_5 * place_34.y()));
+        let along_43 = toward_10.length();
+        return <Toward>::new((toward_10 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
         at_104: Entered,
         hit_30: Hit,
         light_9: Toward,
-        params_86: impl rt::Into<rt::Vec4<f32>>,
+        params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_104, hit_30, light_9, rt::into(params_86)))
+        rt::into(self.v_shadow_soft(at_104, hit_30, light_9, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
@@ -14141,12 +14457,12 @@ impl<'g> Resources<'g> {
         at_104: Entered,
         hit_30: Hit,
         light_9: Toward,
-        params_86: rt::Vec4<f32>,
+        params_88: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_11 = params_86.x().to_u32();
+        let count_11 = params_88.x().to_u32();
         let _e6 = self.v_seed_of(hit_30);
         'naga_break: loop {
             'naga_continue: {
@@ -14174,9 +14490,9 @@ impl<'g> Resources<'g> {
         at_105: Entered,
         hit_31: Hit,
         light_10: Toward,
-        params_87: impl rt::Into<rt::Vec4<f32>>,
+        params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_105, hit_31, light_10, rt::into(params_87)))
+        rt::into(self.v_shadow_heuristic(at_105, hit_31, light_10, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
@@ -14184,7 +14500,7 @@ impl<'g> Resources<'g> {
         at_105: Entered,
         hit_31: Hit,
         light_10: Toward,
-        params_87: rt::Vec4<f32>,
+        params_89: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_33: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -14197,68 +14513,68 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e16 = k_33;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_87.x())) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_89.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e19 = k_33;
-                    let part_23 = (_e19 / params_87.x());
+                    let part_24 = (_e19 / params_89.x());
                     let _e22 = most_2;
-                    let _e24 = self.v_path_gap(_e4, (part_23 * _e11));
-                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_23)));
+                    let _e24 = self.v_path_gap(_e4, (part_24 * _e11));
+                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_24)));
                     let _e31 = k_33;
                     k_33 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_2;
-        return (rt::Scalar(1f32) - (params_87.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_89.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_20: impl rt::Into<rt::Vec2<i32>>,
-        layer_6: impl rt::Into<rt::Scalar<i32>>,
-        level_40: impl rt::Into<rt::Scalar<i32>>,
+        place_21: impl rt::Into<rt::Vec2<i32>>,
+        layer_9: impl rt::Into<rt::Scalar<i32>>,
+        level_42: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_20), rt::into(layer_6), rt::into(level_40)))
+        rt::into(self.v_shadow_texel(rt::into(place_21), rt::into(layer_9), rt::into(level_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel(
         &self,
-        place_20: rt::Vec2<i32>,
-        layer_6: rt::Scalar<i32>,
-        level_40: rt::Scalar<i32>,
+        place_21: rt::Vec2<i32>,
+        layer_9: rt::Scalar<i32>,
+        level_42: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_20, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_40));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_21, rt::Scalar::into_inner(layer_9), 0i32, rt::Scalar::into_inner(level_42));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_29: impl rt::Into<rt::Vec2<f32>>,
-        layer_7: impl rt::Into<rt::Scalar<i32>>,
-        level_41: impl rt::Into<rt::Scalar<u32>>,
+        uv_32: impl rt::Into<rt::Vec2<f32>>,
+        layer_10: impl rt::Into<rt::Scalar<i32>>,
+        level_43: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_29), rt::into(layer_7), rt::into(level_41)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_32), rt::into(layer_10), rt::into(level_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel_between(
         &self,
-        uv_29: rt::Vec2<f32>,
-        layer_7: rt::Scalar<i32>,
-        level_41: rt::Scalar<u32>,
+        uv_32: rt::Vec2<f32>,
+        layer_10: rt::Scalar<i32>,
+        level_43: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_41);
-        let _e4 = self.v_texels_around(uv_29, _e3);
-        let k_48 = level_41.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_48);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_48);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_48);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_48);
+        let _e3 = self.v_height_texels(level_43);
+        let _e4 = self.v_texels_around(uv_32, _e3);
+        let k_49 = level_43.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_10, k_49);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_10, k_49);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_10, k_49);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_10, k_49);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -14268,16 +14584,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_own_slope(&self, way_8: Path) -> rt::Scalar<f32> {
-        let mut level_42: Path;
+        let mut level_44: Path;
 
         let _e1 = self.v_grid_of(way_8);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_18 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_42 = way_8;
-        level_42.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_42.exit) = end_18;
-        let _e18 = level_42;
+        level_44 = way_8;
+        level_44.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_44.exit) = end_18;
+        let _e18 = level_44;
         let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_8.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_18))));
@@ -14288,18 +14604,18 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_part_above(&self, height_9: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_14 = height_9.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let s_3 = (x_14 * x_14);
-        return (rt::Scalar(0.5f32) + (x_14 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
+        let x_15 = height_9.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_3 = (x_15 * x_15);
+        return (rt::Scalar(0.5f32) + (x_15 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
         at_106: Entered,
         hit_32: Hit,
         light_11: Toward,
-        params_88: impl rt::Into<rt::Vec4<f32>>,
+        params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_106, hit_32, light_11, rt::into(params_88)))
+        rt::into(self.v_shadow_horizon(at_106, hit_32, light_11, rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
@@ -14307,23 +14623,23 @@ impl<'g> Resources<'g> {
         at_106: Entered,
         hit_32: Hit,
         light_11: Toward,
-        params_88: rt::Vec4<f32>,
+        params_90: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e5 = self.v_climb(at_106, light_11.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_44 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_44);
-        let azimuth_4 = (_e13 * params_88.x());
+        let azimuth_4 = (_e13 * params_90.x());
         let first_21 = azimuth_4.floor();
-        let count_12 = params_88.x().to_i32();
+        let count_12 = params_90.x().to_i32();
         let before_6 = (first_21.to_i32() % count_12);
-        let part_24 = (azimuth_4 - first_21);
+        let part_25 = (azimuth_4 - first_21);
         let _e24 = self.v_shadow_texel_between(hit_32.uv, before_6, rt::Scalar(at_106.level));
         let low_11 = _e24.x();
         let _e31 = self.v_shadow_texel_between(hit_32.uv, ((before_6 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_106.level));
-        let sine_1 = (low_11 + ((_e31.x() - low_11) * part_24));
-        let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_14 = (squared_4 * along_44.dot(along_44)).sqrt();
+        let sine_1 = (low_11 + ((_e31.x() - low_11) * part_25));
+        let squared_5 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
+        let far_14 = (squared_5 * along_44.dot(along_44)).sqrt();
         let _e48 = self.v_from_hit(at_106, hit_32, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
@@ -14369,9 +14685,9 @@ impl<'g> Resources<'g> {
         at_108: Entered,
         hit_34: Hit,
         light_12: Toward,
-        params_89: impl rt::Into<rt::Vec4<f32>>,
+        params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_108, hit_34, light_12, rt::into(params_89)))
+        rt::into(self.v_shadow_visibility(at_108, hit_34, light_12, rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
@@ -14379,7 +14695,7 @@ impl<'g> Resources<'g> {
         at_108: Entered,
         hit_34: Hit,
         light_12: Toward,
-        params_89: rt::Vec4<f32>,
+        params_91: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e5 = self.v_climb(at_108, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
@@ -14389,30 +14705,30 @@ impl<'g> Resources<'g> {
         let along_45 = (_e5.xy() * map_7.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_22 = (_e5.z() * _e21);
-        let squared_5 = ((height_22 * height_22) / (along_45.dot(along_45) + (height_22 * height_22)));
-        let azimuths = params_89.x().to_i32();
-        let elevations_1 = params_89.y().to_i32();
+        let squared_6 = ((height_22 * height_22) / (along_45.dot(along_45) + (height_22 * height_22)));
+        let azimuths = params_91.x().to_i32();
+        let elevations_1 = params_91.y().to_i32();
         let _e32 = self.v_turn_of(along_45);
-        let azimuth_5 = (_e32 * params_89.x());
-        let elevation_4 = ((squared_5 * params_89.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_89.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_89.z().elementwise_lt(rt::Scalar(2f32))) {
+        let azimuth_5 = (_e32 * params_91.x());
+        let elevation_4 = ((squared_6 * params_91.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_91.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_91.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_41 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
             let _e56 = self.v_open_part(at_108, hit_34, a_41, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
-        let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
-        let a1_1 = ((a0_1 + rt::Scalar(1i32)) % azimuths);
+        let a0_2 = (azimuth_5.floor().to_i32() % azimuths);
+        let a1_2 = ((a0_2 + rt::Scalar(1i32)) % azimuths);
         let e0_1 = elevation_4.floor().to_i32();
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_108, hit_34, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_108, hit_34, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_108, hit_34, a1_2, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_108, hit_34, a0_2, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_108, hit_34, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_108, hit_34, a0_2, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_108, hit_34, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_108, hit_34, a1_2, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
@@ -14420,9 +14736,9 @@ impl<'g> Resources<'g> {
         at_109: Entered,
         hit_35: Hit,
         light_13: Toward,
-        params_90: impl rt::Into<rt::Vec4<f32>>,
+        params_92: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_109, hit_35, light_13, rt::into(params_90)))
+        rt::into(self.v_shadow_map(at_109, hit_35, light_13, rt::into(params_92)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14431,9 +14747,9 @@ impl<'g> Resources<'g> {
         at_109: Entered,
         hit_35: Hit,
         light_13: Toward,
-        params_90: rt::Vec4<f32>,
+        params_92: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_109, hit_35.uv, rt::Scalar(light_13.number), light_13.direction, params_90.z(), params_90.w());
+        let _e9 = self.v_light_seen(at_109, hit_35.uv, rt::Scalar(light_13.number), light_13.direction, params_92.z(), params_92.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
@@ -14441,9 +14757,9 @@ impl<'g> Resources<'g> {
         at_110: Entered,
         hit_36: Hit,
         light_14: Toward,
-        params_91: impl rt::Into<rt::Vec4<f32>>,
+        params_93: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_110, hit_36, light_14, rt::into(params_91)))
+        rt::into(self.v_shadow_scene(at_110, hit_36, light_14, rt::into(params_93)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14452,7 +14768,7 @@ impl<'g> Resources<'g> {
         at_110: Entered,
         hit_36: Hit,
         light_14: Toward,
-        params_91: rt::Vec4<f32>,
+        params_93: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -14551,10 +14867,10 @@ impl<'g> Resources<'g> {
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
                     let _e23 = self.v_place_in_image(_e14, at_113.point);
-                    let uv_41 = _e23.xy();
+                    let uv_45 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
-                    let _e27 = self.v_finest_normal(_e26, uv_41);
+                    let _e27 = self.v_finest_normal(_e26, uv_45);
                     let _e28 = k_34;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_3 = (_e25 + (_e27 * _e29));
@@ -14572,39 +14888,39 @@ impl<'g> Resources<'g> {
         }
         return at_113.normal;
     }
-    pub(crate) fn rise_of_mask(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_rise_of_mask(rt::into(uv_30)))
+    pub(crate) fn rise_of_mask(&self, uv_33: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_rise_of_mask(rt::into(uv_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_rise_of_mask(&self, uv_30: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_rise_of_mask(&self, uv_33: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_151 = ((uv_30 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_151);
+        let at_154 = ((uv_33 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_154);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_25 = (at_151 - _e8);
-        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_25.y())) + ((_e11.w() - _e11.z()) * part_25.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_25.x())) + ((_e11.w() - _e11.y()) * part_25.x())));
+        let part_26 = (at_154 - _e8);
+        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_26.y())) + ((_e11.w() - _e11.z()) * part_26.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_26.x())) + ((_e11.w() - _e11.y()) * part_26.x())));
     }
     pub(crate) fn normal_of_mask(
         &self,
         image_12: Image,
-        uv_31: impl rt::Into<rt::Vec2<f32>>,
+        uv_34: impl rt::Into<rt::Vec2<f32>>,
         within: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_31), rt::into(within)))
+        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_34), rt::into(within)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_of_mask(
         &self,
         image_12: Image,
-        uv_31: rt::Vec2<f32>,
+        uv_34: rt::Vec2<f32>,
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_rise_of_mask(uv_31);
-        let place_34 = ((uv_31 - image_12.corner) / image_12.extent);
-        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_34.x())).normalize();
-        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_34.y())).normalize();
+        let _e3 = self.v_rise_of_mask(uv_34);
+        let place_35 = ((uv_34 - image_12.corner) / image_12.extent);
+        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_35.x())).normalize();
+        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_35.y())).normalize();
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_4 * _e3.x())) - (along_v_4 * _e3.y()));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
@@ -14617,9 +14933,9 @@ impl<'g> Resources<'g> {
         at_114: Entered,
         hit_39: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
-        params_92: impl rt::Into<rt::Vec4<f32>>,
+        params_94: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_114, hit_39, rt::into(view_19), rt::into(params_92)))
+        rt::into(self.v_object_blend_color(at_114, hit_39, rt::into(view_19), rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14628,9 +14944,9 @@ impl<'g> Resources<'g> {
         at_114: Entered,
         hit_39: Hit,
         view_19: rt::Vec3<f32>,
-        params_92: rt::Vec4<f32>,
+        params_94: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_114, view_19, params_92.z());
+        let _e5 = self.v_color_of_object(at_114, view_19, params_94.z());
         return _e5;
     }
     pub(crate) fn object_none_color(
@@ -14638,9 +14954,9 @@ impl<'g> Resources<'g> {
         at_115: Entered,
         hit_40: Hit,
         view_20: impl rt::Into<rt::Vec3<f32>>,
-        params_93: impl rt::Into<rt::Vec4<f32>>,
+        params_95: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_115, hit_40, rt::into(view_20), rt::into(params_93)))
+        rt::into(self.v_object_none_color(at_115, hit_40, rt::into(view_20), rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14649,7 +14965,7 @@ impl<'g> Resources<'g> {
         at_115: Entered,
         hit_40: Hit,
         view_20: rt::Vec3<f32>,
-        params_93: rt::Vec4<f32>,
+        params_95: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e6 = self.v_color_or_white(hit_40.uv, rt::Scalar(at_115.footprint));
         return _e6;
@@ -14659,9 +14975,9 @@ impl<'g> Resources<'g> {
         at_116: Entered,
         hit_41: Hit,
         view_21: impl rt::Into<rt::Vec3<f32>>,
-        params_94: impl rt::Into<rt::Vec4<f32>>,
+        params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_116, hit_41, rt::into(view_21), rt::into(params_94)))
+        rt::into(self.v_object_depth_color(at_116, hit_41, rt::into(view_21), rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14670,9 +14986,9 @@ impl<'g> Resources<'g> {
         at_116: Entered,
         hit_41: Hit,
         view_21: rt::Vec3<f32>,
-        params_94: rt::Vec4<f32>,
+        params_96: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_116, view_21, params_94.z());
+        let _e5 = self.v_color_of_object(at_116, view_21, params_96.z());
         return _e5;
     }
     pub(crate) fn object_hull_color(
@@ -14680,9 +14996,9 @@ impl<'g> Resources<'g> {
         at_117: Entered,
         hit_42: Hit,
         view_22: impl rt::Into<rt::Vec3<f32>>,
-        params_95: impl rt::Into<rt::Vec4<f32>>,
+        params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_117, hit_42, rt::into(view_22), rt::into(params_95)))
+        rt::into(self.v_object_hull_color(at_117, hit_42, rt::into(view_22), rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14691,9 +15007,9 @@ impl<'g> Resources<'g> {
         at_117: Entered,
         hit_42: Hit,
         view_22: rt::Vec3<f32>,
-        params_95: rt::Vec4<f32>,
+        params_97: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_117, view_22, params_95.z());
+        let _e5 = self.v_color_of_object(at_117, view_22, params_97.z());
         return _e5;
     }
     pub(crate) fn object_color_stage(
@@ -14735,13 +15051,34 @@ impl<'g> Resources<'g> {
             }
         }
     }
+    pub(crate) fn occlusion_roughness_metalness(
+        &self,
+        uv_35: impl rt::Into<rt::Vec2<f32>>,
+        footprint_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_35), rt::into(footprint_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_occlusion_roughness_metalness(
+        &self,
+        uv_35: rt::Vec2<f32>,
+        footprint_4: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = rt::Scalar(self.surface_settings.has_material);
+        if rt::Scalar::into_branch_condition((_e4 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32))) {
+            return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
+        }
+        let _e14 = self.v_material_layer(uv_35, footprint_4, rt::Scalar(0i32));
+        return _e14;
+    }
     pub(crate) fn parts_by_uv(
         &self,
         grid_12: Tessellation,
         along_19: impl rt::Into<rt::Vec2<f32>>,
-        level_43: impl rt::Into<rt::Scalar<u32>>,
+        level_45: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_43)))
+        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14749,19 +15086,19 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: rt::Vec2<f32>,
-        level_43: rt::Scalar<u32>,
+        level_45: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let both_1 = (along_19 * grid_12.parts_of_uv);
-        let parts_7 = ((both_1.x().max(both_1.y()) / (rt::Scalar(1u32) << level_43).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
+        let parts_7 = ((both_1.x().max(both_1.y()) / (rt::Scalar(1u32) << level_45).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
         return parts_7.clamp(rt::Scalar(1f32), rt::Scalar(32767f32)).to_u32();
     }
     pub(crate) fn parts_by_voxels(
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_44: impl rt::Into<rt::Scalar<u32>>,
+        level_46: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_44)))
+        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14769,10 +15106,10 @@ impl<'g> Resources<'g> {
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_44: rt::Scalar<u32>,
+        level_46: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_coarser_voxel(b_19.at, level_44);
-        let _e6 = self.v_coarser_voxel(a_19.at, level_44);
+        let _e4 = self.v_coarser_voxel(b_19.at, level_46);
+        let _e6 = self.v_coarser_voxel(a_19.at, level_46);
         let _e8 = self.v_longest_of((_e4 - _e6));
         return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
     }
@@ -14782,9 +15119,9 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: impl rt::Into<rt::Vec2<f32>>,
-        level_45: impl rt::Into<rt::Scalar<u32>>,
+        level_47: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_45)))
+        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14794,13 +15131,13 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: rt::Vec2<f32>,
-        level_45: rt::Scalar<u32>,
+        level_47: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         if rt::Scalar::into_branch_condition(grid_13.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))) {
-            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_45);
+            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_47);
             return _e9;
         }
-        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_45);
+        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_47);
         return _e10;
     }
     pub(crate) fn pixel_eye(&self, pixel_85: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -14843,27 +15180,27 @@ impl<'g> Resources<'g> {
     pub(crate) fn placed_over(
         &self,
         at_119: Entered,
-        uv_32: impl rt::Into<rt::Vec2<f32>>,
+        uv_36: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_119, rt::into(uv_32)))
+        rt::into(self.v_placed_over(at_119, rt::into(uv_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
         at_119: Entered,
-        uv_32: rt::Vec2<f32>,
+        uv_36: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_32 - at_119.uv);
+        let aside_9 = (uv_36 - at_119.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_32, rt::Scalar(at_119.level));
+        let _e11 = self.v_height_at(uv_36, rt::Scalar(at_119.level));
         let height_23 = (_e6 + (_e9 * _e11));
         placed = at_119;
         placed.point = (((at_119.point + (at_119.tangent * aside_9.x())) + (at_119.bitangent * aside_9.y())) + (at_119.normal * height_23));
-        placed.uv = uv_32;
+        placed.uv = uv_36;
         let _e29 = placed;
         return _e29;
     }
@@ -14873,9 +15210,9 @@ impl<'g> Resources<'g> {
         at_120: Entered,
         path_74: Path,
         hit_44: Hit,
-        params_96: impl rt::Into<rt::Vec4<f32>>,
+        params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_120, path_74, hit_44, rt::into(params_96)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_120, path_74, hit_44, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14885,7 +15222,7 @@ impl<'g> Resources<'g> {
         at_120: Entered,
         path_74: Path,
         hit_44: Hit,
-        params_96: rt::Vec4<f32>,
+        params_98: rt::Vec4<f32>,
     ) -> Entered {
         let _e6 = self.v_placed_over(at_120, hit_44.uv);
         return _e6;
@@ -14896,9 +15233,9 @@ impl<'g> Resources<'g> {
         at_121: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_21: impl rt::Into<rt::Vec3<f32>>,
-        uv_33: impl rt::Into<rt::Vec2<f32>>,
+        uv_37: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_121, rt::into(weights_4), rt::into(point_21), rt::into(uv_33)))
+        rt::into(self.v_placed_at(pixel_87, at_121, rt::into(weights_4), rt::into(point_21), rt::into(uv_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14908,11 +15245,11 @@ impl<'g> Resources<'g> {
         at_121: Entered,
         weights_4: rt::Vec3<f32>,
         point_21: rt::Vec3<f32>,
-        uv_33: rt::Vec2<f32>,
+        uv_37: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_21, uv_33, at_121.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_21, uv_37, at_121.facing);
         placed_1 = _e6;
         rt::Scalar(placed_1.level) = rt::Scalar(at_121.level);
         rt::Scalar(placed_1.footprint) = rt::Scalar(at_121.footprint);
@@ -14926,9 +15263,9 @@ impl<'g> Resources<'g> {
         at_122: Entered,
         path_75: Path,
         hit_45: Hit,
-        params_97: impl rt::Into<rt::Vec4<f32>>,
+        params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_122, path_75, hit_45, rt::into(params_97)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_122, path_75, hit_45, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14938,11 +15275,11 @@ impl<'g> Resources<'g> {
         at_122: Entered,
         path_75: Path,
         hit_45: Hit,
-        params_97: rt::Vec4<f32>,
+        params_99: rt::Vec4<f32>,
     ) -> Entered {
         let along_46 = pixel_88.direction.normalize();
         let _e7 = self.v_middle_of(pixel_88, along_46);
-        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_97);
+        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_99);
         let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_45.t)) - _e7);
         let _e15 = self.v_point_of_way(pixel_88, _e8, (along_46 * s_4), rt::Scalar(hit_45.height));
         let weights_7 = _e15.weights;
@@ -15003,9 +15340,9 @@ impl<'g> Resources<'g> {
         at_124: Entered,
         path_76: Path,
         hit_46: Hit,
-        params_98: impl rt::Into<rt::Vec4<f32>>,
+        params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_124, path_76, hit_46, rt::into(params_98)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_124, path_76, hit_46, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15015,7 +15352,7 @@ impl<'g> Resources<'g> {
         at_124: Entered,
         path_76: Path,
         hit_46: Hit,
-        params_98: rt::Vec4<f32>,
+        params_100: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
@@ -15032,9 +15369,9 @@ impl<'g> Resources<'g> {
         at_125: Entered,
         path_77: Path,
         hit_47: Hit,
-        params_99: impl rt::Into<rt::Vec4<f32>>,
+        params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_125, path_77, hit_47, rt::into(params_99)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_125, path_77, hit_47, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
@@ -15043,7 +15380,7 @@ impl<'g> Resources<'g> {
         at_125: Entered,
         path_77: Path,
         hit_47: Hit,
-        params_99: rt::Vec4<f32>,
+        params_101: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
@@ -15069,9 +15406,9 @@ impl<'g> Resources<'g> {
         at_126: Entered,
         path_78: Path,
         hit_48: Hit,
-        params_100: impl rt::Into<rt::Vec4<f32>>,
+        params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_126, path_78, hit_48, rt::into(params_100)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_126, path_78, hit_48, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
@@ -15080,7 +15417,7 @@ impl<'g> Resources<'g> {
         at_126: Entered,
         path_78: Path,
         hit_48: Hit,
-        params_100: rt::Vec4<f32>,
+        params_102: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
@@ -15118,8 +15455,8 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_42));
-        let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_48.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_126, weights_8.xyz(), point_33, hit_48.uv);
+        let point_34 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_48.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_126, weights_8.xyz(), point_34, hit_48.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
@@ -15128,9 +15465,9 @@ impl<'g> Resources<'g> {
         at_127: Entered,
         path_79: Path,
         hit_49: Hit,
-        params_101: impl rt::Into<rt::Vec4<f32>>,
+        params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_127, path_79, hit_49, rt::into(params_101)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_127, path_79, hit_49, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15140,7 +15477,7 @@ impl<'g> Resources<'g> {
         at_127: Entered,
         path_79: Path,
         hit_49: Hit,
-        params_101: rt::Vec4<f32>,
+        params_103: rt::Vec4<f32>,
     ) -> Entered {
         return at_127;
     }
@@ -15150,9 +15487,9 @@ impl<'g> Resources<'g> {
         at_128: Entered,
         path_80: Path,
         hit_50: Hit,
-        params_102: impl rt::Into<rt::Vec4<f32>>,
+        params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_128, path_80, hit_50, rt::into(params_102)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_128, path_80, hit_50, rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15162,7 +15499,7 @@ impl<'g> Resources<'g> {
         at_128: Entered,
         path_80: Path,
         hit_50: Hit,
-        params_102: rt::Vec4<f32>,
+        params_104: rt::Vec4<f32>,
     ) -> Entered {
         let _e6 = self.v_placed_over(at_128, hit_50.uv);
         return _e6;
@@ -15211,9 +15548,9 @@ impl<'g> Resources<'g> {
         at_130: Entered,
         path_82: Path,
         hit_52: Hit,
-        params_103: impl rt::Into<rt::Vec4<f32>>,
+        params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_130, path_82, hit_52, rt::into(params_103)))
+        rt::into(self.v_surface_object_place(pixel_95, at_130, path_82, hit_52, rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15223,7 +15560,7 @@ impl<'g> Resources<'g> {
         at_130: Entered,
         path_82: Path,
         hit_52: Hit,
-        params_103: rt::Vec4<f32>,
+        params_105: rt::Vec4<f32>,
     ) -> Entered {
         let _e5 = self.v_placed_in_image(pixel_95, at_130, path_82, hit_52);
         return _e5;
@@ -15234,9 +15571,9 @@ impl<'g> Resources<'g> {
         at_131: Entered,
         path_83: Path,
         hit_53: Hit,
-        params_104: impl rt::Into<rt::Vec4<f32>>,
+        params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_131, path_83, hit_53, rt::into(params_104)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_131, path_83, hit_53, rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_frames_place(
@@ -15245,7 +15582,7 @@ impl<'g> Resources<'g> {
         at_131: Entered,
         path_83: Path,
         hit_53: Hit,
-        params_104: rt::Vec4<f32>,
+        params_106: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
         let mut local_101: rt::Scalar<bool>;
@@ -15275,9 +15612,9 @@ impl<'g> Resources<'g> {
         at_132: Entered,
         path_84: Path,
         hit_54: Hit,
-        params_105: impl rt::Into<rt::Vec4<f32>>,
+        params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_132, path_84, hit_54, rt::into(params_105)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_132, path_84, hit_54, rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_object_slices_place(
@@ -15286,7 +15623,7 @@ impl<'g> Resources<'g> {
         at_132: Entered,
         path_84: Path,
         hit_54: Hit,
-        params_105: rt::Vec4<f32>,
+        params_107: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
         let mut placed_7: Entered;
@@ -15421,11 +15758,11 @@ impl<'g> Resources<'g> {
     ) -> Toward {
         let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_18)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_10 = (light_18.place.xyz() - position_1);
-            let squared_6 = toward_10.dot(toward_10);
-            let distance_3 = squared_6.sqrt();
-            let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_10.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_18);
+            let toward_11 = (light_18.place.xyz() - position_1);
+            let squared_7 = toward_11.dot(toward_11);
+            let distance_3 = squared_7.sqrt();
+            let falloff = (rt::Scalar(1f32) / squared_7.max(rt::Scalar(0.000001f32)));
+            return <Toward>::new(toward_11.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_18);
         }
         return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_18);
     }
@@ -15489,26 +15826,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_bumps(
         &self,
-        place_21: impl rt::Into<rt::Vec2<f32>>,
+        place_22: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
-        params_106: impl rt::Into<rt::Vec4<f32>>,
+        params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_21), rt::into(time), rt::into(seed_5), rt::into(params_106)))
+        rt::into(self.v_procedure_bumps(rt::into(place_22), rt::into(time), rt::into(seed_5), rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_bumps(
         &self,
-        place_21: rt::Vec2<f32>,
+        place_22: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
-        params_106: rt::Vec4<f32>,
+        params_108: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_152 = (place_21 * params_106.x());
-        let own_1 = at_152.floor();
+        let at_155 = (place_22 * params_108.x());
+        let own_1 = at_155.floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_36;
@@ -15520,13 +15857,13 @@ impl<'g> Resources<'g> {
                     let _e14 = k_36;
                     let _e18 = k_36;
                     let cell_33 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_33, params_106.x(), seed_5);
+                    let _e29 = self.v_bits_of_point(cell_33, params_108.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
                     let beside_7 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_16 = ((cell_33 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_106.z())));
-                    let away_2 = ((at_152 - middle_16) / rt::Vec2::splat_from_scalar(params_106.y()));
+                    let middle_16 = ((cell_33 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_108.z())));
+                    let away_2 = ((at_155 - middle_16) / rt::Vec2::splat_from_scalar(params_108.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
                     let _e58 = self.v_sine_of((time + _e56));
@@ -15544,20 +15881,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_fbm(
         &self,
-        place_22: impl rt::Into<rt::Vec2<f32>>,
+        place_23: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
-        params_107: impl rt::Into<rt::Vec4<f32>>,
+        params_109: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_22), rt::into(time_1), rt::into(seed_6), rt::into(params_107)))
+        rt::into(self.v_procedure_fbm(rt::into(place_23), rt::into(time_1), rt::into(seed_6), rt::into(params_109)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_fbm(
         &self,
-        place_22: rt::Vec2<f32>,
+        place_23: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
-        params_107: rt::Vec4<f32>,
+        params_109: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_11: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_4: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15565,11 +15902,11 @@ impl<'g> Resources<'g> {
         let mut count_9: rt::Scalar<f32>;
         let mut octave: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        count_9 = params_107.x();
+        count_9 = params_109.x();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = octave;
-                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_107.y())) {
+                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_109.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -15581,13 +15918,13 @@ impl<'g> Resources<'g> {
                     let _e25 = count_9;
                     let _e27 = count_9;
                     let _e28 = octave;
-                    let _e30 = self.v_gradient_noise((place_22 * _e25), _e27, turns_3, (seed_6 + _e28));
+                    let _e30 = self.v_gradient_noise((place_23 * _e25), _e27, turns_3, (seed_6 + _e28));
                     height_11 = (_e23 + (_e24 * _e30));
                     let _e33 = sum_4;
                     let _e34 = strength;
                     sum_4 = (_e33 + _e34);
                     let _e36 = strength;
-                    strength = (_e36 * params_107.z());
+                    strength = (_e36 * params_109.z());
                     let _e39 = count_9;
                     count_9 = (_e39 * rt::Scalar(2f32));
                     let _e42 = octave;
@@ -15601,20 +15938,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_waves(
         &self,
-        place_23: impl rt::Into<rt::Vec2<f32>>,
+        place_24: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
-        params_108: impl rt::Into<rt::Vec4<f32>>,
+        params_110: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_23), rt::into(time_2), rt::into(seed_7), rt::into(params_108)))
+        rt::into(self.v_procedure_waves(rt::into(place_24), rt::into(time_2), rt::into(seed_7), rt::into(params_110)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_waves(
         &self,
-        place_23: rt::Vec2<f32>,
+        place_24: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
-        params_108: rt::Vec4<f32>,
+        params_110: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_12: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_5: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15623,7 +15960,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e10 = k_37;
-                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_108.y())) {
+                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_110.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -15631,19 +15968,19 @@ impl<'g> Resources<'g> {
                     let _e15 = k_37;
                     let _e18 = self.v_mixed((seed_7 + (rt::Scalar(4u32) * _e15)));
                     let _e19 = k_37;
-                    let part_26 = (_e19.to_f32() / params_108.y());
-                    let size_1 = (params_108.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_26) * part_26)));
+                    let part_27 = (_e19.to_f32() / params_110.y());
+                    let size_1 = (params_110.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_27) * part_27)));
                     let along_48 = (size_1 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e39 = self.v_unit_of(_e18);
-                    let across_11 = ((((rt::Scalar(2f32) * size_1) * params_108.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
+                    let across_11 = ((((rt::Scalar(2f32) * size_1) * params_110.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
                     let length = ((along_48 * along_48) + (across_11 * across_11)).sqrt();
-                    let pace_1 = ((rt::Scalar(2f32) * (length / params_108.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let pace_1 = ((rt::Scalar(2f32) * (length / params_110.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
-                    let _e72 = self.v_sine_of(((((along_48 * place_23.x()) + (across_11 * place_23.y())) - (pace_1 * time_2)) + _e63));
+                    let _e72 = self.v_sine_of(((((along_48 * place_24.x()) + (across_11 * place_24.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
                     let _e77 = height_12;
-                    height_12 = (_e77 + ((crest + (params_108.w() * ((crest * crest) - crest))) / length));
+                    height_12 = (_e77 + ((crest + (params_110.w() * ((crest * crest) - crest))) / length));
                     let _e85 = sum_5;
                     sum_5 = (_e85 + (rt::Scalar(1f32) / length));
                     let _e89 = k_37;
@@ -15658,34 +15995,34 @@ impl<'g> Resources<'g> {
     pub(crate) fn procedure_height(
         &self,
         number_20: impl rt::Into<rt::Scalar<u32>>,
-        place_24: impl rt::Into<rt::Vec2<f32>>,
+        place_25: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
-        params_109: impl rt::Into<rt::Vec4<f32>>,
+        params_111: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_24), rt::into(time_3), rt::into(seed_8), rt::into(params_109)))
+        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_25), rt::into(time_3), rt::into(seed_8), rt::into(params_111)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_procedure_height(
         &self,
         number_20: rt::Scalar<u32>,
-        place_24: rt::Vec2<f32>,
+        place_25: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
-        params_109: rt::Vec4<f32>,
+        params_111: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         match rt::Scalar::into_inner(number_20) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_24, time_3, seed_8, params_109);
+                let _e5 = self.v_procedure_waves(place_25, time_3, seed_8, params_111);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_24, time_3, seed_8, params_109);
+                let _e6 = self.v_procedure_fbm(place_25, time_3, seed_8, params_111);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_24, time_3, seed_8, params_109);
+                let _e7 = self.v_procedure_bumps(place_25, time_3, seed_8, params_111);
                 return _e7;
             }
         }
@@ -15732,6 +16069,132 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_light_ray(at_137, hit_59, _e5);
         return _e6;
     }
+    pub(crate) fn shade_blinn_phong_material(
+        &self,
+        at_138: Entered,
+        hit_60: Hit,
+        normal_21: impl rt::Into<rt::Vec3<f32>>,
+        mean_3: impl rt::Into<rt::Scalar<f32>>,
+        view_24: impl rt::Into<rt::Vec3<f32>>,
+        color_1: impl rt::Into<rt::Vec3<f32>>,
+        params_112: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Material {
+        rt::into(self.v_shade_blinn_phong_material(at_138, hit_60, rt::into(normal_21), rt::into(mean_3), rt::into(view_24), rt::into(color_1), rt::into(params_112)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_shade_blinn_phong_material(
+        &self,
+        at_138: Entered,
+        hit_60: Hit,
+        normal_21: rt::Vec3<f32>,
+        mean_3: rt::Scalar<f32>,
+        view_24: rt::Vec3<f32>,
+        color_1: rt::Vec3<f32>,
+        params_112: rt::Vec4<f32>,
+    ) -> Material {
+        let transmission = rt::Scalar(self.surface_settings.transmission);
+        let _e12 = self.surface_settings.diffuse;
+        let diffuse = ((_e12.xyz() * color_1) * (rt::Scalar(1f32) - transmission));
+        let none_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let transmitted = <rt::Vec3<f32>>::from_scalars(transmission, transmission, transmission);
+        let _e25 = self.surface_settings.specular;
+        let specular = _e25.xyz();
+        return <Material>::new(diffuse, transmitted, specular, diffuse, none_2, rt::Scalar(1f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+    }
+    pub(crate) fn shade_metallic_roughness_material(
+        &self,
+        at_139: Entered,
+        hit_61: Hit,
+        normal_22: impl rt::Into<rt::Vec3<f32>>,
+        mean_4: impl rt::Into<rt::Scalar<f32>>,
+        view_25: impl rt::Into<rt::Vec3<f32>>,
+        color_2: impl rt::Into<rt::Vec3<f32>>,
+        params_113: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Material {
+        rt::into(self.v_shade_metallic_roughness_material(at_139, hit_61, rt::into(normal_22), rt::into(mean_4), rt::into(view_25), rt::into(color_2), rt::into(params_113)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_metallic_roughness_material(
+        &self,
+        at_139: Entered,
+        hit_61: Hit,
+        normal_22: rt::Vec3<f32>,
+        mean_4: rt::Scalar<f32>,
+        view_25: rt::Vec3<f32>,
+        color_2: rt::Vec3<f32>,
+        params_113: rt::Vec4<f32>,
+    ) -> Material {
+        let mut squared_alpha_1: rt::Scalar<f32>;
+
+        let _e9 = self.v_occlusion_roughness_metalness(hit_61.uv, rt::Scalar(at_139.footprint));
+        let _e12 = rt::Scalar(self.surface_settings.roughness);
+        let roughness_1 = (_e12 * _e9.y()).max(rt::Scalar(0.045f32));
+        let _e19 = rt::Scalar(self.surface_settings.metallic);
+        let metallic = (_e19 * _e9.z());
+        let _e24 = self.surface_settings.diffuse;
+        let base_6 = (_e24.xyz() * color_2);
+        let entering = (base_6 * (rt::Scalar(1f32) - metallic));
+        let transmission_1 = rt::Scalar(self.surface_settings.transmission);
+        let diffuse_1 = (entering * (rt::Scalar(1f32) - transmission_1));
+        let _e38 = self.surface_settings.specular;
+        let dielectric = _e38.xyz();
+        let specular_1 = (dielectric + ((base_6 - dielectric) * metallic));
+        let alpha_1 = (roughness_1 * roughness_1);
+        squared_alpha_1 = (alpha_1 * alpha_1);
+        if rt::Scalar::into_branch_condition(mean_4.elementwise_lt(rt::Scalar(1f32))) {
+            let _e48 = squared_alpha_1;
+            squared_alpha_1 = (_e48 + ((rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_4)) / mean_4)).min(rt::Scalar(1f32));
+        }
+        let upright_4 = normal_22.dot(view_25).max(rt::Scalar(0.0001f32));
+        let _e61 = squared_alpha_1;
+        let _e65 = squared_alpha_1;
+        let masking = (((upright_4 * upright_4) * (rt::Scalar(1f32) - _e61)) + _e65).sqrt();
+        let _e68 = squared_alpha_1;
+        let _e69 = self.v_facet_reflection(upright_4, _e68);
+        let again = ((rt::Scalar(1f32) / (_e69.x() + _e69.y())) - rt::Scalar(1f32));
+        let white_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
+        let reflected_1 = (((specular_1 * _e69.x()) + (white_1 * _e69.y())) * (white_1 + (specular_1 * again)));
+        let _e95 = self.v_emission_at(hit_61.uv, rt::Scalar(at_139.footprint));
+        let _e97 = squared_alpha_1;
+        return <Material>::new(diffuse_1, (entering * transmission_1), specular_1, ((diffuse_1 * (white_1 - reflected_1)) + reflected_1), _e95, _e9.x(), _e97, upright_4, masking, again);
+    }
+    pub(crate) fn shade_material_stage(
+        &self,
+        at_140: Entered,
+        hit_62: Hit,
+        normal_23: impl rt::Into<rt::Vec3<f32>>,
+        mean_5: impl rt::Into<rt::Scalar<f32>>,
+        view_26: impl rt::Into<rt::Vec3<f32>>,
+        color_3: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Material {
+        rt::into(self.v_shade_material_stage(at_140, hit_62, rt::into(normal_23), rt::into(mean_5), rt::into(view_26), rt::into(color_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_shade_material_stage(
+        &self,
+        at_140: Entered,
+        hit_62: Hit,
+        normal_23: rt::Vec3<f32>,
+        mean_5: rt::Scalar<f32>,
+        view_26: rt::Vec3<f32>,
+        color_3: rt::Vec3<f32>,
+    ) -> Material {
+        let _e10 = rt::Scalar(self.surface_settings.choices[7usize].number);
+        match rt::Scalar::into_inner(_e10) {
+            0u32 => {
+                let _e15 = self.surface_settings.choices[7usize].params;
+                let _e16 = self.v_shade_blinn_phong_material(at_140, hit_62, normal_23, mean_5, view_26, color_3, _e15);
+                return _e16;
+            }
+            _ => {
+                let _e21 = self.surface_settings.choices[7usize].params;
+                let _e22 = self.v_shade_metallic_roughness_material(at_140, hit_62, normal_23, mean_5, view_26, color_3, _e21);
+                return _e22;
+            }
+        }
+    }
     pub(crate) fn table_cosine(
         &self,
         table_1: SeenTable,
@@ -15746,48 +16209,48 @@ impl<'g> Resources<'g> {
         table_1: SeenTable,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let mean_6 = table_1.mean.dot(toward_2);
+        let mean_13 = table_1.mean.dot(toward_2);
         let squares_1 = table_1.squares.dot((toward_2 * toward_2)).min(rt::Scalar(16f32));
         let pairs = <rt::Vec3<f32>>::from_scalars((toward_2.x() * toward_2.y()), (toward_2.x() * toward_2.z()), (toward_2.y() * toward_2.z()));
         let products = (rt::Scalar(2f32) * table_1.products.dot(pairs)).min(rt::Scalar(16f32));
-        let deviation_1 = ((squares_1 + products) - (mean_6 * mean_6)).max(rt::Scalar(0f32)).sqrt();
+        let deviation_1 = ((squares_1 + products) - (mean_13 * mean_13)).max(rt::Scalar(0f32)).sqrt();
         let inner_1 = (deviation_1 * rt::Scalar(0.7419638f32));
         let outer_1 = (deviation_1 * rt::Scalar(2.3344142f32));
-        let four_2 = <rt::Vec4<f32>>::from_scalars((mean_6 + inner_1), (mean_6 - inner_1), (mean_6 + outer_1), (mean_6 - outer_1));
+        let four_2 = <rt::Vec4<f32>>::from_scalars((mean_13 + inner_1), (mean_13 - inner_1), (mean_13 + outer_1), (mean_13 - outer_1));
         return four_2.max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32))).dot(PARTS_OF_FOUR);
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_138: Entered,
+        at_141: Entered,
         seen_3: SeenNormals,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_138, seen_3, rt::into(toward_3)))
+        rt::into(self.v_seen_cosine(at_141, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_138: Entered,
+        at_141: Entered,
         seen_3: SeenNormals,
         toward_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let mut cosine: rt::Scalar<f32>;
+        let mut cosine_6: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_3.normal.dot(toward_3).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_138, toward_3);
+        let _e10 = self.v_to_tangent_space(at_141, toward_3);
         let middle_17 = seen_3.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_17, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
         let one_2 = (rt::Scalar(seen_3.middle_seen) * middle_17.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen_3.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_2, others);
-        cosine = _e28;
+        cosine_6 = _e28;
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.table_part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e33 = cosine;
+            let _e33 = cosine_6;
             let _e35 = self.v_table_cosine(seen_3.table, _e10);
-            let _e36 = cosine;
-            cosine = (_e33 + ((_e35 - _e36) * rt::Scalar(seen_3.table_part)));
+            let _e36 = cosine_6;
+            cosine_6 = (_e33 + ((_e35 - _e36) * rt::Scalar(seen_3.table_part)));
         }
         let _e43 = rt::Scalar(self.surface_settings.has_shadows);
         if rt::Scalar::into_branch_condition(_e43.elementwise_eq(rt::Scalar(1u32))) {
@@ -15796,10 +16259,10 @@ impl<'g> Resources<'g> {
             let _e62 = self.v_sum_of_four(_e59);
             let _e63 = self.v_mean_of_five(falls_1.max(rt::Scalar(0f32)), _e62);
             let lit = (falls_1.max(rt::Scalar(0f32)) / _e63.max(rt::Scalar(0.001f32)));
-            let _e69 = cosine;
+            let _e69 = cosine_6;
             return (_e69 * (rt::Scalar(1f32) - ((rt::Scalar(1f32) - lit) * rt::Scalar(seen_3.upright))));
         }
-        let _e77 = cosine;
+        let _e77 = cosine_6;
         return _e77;
     }
     pub(crate) fn whole_power(
@@ -15846,137 +16309,181 @@ impl<'g> Resources<'g> {
         let _e23 = result;
         return _e23;
     }
-    pub(crate) fn shade_blinn_phong(
+    pub(crate) fn shade_blinn_phong_light(
         &self,
-        normal_21: impl rt::Into<rt::Vec3<f32>>,
-        mean: impl rt::Into<rt::Scalar<f32>>,
-        cosine_1: impl rt::Into<rt::Scalar<f32>>,
-        view_24: impl rt::Into<rt::Vec3<f32>>,
+        material_11: Material,
+        normal_24: impl rt::Into<rt::Vec3<f32>>,
+        mean_6: impl rt::Into<rt::Scalar<f32>>,
+        cosine_7: impl rt::Into<rt::Scalar<f32>>,
+        view_27: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
-        color_9: impl rt::Into<rt::Vec3<f32>>,
-        params_110: impl rt::Into<rt::Vec4<f32>>,
+        params_114: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_21), rt::into(mean), rt::into(cosine_1), rt::into(view_24), rt::into(toward_4), rt::into(color_9), rt::into(params_110)))
+        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_24), rt::into(mean_6), rt::into(cosine_7), rt::into(view_27), rt::into(toward_4), rt::into(params_114)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_blinn_phong(
+    fn v_shade_blinn_phong_light(
         &self,
-        normal_21: rt::Vec3<f32>,
-        mean: rt::Scalar<f32>,
-        cosine_1: rt::Scalar<f32>,
-        view_24: rt::Vec3<f32>,
+        material_11: Material,
+        normal_24: rt::Vec3<f32>,
+        mean_6: rt::Scalar<f32>,
+        cosine_7: rt::Scalar<f32>,
+        view_27: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
-        color_9: rt::Vec3<f32>,
-        params_110: rt::Vec4<f32>,
+        params_114: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        if rt::Scalar::into_branch_condition(cosine_1.elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(cosine_7.elementwise_gt(rt::Scalar(0f32))) {
             let _e11 = rt::Scalar(self.surface_settings.shininess);
             exponent_2 = _e11;
-            if rt::Scalar::into_branch_condition(mean.elementwise_lt(rt::Scalar(1f32))) {
+            if rt::Scalar::into_branch_condition(mean_6.elementwise_lt(rt::Scalar(1f32))) {
                 let _e19 = rt::Scalar(self.surface_settings.shininess);
                 let sharp = _e19.to_f32();
-                let wide_3 = ((sharp * mean) / (mean + (sharp * (rt::Scalar(1f32) - mean)))).floor().max(rt::Scalar(1f32));
+                let wide_3 = ((sharp * mean_6) / (mean_6 + (sharp * (rt::Scalar(1f32) - mean_6)))).floor().max(rt::Scalar(1f32));
                 exponent_2 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_21.dot((toward_4 + view_24).normalize()).max(rt::Scalar(0f32));
-            let _e43 = self.surface_settings.specular;
-            let _e45 = exponent_2;
-            let _e46 = self.v_whole_power(lobe, _e45);
-            let _e47 = dimmed;
-            let specular = (_e43.xyz() * (_e46 * _e47));
-            return ((color_9 * cosine_1) + specular);
+            let lobe = normal_24.dot((toward_4 + view_27).normalize()).max(rt::Scalar(0f32));
+            let _e42 = exponent_2;
+            let _e43 = self.v_whole_power(lobe, _e42);
+            let _e44 = dimmed;
+            let specular_2 = (material_11.specular * (_e43 * _e44));
+            return ((material_11.diffuse * cosine_7) + specular_2);
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn shade_stage(
+    pub(crate) fn shade_metallic_roughness_light(
         &self,
-        normal_22: impl rt::Into<rt::Vec3<f32>>,
-        mean_1: impl rt::Into<rt::Scalar<f32>>,
-        cosine_2: impl rt::Into<rt::Scalar<f32>>,
-        view_25: impl rt::Into<rt::Vec3<f32>>,
+        material_12: Material,
+        normal_25: impl rt::Into<rt::Vec3<f32>>,
+        mean_7: impl rt::Into<rt::Scalar<f32>>,
+        cosine_8: impl rt::Into<rt::Scalar<f32>>,
+        view_28: impl rt::Into<rt::Vec3<f32>>,
         toward_5: impl rt::Into<rt::Vec3<f32>>,
-        color_10: impl rt::Into<rt::Vec3<f32>>,
+        params_115: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_22), rt::into(mean_1), rt::into(cosine_2), rt::into(view_25), rt::into(toward_5), rt::into(color_10)))
+        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_25), rt::into(mean_7), rt::into(cosine_8), rt::into(view_28), rt::into(toward_5), rt::into(params_115)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_metallic_roughness_light(
+        &self,
+        material_12: Material,
+        normal_25: rt::Vec3<f32>,
+        mean_7: rt::Scalar<f32>,
+        cosine_8: rt::Scalar<f32>,
+        view_28: rt::Vec3<f32>,
+        toward_5: rt::Vec3<f32>,
+        params_115: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        if rt::Scalar::into_branch_condition(cosine_8.elementwise_gt(rt::Scalar(0f32))) {
+            let sum_12 = (toward_5 + view_28);
+            let squared_sum = sum_12.dot(sum_12).max(rt::Scalar(0.000001f32));
+            let along_49 = normal_25.dot(sum_12);
+            let across_12 = normal_25.cross(sum_12);
+            let a_42 = rt::Scalar(material_12.squared_alpha);
+            let spread_1 = ((((along_49 * along_49) * a_42) + across_12.dot(across_12)) / squared_sum);
+            let shadowing = (((cosine_8 * cosine_8) * (rt::Scalar(1f32) - a_42)) + a_42).sqrt();
+            let visible_3 = ((cosine_8 * rt::Scalar(material_12.masking)) + (rt::Scalar(material_12.upright) * shadowing));
+            let facets = ((rt::Scalar(0.5f32) * a_42) / ((spread_1 * spread_1) * visible_3));
+            let rest_11 = (rt::Scalar(1f32) - (rt::Scalar(0.5f32) * squared_sum.sqrt())).max(rt::Scalar(0f32));
+            let squared_rest = (rest_11 * rest_11);
+            let white_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
+            let fresnel_1 = (material_12.specular + ((white_2 - material_12.specular) * ((squared_rest * squared_rest) * rest_11)));
+            let specular_3 = ((fresnel_1 * (white_2 + (material_12.specular * rt::Scalar(material_12.again)))) * facets);
+            return (((material_12.diffuse * (white_2 - fresnel_1)) + specular_3) * cosine_8);
+        }
+        return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+    }
+    pub(crate) fn shade_light_stage(
+        &self,
+        material_13: Material,
+        normal_26: impl rt::Into<rt::Vec3<f32>>,
+        mean_8: impl rt::Into<rt::Scalar<f32>>,
+        cosine_9: impl rt::Into<rt::Scalar<f32>>,
+        view_29: impl rt::Into<rt::Vec3<f32>>,
+        toward_6: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_shade_light_stage(material_13, rt::into(normal_26), rt::into(mean_8), rt::into(cosine_9), rt::into(view_29), rt::into(toward_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_stage(
+    fn v_shade_light_stage(
         &self,
-        normal_22: rt::Vec3<f32>,
-        mean_1: rt::Scalar<f32>,
-        cosine_2: rt::Scalar<f32>,
-        view_25: rt::Vec3<f32>,
-        toward_5: rt::Vec3<f32>,
-        color_10: rt::Vec3<f32>,
+        material_13: Material,
+        normal_26: rt::Vec3<f32>,
+        mean_8: rt::Scalar<f32>,
+        cosine_9: rt::Scalar<f32>,
+        view_29: rt::Vec3<f32>,
+        toward_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e10 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e10) {
-            _ => {
+            0u32 => {
                 let _e15 = self.surface_settings.choices[7usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_22, mean_1, cosine_2, view_25, toward_5, color_10, _e15);
+                let _e16 = self.v_shade_blinn_phong_light(material_13, normal_26, mean_8, cosine_9, view_29, toward_6, _e15);
                 return _e16;
+            }
+            _ => {
+                let _e21 = self.surface_settings.choices[7usize].params;
+                let _e22 = self.v_shade_metallic_roughness_light(material_13, normal_26, mean_8, cosine_9, view_29, toward_6, _e21);
+                return _e22;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_139: Entered,
-        hit_60: Hit,
+        at_142: Entered,
+        hit_63: Hit,
         seen_4: SeenNormals,
-        view_26: impl rt::Into<rt::Vec3<f32>>,
-        color_11: impl rt::Into<rt::Vec3<f32>>,
+        view_30: impl rt::Into<rt::Vec3<f32>>,
+        color_4: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_139, hit_60, seen_4, rt::into(view_26), rt::into(color_11), visible))
+        rt::into(self.v_reflected_light(at_142, hit_63, seen_4, rt::into(view_30), rt::into(color_4), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_139: Entered,
-        hit_60: Hit,
+        at_142: Entered,
+        hit_63: Hit,
         seen_4: SeenNormals,
-        view_26: rt::Vec3<f32>,
-        color_11: rt::Vec3<f32>,
+        view_30: rt::Vec3<f32>,
+        color_4: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
         let mut k_39: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e8 = self.surface_settings.diffuse;
-        let _e13 = rt::Scalar(self.surface_settings.transmission);
-        let diffuse = ((_e8.xyz() * color_11) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_139, hit_60, (seen_4.normal * rt::Scalar(seen_4.length)), view_26, diffuse);
-        light_16 = _e20;
+        let _e8 = self.v_shade_material_stage(at_142, hit_63, seen_4.normal, rt::Scalar(seen_4.length), view_30, color_4);
+        let _e12 = self.v_ambient_stage(at_142, hit_63, (seen_4.normal * rt::Scalar(seen_4.length)), view_30, _e8);
+        light_16 = ((_e12 * rt::Scalar(_e8.occlusion)) + _e8.emission);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_39;
-                let _e27 = rt::Scalar(self.frame.light_count);
-                if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
+                let _e20 = k_39;
+                let _e23 = rt::Scalar(self.frame.light_count);
+                if rt::Scalar::into_branch_condition(_e20.elementwise_lt(_e23)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e29 = k_39;
-                    let _e31 = self.v_toward_light(_e29, at_139.point);
-                    let _e33 = self.v_seen_cosine(at_139, seen_4, _e31.direction);
-                    let _e37 = self.v_shade_stage(seen_4.normal, rt::Scalar(seen_4.length), _e33, view_26, _e31.direction, diffuse);
-                    let _e38 = light_16;
-                    let _e41 = k_39;
-                    let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
-                    let _e48 = k_39;
-                    light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
-                    let _e54 = k_39;
-                    k_39 = (_e54 + rt::Scalar(1u32));
+                    let _e25 = k_39;
+                    let _e27 = self.v_toward_light(_e25, at_142.point);
+                    let _e29 = self.v_seen_cosine(at_142, seen_4, _e27.direction);
+                    let _e33 = self.v_shade_light_stage(_e8, seen_4.normal, rt::Scalar(seen_4.length), _e29, view_30, _e27.direction);
+                    let _e34 = light_16;
+                    let _e37 = k_39;
+                    let _e40 = self.frame.lights[rt::Scalar::into_array_index(_e37)].color;
+                    let _e44 = k_39;
+                    light_16 = (_e34 + ((_e33 * _e40.xyz()) * (rt::Scalar(_e27.falloff) * visible[rt::Scalar::into_array_index(_e44)].x())));
+                    let _e50 = k_39;
+                    k_39 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e57 = light_16;
-        return _e57;
+        let _e53 = light_16;
+        return _e53;
     }
     pub(crate) fn roof_left(&self, sweep_6: Sweep, column_3: SweptColumn) -> i32 {
         rt::into(self.v_roof_left(sweep_6, column_3))
@@ -15988,25 +16495,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_along(
         &self,
-        at_140: impl rt::Into<rt::Vec3<i32>>,
+        at_143: impl rt::Into<rt::Vec3<i32>>,
         axis_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<i32> {
-        rt::into(self.v_seen_along(rt::into(at_140), rt::into(axis_3)))
+        rt::into(self.v_seen_along(rt::into(at_143), rt::into(axis_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_along(
         &self,
-        at_140: rt::Vec3<i32>,
+        at_143: rt::Vec3<i32>,
         axis_3: rt::Scalar<u32>,
     ) -> rt::Vec3<i32> {
         if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(0u32))) {
-            return at_140;
+            return at_143;
         }
         if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(1u32))) {
-            return <rt::Vec3<i32>>::from_scalars(at_140.y(), at_140.z(), at_140.x());
+            return <rt::Vec3<i32>>::from_scalars(at_143.y(), at_143.z(), at_143.x());
         }
-        return <rt::Vec3<i32>>::from_scalars(at_140.z(), at_140.x(), at_140.y());
+        return <rt::Vec3<i32>>::from_scalars(at_143.z(), at_143.x(), at_143.y());
     }
     pub(crate) fn z_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_z_of(rt::into(depth_8)))
@@ -16027,65 +16534,65 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_141: Entered,
-        hit_61: Hit,
+        at_144: Entered,
+        hit_64: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_141, hit_61, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_144, hit_64, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_141: Entered,
-        hit_61: Hit,
+        at_144: Entered,
+        hit_64: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_61.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_61.cost.x(), hit_61.cost.y(), hit_61.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_64.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_64.cost.x(), hit_64.cost.y(), hit_64.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_61.uv, rt::Scalar(at_141.level));
-        let view_29 = (origin_2 - at_141.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_141, hit_61.uv, view_29);
-        let _e50 = self.v_object_color_stage(at_141, hit_61, view_29);
-        let _e51 = self.v_reflected_light(at_141, hit_61, _e49, view_29, _e50, visible_1);
+        let _e44 = self.v_height_at(hit_64.uv, rt::Scalar(at_144.level));
+        let view_33 = (origin_2 - at_144.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_144, hit_64.uv, view_33);
+        let _e50 = self.v_object_color_stage(at_144, hit_64, view_33);
+        let _e51 = self.v_reflected_light(at_144, hit_64, _e49, view_33, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_11 = (at_141.point - origin_2).dot(_e56.xyz());
+        let depth_11 = (at_144.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
-        let _e67 = self.v_cell_of(((hit_61.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_141.depth));
+        let _e67 = self.v_cell_of(((hit_64.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e87 = self.v_z_of(rt::Scalar(at_144.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_61.exhausted), hit_61.uv, _e44, at_141.point, _e49.normal, depth_11, rt::Scalar(hit_61.t), _e67.to_i32(), hit_61.cost.x(), hit_61.cost.y(), hit_61.cost.z(), visible_1[0usize].x(), rt::Scalar(at_141.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_64.exhausted), hit_64.uv, _e44, at_144.point, _e49.normal, depth_11, rt::Scalar(hit_64.t), _e67.to_i32(), hit_64.cost.x(), hit_64.cost.y(), hit_64.cost.z(), visible_1[0usize].x(), rt::Scalar(at_144.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_142: Entered,
-        hit_62: Hit,
+        at_145: Entered,
+        hit_65: Hit,
         number_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_142, hit_62, rt::into(number_22)))
+        rt::into(self.v_visible_light(at_145, hit_65, rt::into(number_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_142: Entered,
-        hit_62: Hit,
+        at_145: Entered,
+        hit_65: Hit,
         number_22: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_22, at_142.point);
-        let _e5 = self.v_shadow_stage(at_142, hit_62, _e4);
+        let _e4 = self.v_toward_light(number_22, at_145.point);
+        let _e5 = self.v_shadow_stage(at_145, hit_65, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_143: Entered, hit_63: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_143, hit_63))
+    pub(crate) fn visible_lights(&self, at_146: Entered, hit_66: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_146, hit_66))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_143: Entered, hit_63: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_146: Entered, hit_66: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_63.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_66.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
@@ -16100,7 +16607,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_40;
                     let _e17 = k_40;
-                    let _e18 = self.v_visible_light(at_143, hit_63, _e17);
+                    let _e18 = self.v_visible_light(at_146, hit_66, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_40;
                     k_40 = (_e23 + rt::Scalar(1u32));
@@ -16156,10 +16663,10 @@ impl<'g> Resources<'g> {
         a_23: BaseSite,
         b_23: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_144: impl rt::Into<rt::Scalar<u32>>,
+        at_147: impl rt::Into<rt::Scalar<u32>>,
         parts_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_23, b_23, rt::into(shares), rt::into(at_144), rt::into(parts_3)))
+        rt::into(self.v_site_between(a_23, b_23, rt::into(shares), rt::into(at_147), rt::into(parts_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16168,13 +16675,13 @@ impl<'g> Resources<'g> {
         a_23: BaseSite,
         b_23: BaseSite,
         shares: rt::Vec2<f32>,
-        at_144: rt::Scalar<u32>,
+        at_147: rt::Scalar<u32>,
         parts_3: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_3 - at_144).to_f32() * shares.x());
-        let of_b = (at_144.to_f32() * shares.y());
-        let sum_12 = (of_a + of_b);
-        let _e17 = self.v_weighted_site(a_23, b_23, b_23, <rt::Vec3<f32>>::from_scalars((of_a / sum_12), (of_b / sum_12), rt::Scalar(0f32)));
+        let of_a = ((parts_3 - at_147).to_f32() * shares.x());
+        let of_b = (at_147.to_f32() * shares.y());
+        let sum_13 = (of_a + of_b);
+        let _e17 = self.v_weighted_site(a_23, b_23, b_23, <rt::Vec3<f32>>::from_scalars((of_a / sum_13), (of_b / sum_13), rt::Scalar(0f32)));
         return _e17;
     }
     pub(crate) fn site_inside(
@@ -16198,8 +16705,8 @@ impl<'g> Resources<'g> {
         weights_5: rt::Vec3<f32>,
     ) -> BaseSite {
         let shared_out = (weights_5 * shares_1);
-        let sum_13 = ((shared_out.x() + shared_out.y()) + shared_out.z());
-        let _e13 = self.v_weighted_site(a_24, b_24, c_16, (shared_out / rt::Vec3::splat_from_scalar(sum_13)));
+        let sum_14 = ((shared_out.x() + shared_out.y()) + shared_out.z());
+        let _e13 = self.v_weighted_site(a_24, b_24, c_16, (shared_out / rt::Vec3::splat_from_scalar(sum_14)));
         return _e13;
     }
     pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
@@ -16306,9 +16813,9 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_19: Voxel,
-        level_46: impl rt::Into<rt::Scalar<u32>>,
+        level_48: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_46)))
+        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16317,11 +16824,11 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_19: Voxel,
-        level_46: rt::Scalar<u32>,
+        level_48: rt::Scalar<u32>,
     ) -> Sweep {
-        let _e5 = self.v_coarser_voxel(a_27.at, level_46);
-        let _e7 = self.v_coarser_voxel(b_27.at, level_46);
-        let _e9 = self.v_coarser_voxel(c_19.at, level_46);
+        let _e5 = self.v_coarser_voxel(a_27.at, level_48);
+        let _e7 = self.v_coarser_voxel(b_27.at, level_48);
+        let _e9 = self.v_coarser_voxel(c_19.at, level_48);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }
@@ -16387,13 +16894,13 @@ impl<'g> Resources<'g> {
             return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_8, from_top, of_top_1, top_11);
         }
         let _e43 = self.v_quotient_near((sweep_8.end.y() * column_5), sweep_8.end.x());
-        let inside_8 = (_e43 + rt::Scalar(1i32));
+        let inside_7 = (_e43 + rt::Scalar(1i32));
         let _e46 = self.v_top_point(sweep_8, from_top);
         let _e50 = self.v_top_point(sweep_8, ((from_top + of_top_1) - rt::Scalar(1i32)));
         let _e53 = self.v_quotient_near(rt::Scalar(_e46.y), rt::Scalar(_e46.w));
         let _e56 = self.v_quotient_near(rt::Scalar(_e50.y), rt::Scalar(_e50.w));
         let above_10 = _e53.min(_e56);
-        return <SweptColumn>::new(column_5, inside_8, (above_10 - inside_8).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_11);
+        return <SweptColumn>::new(column_5, inside_7, (above_10 - inside_7).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_11);
     }
     pub(crate) fn swept_points_of(&self, sweep_9: Sweep) -> u32 {
         rt::into(self.v_swept_points_of(sweep_9))
@@ -16504,9 +17011,9 @@ impl<'g> Resources<'g> {
         let down_4 = (grid_14.middle.y() - ((grid_14.up.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e42));
         let far_15 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_153 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_15), far_15);
+        let at_156 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_15), far_15);
         let _e60 = share;
-        return <Voxel>::new((at_153 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
+        return <Voxel>::new((at_156 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
     }
     pub(crate) fn zip_goes_left(&self, zip: Zip) -> bool {
         rt::into(self.v_zip_goes_left(zip))
@@ -16714,6 +17221,7 @@ impl<'g> Resources<'g> {
             height_map: bound.height_map,
             hole_map: bound.hole_map,
             light_map: bound.slot(crate::MapSlot::Lights),
+            material_map: bound.material_map,
             normal_map: bound.normal_map,
             object_map: bound.slot(crate::MapSlot::Object),
             search_map: bound.slot(crate::MapSlot::Search),

@@ -258,48 +258,55 @@ impl Shared for MapSettings {
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 1088;
+    const SIZE: usize = 1136;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
         self.maps.write(&mut bytes[352..]);
         self.diffuse.write(&mut bytes[864..]);
         self.specular.write(&mut bytes[880..]);
-        self.color_u.write(&mut bytes[896..]);
-        self.color_v.write(&mut bytes[912..]);
-        self.height_size.write(&mut bytes[928..]);
-        self.color_size.write(&mut bytes[936..]);
-        self.normal_size.write(&mut bytes[944..]);
-        self.height_levels.write(&mut bytes[952..]);
-        self.color_levels.write(&mut bytes[956..]);
-        self.normal_levels.write(&mut bytes[960..]);
-        self.color_texels.write(&mut bytes[964..]);
-        self.normal_texels.write(&mut bytes[968..]);
-        self.normal_tile_m.write(&mut bytes[976..]);
-        self.wrap.write(&mut bytes[984..]);
-        self.color_wrap_u.write(&mut bytes[988..]);
-        self.color_wrap_v.write(&mut bytes[992..]);
-        self.shininess.write(&mut bytes[996..]);
-        self.has_color.write(&mut bytes[1000..]);
-        self.has_normal.write(&mut bytes[1004..]);
-        self.has_holes.write(&mut bytes[1008..]);
-        self.has_creases.write(&mut bytes[1012..]);
-        self.has_vertex_normals.write(&mut bytes[1016..]);
-        self.has_shadows.write(&mut bytes[1020..]);
-        self.scale_m.write(&mut bytes[1024..]);
-        self.bias_m.write(&mut bytes[1028..]);
-        self.shell_m.write(&mut bytes[1032..]);
-        self.mean_height.write(&mut bytes[1040..]);
-        self.transmission.write(&mut bytes[1044..]);
-        self.ior.write(&mut bytes[1048..]);
-        self.number.write(&mut bytes[1052..]);
-        self.environment_side.write(&mut bytes[1056..]);
-        self.environment_levels.write(&mut bytes[1060..]);
-        self.images.write(&mut bytes[1064..]);
-        self.solids.write(&mut bytes[1068..]);
-        self.cells.write(&mut bytes[1072..]);
-        self.jump.write(&mut bytes[1076..]);
-        self.cutoff.write(&mut bytes[1080..]);
+        self.emission.write(&mut bytes[896..]);
+        self.color_u.write(&mut bytes[912..]);
+        self.color_v.write(&mut bytes[928..]);
+        self.height_size.write(&mut bytes[944..]);
+        self.color_size.write(&mut bytes[952..]);
+        self.normal_size.write(&mut bytes[960..]);
+        self.material_size.write(&mut bytes[968..]);
+        self.height_levels.write(&mut bytes[976..]);
+        self.color_levels.write(&mut bytes[980..]);
+        self.normal_levels.write(&mut bytes[984..]);
+        self.material_levels.write(&mut bytes[988..]);
+        self.color_texels.write(&mut bytes[992..]);
+        self.normal_texels.write(&mut bytes[996..]);
+        self.material_texels.write(&mut bytes[1000..]);
+        self.normal_tile_m.write(&mut bytes[1008..]);
+        self.wrap.write(&mut bytes[1016..]);
+        self.color_wrap_u.write(&mut bytes[1020..]);
+        self.color_wrap_v.write(&mut bytes[1024..]);
+        self.shininess.write(&mut bytes[1028..]);
+        self.roughness.write(&mut bytes[1032..]);
+        self.metallic.write(&mut bytes[1036..]);
+        self.has_material.write(&mut bytes[1040..]);
+        self.has_color.write(&mut bytes[1044..]);
+        self.has_normal.write(&mut bytes[1048..]);
+        self.has_holes.write(&mut bytes[1052..]);
+        self.has_creases.write(&mut bytes[1056..]);
+        self.has_vertex_normals.write(&mut bytes[1060..]);
+        self.has_shadows.write(&mut bytes[1064..]);
+        self.scale_m.write(&mut bytes[1068..]);
+        self.bias_m.write(&mut bytes[1072..]);
+        self.shell_m.write(&mut bytes[1080..]);
+        self.mean_height.write(&mut bytes[1088..]);
+        self.transmission.write(&mut bytes[1092..]);
+        self.ior.write(&mut bytes[1096..]);
+        self.number.write(&mut bytes[1100..]);
+        self.environment_side.write(&mut bytes[1104..]);
+        self.environment_levels.write(&mut bytes[1108..]);
+        self.images.write(&mut bytes[1112..]);
+        self.solids.write(&mut bytes[1116..]);
+        self.cells.write(&mut bytes[1120..]);
+        self.jump.write(&mut bytes[1124..]);
+        self.cutoff.write(&mut bytes[1128..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -308,41 +315,48 @@ impl Shared for SurfaceSettings {
             maps: Shared::read(&bytes[352..]),
             diffuse: Shared::read(&bytes[864..]),
             specular: Shared::read(&bytes[880..]),
-            color_u: Shared::read(&bytes[896..]),
-            color_v: Shared::read(&bytes[912..]),
-            height_size: Shared::read(&bytes[928..]),
-            color_size: Shared::read(&bytes[936..]),
-            normal_size: Shared::read(&bytes[944..]),
-            height_levels: Shared::read(&bytes[952..]),
-            color_levels: Shared::read(&bytes[956..]),
-            normal_levels: Shared::read(&bytes[960..]),
-            color_texels: Shared::read(&bytes[964..]),
-            normal_texels: Shared::read(&bytes[968..]),
-            normal_tile_m: Shared::read(&bytes[976..]),
-            wrap: Shared::read(&bytes[984..]),
-            color_wrap_u: Shared::read(&bytes[988..]),
-            color_wrap_v: Shared::read(&bytes[992..]),
-            shininess: Shared::read(&bytes[996..]),
-            has_color: Shared::read(&bytes[1000..]),
-            has_normal: Shared::read(&bytes[1004..]),
-            has_holes: Shared::read(&bytes[1008..]),
-            has_creases: Shared::read(&bytes[1012..]),
-            has_vertex_normals: Shared::read(&bytes[1016..]),
-            has_shadows: Shared::read(&bytes[1020..]),
-            scale_m: Shared::read(&bytes[1024..]),
-            bias_m: Shared::read(&bytes[1028..]),
-            shell_m: Shared::read(&bytes[1032..]),
-            mean_height: Shared::read(&bytes[1040..]),
-            transmission: Shared::read(&bytes[1044..]),
-            ior: Shared::read(&bytes[1048..]),
-            number: Shared::read(&bytes[1052..]),
-            environment_side: Shared::read(&bytes[1056..]),
-            environment_levels: Shared::read(&bytes[1060..]),
-            images: Shared::read(&bytes[1064..]),
-            solids: Shared::read(&bytes[1068..]),
-            cells: Shared::read(&bytes[1072..]),
-            jump: Shared::read(&bytes[1076..]),
-            cutoff: Shared::read(&bytes[1080..]),
+            emission: Shared::read(&bytes[896..]),
+            color_u: Shared::read(&bytes[912..]),
+            color_v: Shared::read(&bytes[928..]),
+            height_size: Shared::read(&bytes[944..]),
+            color_size: Shared::read(&bytes[952..]),
+            normal_size: Shared::read(&bytes[960..]),
+            material_size: Shared::read(&bytes[968..]),
+            height_levels: Shared::read(&bytes[976..]),
+            color_levels: Shared::read(&bytes[980..]),
+            normal_levels: Shared::read(&bytes[984..]),
+            material_levels: Shared::read(&bytes[988..]),
+            color_texels: Shared::read(&bytes[992..]),
+            normal_texels: Shared::read(&bytes[996..]),
+            material_texels: Shared::read(&bytes[1000..]),
+            normal_tile_m: Shared::read(&bytes[1008..]),
+            wrap: Shared::read(&bytes[1016..]),
+            color_wrap_u: Shared::read(&bytes[1020..]),
+            color_wrap_v: Shared::read(&bytes[1024..]),
+            shininess: Shared::read(&bytes[1028..]),
+            roughness: Shared::read(&bytes[1032..]),
+            metallic: Shared::read(&bytes[1036..]),
+            has_material: Shared::read(&bytes[1040..]),
+            has_color: Shared::read(&bytes[1044..]),
+            has_normal: Shared::read(&bytes[1048..]),
+            has_holes: Shared::read(&bytes[1052..]),
+            has_creases: Shared::read(&bytes[1056..]),
+            has_vertex_normals: Shared::read(&bytes[1060..]),
+            has_shadows: Shared::read(&bytes[1064..]),
+            scale_m: Shared::read(&bytes[1068..]),
+            bias_m: Shared::read(&bytes[1072..]),
+            shell_m: Shared::read(&bytes[1080..]),
+            mean_height: Shared::read(&bytes[1088..]),
+            transmission: Shared::read(&bytes[1092..]),
+            ior: Shared::read(&bytes[1096..]),
+            number: Shared::read(&bytes[1100..]),
+            environment_side: Shared::read(&bytes[1104..]),
+            environment_levels: Shared::read(&bytes[1108..]),
+            images: Shared::read(&bytes[1112..]),
+            solids: Shared::read(&bytes[1116..]),
+            cells: Shared::read(&bytes[1120..]),
+            jump: Shared::read(&bytes[1124..]),
+            cutoff: Shared::read(&bytes[1128..]),
         }
     }
 }

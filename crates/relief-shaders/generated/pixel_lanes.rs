@@ -397,6 +397,66 @@ lanes! { fn zero_light_ray() -> LightRay {
 } }
 
 #[derive(Clone, Copy)]
+pub struct Material {
+    pub diffuse: Vec3<F>,
+    pub transmitted: Vec3<F>,
+    pub specular: Vec3<F>,
+    pub around: Vec3<F>,
+    pub emission: Vec3<F>,
+    pub occlusion: F,
+    pub squared_alpha: F,
+    pub upright: F,
+    pub masking: F,
+    pub again: F,
+}
+lanes! { fn sel_material(m: M, a: &Material, b: &Material) -> Material {
+    Material {
+        diffuse: Vec3 { x: sel(m, a.diffuse.x, b.diffuse.x), y: sel(m, a.diffuse.y, b.diffuse.y), z: sel(m, a.diffuse.z, b.diffuse.z) },
+        transmitted: Vec3 { x: sel(m, a.transmitted.x, b.transmitted.x), y: sel(m, a.transmitted.y, b.transmitted.y), z: sel(m, a.transmitted.z, b.transmitted.z) },
+        specular: Vec3 { x: sel(m, a.specular.x, b.specular.x), y: sel(m, a.specular.y, b.specular.y), z: sel(m, a.specular.z, b.specular.z) },
+        around: Vec3 { x: sel(m, a.around.x, b.around.x), y: sel(m, a.around.y, b.around.y), z: sel(m, a.around.z, b.around.z) },
+        emission: Vec3 { x: sel(m, a.emission.x, b.emission.x), y: sel(m, a.emission.y, b.emission.y), z: sel(m, a.emission.z, b.emission.z) },
+        occlusion: sel(m, a.occlusion, b.occlusion),
+        squared_alpha: sel(m, a.squared_alpha, b.squared_alpha),
+        upright: sel(m, a.upright, b.upright),
+        masking: sel(m, a.masking, b.masking),
+        again: sel(m, a.again, b.again),
+    }
+} }
+lanes! { fn zero_material() -> Material {
+    Material {
+        diffuse: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        transmitted: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        specular: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        around: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        emission: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        occlusion: splat(0f32),
+        squared_alpha: splat(0f32),
+        upright: splat(0f32),
+        masking: splat(0f32),
+        again: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Mirrored {
+    pub part: Vec3<F>,
+    pub lean: F,
+}
+lanes! { fn sel_mirrored(m: M, a: &Mirrored, b: &Mirrored) -> Mirrored {
+    Mirrored {
+        part: Vec3 { x: sel(m, a.part.x, b.part.x), y: sel(m, a.part.y, b.part.y), z: sel(m, a.part.z, b.part.z) },
+        lean: sel(m, a.lean, b.lean),
+    }
+} }
+lanes! { fn zero_mirrored() -> Mirrored {
+    Mirrored {
+        part: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        lean: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct Normals {
     pub first: Vec4<F>,
     pub second: Vec4<F>,
@@ -1419,22 +1479,78 @@ lanes! { fn ambient_texel_between(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, 
     let e_42 = bilinear(r, e_19, e_26, e_33, e_40, Vec2 { x: at_10.part.x, y: at_10.part.y });
     return e_42;
 } }
-lanes! { fn ambient_bent_normal(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+lanes! { fn ambient_bent_normal(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, material_a4: &Material, params_a5: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let e_8 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
     let sky_10 = from_tangent_space(r, at_a0, Vec3 { x: e_8.x, y: e_8.y, z: e_8.z });
-    let e_18 = max_with(add(add(add(mul(normal_a2.x, sky_10.x), mul(normal_a2.y, sky_10.y)), mul(normal_a2.z, sky_10.z)), splat(0.0f32)), splat(0.0f32));
-    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_18), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_18), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_18) };
+    let e_19 = max_with(add(add(add(mul(normal_a2.x, sky_10.x), mul(normal_a2.y, sky_10.y)), mul(normal_a2.z, sky_10.z)), splat(0.0f32)), splat(0.0f32));
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), material_a4.around.x), e_19), y: mul(mul(splat(r.frame.ambient.y), material_a4.around.y), e_19), z: mul(mul(splat(r.frame.ambient.z), material_a4.around.z), e_19) };
 } }
-lanes! { fn ambient_bounce(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+lanes! { fn ambient_bounce(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, material_a4: &Material, params_a5: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let e_13 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
-    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_13.x), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_13.x), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_13.x) };
+    let e_14 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), material_a4.around.x), e_14.x), y: mul(mul(splat(r.frame.ambient.y), material_a4.around.y), e_14.x), z: mul(mul(splat(r.frame.ambient.z), material_a4.around.z), e_14.x) };
 } }
-lanes! { fn ambient_constant(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
-    return Vec3 { x: mul(splat(r.frame.ambient.x), color_a4.x), y: mul(splat(r.frame.ambient.y), color_a4.y), z: mul(splat(r.frame.ambient.z), color_a4.z) };
+lanes! { fn ambient_constant(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, material_a4: &Material, params_a5: Vec4<f32>) -> Vec3<F> {
+    return Vec3 { x: mul(splat(r.frame.ambient.x), material_a4.around.x), y: mul(splat(r.frame.ambient.y), material_a4.around.y), z: mul(splat(r.frame.ambient.z), material_a4.around.z) };
+} }
+lanes! { fn cosine_inside(r: &Resources<'_>, cosine_a0: F) -> F {
+    let eta_5 = (1.0f32 / r.surface_settings.ior);
+    return sqrt(max_with(sub(splat(1.0f32), mul(splat((eta_5 * eta_5)), sub(splat(1.0f32), mul(cosine_a0, cosine_a0)))), splat(0.0f32)));
+} }
+lanes! { fn fresnel(r: &Resources<'_>, cosine_a0: F) -> F {
+    let inside_4 = cosine_inside(r, cosine_a0);
+    let across_11 = div(sub(cosine_a0, mul(splat(r.surface_settings.ior), inside_4)), max_with(add(cosine_a0, mul(splat(r.surface_settings.ior), inside_4)), splat(1e-6f32)));
+    let along_18 = div(sub(mul(splat(r.surface_settings.ior), cosine_a0), inside_4), max_with(add(mul(splat(r.surface_settings.ior), cosine_a0), inside_4), splat(1e-6f32)));
+    let waves_19 = Vec2 { x: across_11, y: along_18 };
+    return mul(splat(0.5f32), add(add(mul(waves_19.x, waves_19.x), mul(waves_19.y, waves_19.y)), splat(0.0f32)));
+} }
+lanes! { fn shade_blinn_phong_mirrored(r: &Resources<'_>, material_a0: &Material, mean_a1: F, cosine_a2: F, params_a3: Vec4<f32>) -> Mirrored {
+    let part_4 = fresnel(r, cosine_a2);
+    let lean_20 = sqrt(add(splat((2.0f32 / ((r.surface_settings.shininess as f32) + 2.0f32))), mul(splat(2.0f32), max_with(sub(splat(1.0f32), mean_a1), splat(0.0f32)))));
+    return Mirrored { part: Vec3 { x: part_4, y: part_4, z: part_4 }, lean: lean_20, };
+} }
+lanes! { fn facet_reflection(r: &Resources<'_>, cosine_a0: F, squared_alpha_a1: F) -> Vec2<F> {
+    let alpha_2 = sqrt(squared_alpha_a1);
+    let roughness_3 = sqrt(alpha_2);
+    let x_7 = div(cosine_a0, add(cosine_a0, mul(splat(0.65f32), alpha_2)));
+    let a6_17 = add(splat(0.1878f32), mul(alpha_2, add(splat((-0.9742f32)), mul(alpha_2, add(splat(1.3709f32), mul(alpha_2, splat((-0.6017f32))))))));
+    let a0_23 = add(splat(1.0034f32), mul(alpha_2, add(splat(0.0071f32), mul(alpha_2, a6_17))));
+    let a1_36 = add(splat((-0.4137f32)), mul(alpha_2, add(splat((-0.4144f32)), mul(alpha_2, add(splat((-0.877f32)), mul(alpha_2, add(splat((-1.6058f32)), mul(alpha_2, splat(0.9124f32)))))))));
+    let a2_46 = add(splat(2.5855f32), mul(alpha_2, add(splat(0.3239f32), mul(alpha_2, add(splat(2.4708f32), mul(alpha_2, splat(0.7166f32)))))));
+    let a3_53 = add(splat((-8.9277f32)), mul(alpha_2, add(splat((-0.5518f32)), mul(alpha_2, splat((-3.0114f32))))));
+    let a4_57 = add(splat(11.8249f32), mul(alpha_2, splat(0.937f32)));
+    let all_68 = add(a0_23, mul(x_7, add(a1_36, mul(x_7, add(a2_46, mul(x_7, add(a3_53, mul(x_7, add(a4_57, mul(x_7, splat((-5.0796f32))))))))))));
+    let b5_75 = add(splat(3.4396f32), mul(roughness_3, add(splat((-0.7093f32)), mul(roughness_3, splat((-0.4004f32))))));
+    let b0_81 = add(splat(1.1487f32), mul(roughness_3, add(splat((-3.4586f32)), mul(roughness_3, b5_75))));
+    let b1_91 = add(splat((-0.6771f32)), mul(roughness_3, add(splat(5.7828f32), mul(roughness_3, add(splat((-8.8951f32)), mul(roughness_3, splat(4.2115f32)))))));
+    let b2_98 = add(splat(0.558f32), mul(roughness_3, add(splat((-7.0899f32)), mul(roughness_3, splat(4.2721f32)))));
+    let b3_102 = add(splat(0.1714f32), mul(roughness_3, splat(5.0718f32)));
+    let rest_111 = add(b0_81, mul(x_7, add(b1_91, mul(x_7, add(b2_98, mul(x_7, add(b3_102, mul(x_7, splat((-0.1958f32))))))))));
+    let slant_115 = sub(splat(1.0f32), min_with(cosine_a0, splat(1.0f32)));
+    let squared_116 = mul(slant_115, slant_115);
+    let grazing_119 = mul(mul(mul(squared_116, squared_116), slant_115), rest_111);
+    return Vec2 { x: sub(all_68, grazing_119), y: grazing_119 };
+} }
+lanes! { fn shade_metallic_roughness_mirrored(r: &Resources<'_>, material_a0: &Material, mean_a1: F, cosine_a2: F, params_a3: Vec4<f32>) -> Mirrored {
+    let white_7 = Vec3 { x: 1.0f32, y: 1.0f32, z: 1.0f32 };
+    let once_10 = facet_reflection(r, material_a0.upright, material_a0.squared_alpha);
+    let part_21 = Vec3 { x: mul(add(mul(material_a0.specular.x, once_10.x), mul(splat(white_7.x), once_10.y)), add(splat(white_7.x), mul(material_a0.specular.x, material_a0.again))), y: mul(add(mul(material_a0.specular.y, once_10.x), mul(splat(white_7.y), once_10.y)), add(splat(white_7.y), mul(material_a0.specular.y, material_a0.again))), z: mul(add(mul(material_a0.specular.z, once_10.x), mul(splat(white_7.z), once_10.y)), add(splat(white_7.z), mul(material_a0.specular.z, material_a0.again))) };
+    return Mirrored { part: part_21, lean: sqrt(material_a0.squared_alpha), };
+} }
+lanes! { fn shade_mirrored_stage(r: &Resources<'_>, material_a0: &Material, mean_a1: F, cosine_a2: F) -> Mirrored {
+    match r.surface_settings.choices[7].number {
+        0u32 => {
+            let e_13 = shade_blinn_phong_mirrored(r, material_a0, mean_a1, cosine_a2, r.surface_settings.choices[7].params);
+            return e_13;
+        }
+        _ => {
+            let e_19 = shade_metallic_roughness_mirrored(r, material_a0, mean_a1, cosine_a2, r.surface_settings.choices[7].params);
+            return e_19;
+        }
+    }
 } }
 stage! { fn levels_of(r: &Resources<'_>, within: M, footprint_a0: F, count_a1: u32) -> Levels {
     let mut ex = within;
@@ -1594,7 +1710,7 @@ lanes! { fn environment_on(r: &Resources<'_>, within: M, normal_a0: Vec3<F>) -> 
     let e_6 = environment_of_level_ls(r, ex, normal_a0, r.surface_settings.environment_levels.wrapping_sub(1u32));
     return e_6;
 } }
-lanes! { fn ambient_environment(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+lanes! { fn ambient_environment(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, material_a4: &Material, params_a5: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let mut light_v0: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
@@ -1602,46 +1718,41 @@ lanes! { fn ambient_environment(r: &Resources<'_>, within: M, at_a0: &Entered, h
     let length1 = sqrt(add(add(mul(normal_a2.x, normal_a2.x), mul(normal_a2.y, normal_a2.y)), mul(normal_a2.z, normal_a2.z)));
     let n_7 = Vec3 { x: div(normal_a2.x, length1), y: div(normal_a2.y, length1), z: div(normal_a2.z, length1) };
     let cosine_11 = min_with(max_with(add(add(add(mul(n_7.x, view_a3.x), mul(n_7.y, view_a3.y)), mul(n_7.z, view_a3.z)), splat(0.0f32)), splat(0.0f32)), splat(1.0f32));
-    let eta_16 = (1.0f32 / r.surface_settings.ior);
-    let inside_26 = sqrt(max_with(sub(splat(1.0f32), mul(splat((eta_16 * eta_16)), sub(splat(1.0f32), mul(cosine_11, cosine_11)))), splat(0.0f32)));
-    let across_33 = div(sub(cosine_11, mul(splat(r.surface_settings.ior), inside_26)), max_with(add(cosine_11, mul(splat(r.surface_settings.ior), inside_26)), splat(1e-6f32)));
-    let along_40 = div(sub(mul(splat(r.surface_settings.ior), cosine_11), inside_26), max_with(add(mul(splat(r.surface_settings.ior), cosine_11), inside_26), splat(1e-6f32)));
-    let waves_41 = Vec2 { x: across_33, y: along_40 };
-    let reflected_44 = mul(splat(0.5f32), add(add(mul(waves_41.x, waves_41.x), mul(waves_41.y, waves_41.y)), splat(0.0f32)));
-    let lean_60 = sqrt(add(splat((2.0f32 / ((r.surface_settings.shininess as f32) + 2.0f32))), mul(splat(2.0f32), max_with(sub(splat(1.0f32), mean_6), splat(0.0f32)))));
-    let e_62 = mul(splat(2.0f32), cosine_11);
-    let mirrored_64 = Vec3 { x: sub(mul(n_7.x, e_62), view_a3.x), y: sub(mul(n_7.y, e_62), view_a3.y), z: sub(mul(n_7.z, e_62), view_a3.z) };
-    let e_67 = environment_in_lobe(r, ex, mirrored_64, mul(splat(2.0f32), lean_60));
-    light_v0 = Vec3 { x: mul(e_67.x, reflected_44), y: mul(e_67.y, reflected_44), z: mul(e_67.z, reflected_44) };
-    let e_73 = light_v0;
-    let e_74 = environment_on(r, ex, n_7);
-    let e_77 = sub(splat(1.0f32), reflected_44);
-    light_v0 = Vec3 { x: add(e_73.x, mul(mul(e_74.x, color_a4.x), e_77)), y: add(e_73.y, mul(mul(e_74.y, color_a4.y), e_77)), z: add(e_73.z, mul(mul(e_74.z, color_a4.z), e_77)) };
+    let mirror_12 = shade_mirrored_stage(r, material_a4, mean_6, cosine_11);
+    let e_14 = mul(splat(2.0f32), cosine_11);
+    let reflected_16 = Vec3 { x: sub(mul(n_7.x, e_14), view_a3.x), y: sub(mul(n_7.y, e_14), view_a3.y), z: sub(mul(n_7.z, e_14), view_a3.z) };
+    let e_20 = environment_in_lobe(r, ex, reflected_16, mul(splat(2.0f32), mirror_12.lean));
+    light_v0 = Vec3 { x: mul(e_20.x, mirror_12.part.x), y: mul(e_20.y, mirror_12.part.y), z: mul(e_20.z, mirror_12.part.z) };
+    let enters_29 = Vec3 { x: sub(splat(1.0f32), mirror_12.part.x), y: sub(splat(1.0f32), mirror_12.part.y), z: sub(splat(1.0f32), mirror_12.part.z) };
+    let e_30 = light_v0;
+    let e_31 = environment_on(r, ex, n_7);
+    light_v0 = Vec3 { x: add(e_30.x, mul(mul(e_31.x, material_a4.diffuse.x), enters_29.x)), y: add(e_30.y, mul(mul(e_31.y, material_a4.diffuse.y), enters_29.y)), z: add(e_30.z, mul(mul(e_31.z, material_a4.diffuse.z), enters_29.z)) };
     if (r.surface_settings.transmission > 0.0f32) {
-        let e_83 = sub(mul(splat(eta_16), cosine_11), inside_26);
-        let refracted_86 = Vec3 { x: sub(mul(n_7.x, e_83), mul(view_a3.x, splat(eta_16))), y: sub(mul(n_7.y, e_83), mul(view_a3.y, splat(eta_16))), z: sub(mul(n_7.z, e_83), mul(view_a3.z, splat(eta_16))) };
-        let seen_90 = environment_in_lobe(r, ex, refracted_86, mul(splat((1.0f32 - eta_16)), lean_60));
-        let e_91 = light_v0;
-        let e_94 = mul(splat(r.surface_settings.transmission), sub(splat(1.0f32), reflected_44));
-        light_v0 = Vec3 { x: add(e_91.x, mul(seen_90.x, e_94)), y: add(e_91.y, mul(seen_90.y, e_94)), z: add(e_91.z, mul(seen_90.z, e_94)) };
+        let eta_45 = (1.0f32 / r.surface_settings.ior);
+        let e_47 = cosine_inside(r, cosine_11);
+        let e_48 = sub(mul(splat(eta_45), cosine_11), e_47);
+        let refracted_51 = Vec3 { x: sub(mul(n_7.x, e_48), mul(view_a3.x, splat(eta_45))), y: sub(mul(n_7.y, e_48), mul(view_a3.y, splat(eta_45))), z: sub(mul(n_7.z, e_48), mul(view_a3.z, splat(eta_45))) };
+        let seen_56 = environment_in_lobe(r, ex, refracted_51, mul(splat((1.0f32 - eta_45)), mirror_12.lean));
+        let e_57 = light_v0;
+        light_v0 = Vec3 { x: add(e_57.x, mul(seen_56.x, mul(material_a4.transmitted.x, enters_29.x))), y: add(e_57.y, mul(seen_56.y, mul(material_a4.transmitted.y, enters_29.y))), z: add(e_57.z, mul(seen_56.z, mul(material_a4.transmitted.z, enters_29.z))) };
     }
-    let e_97 = light_v0;
-    return Vec3 { x: mul(e_97.x, splat(params_a5.x)), y: mul(e_97.y, splat(params_a5.x)), z: mul(e_97.z, splat(params_a5.x)) };
+    let e_62 = light_v0;
+    return Vec3 { x: mul(e_62.x, splat(params_a5.x)), y: mul(e_62.y, splat(params_a5.x)), z: mul(e_62.z, splat(params_a5.x)) };
 } }
 lanes! { fn hemisphere_grade(r: &Resources<'_>, normal_a0: Vec3<F>, ground_a1: f32) -> F {
     return add(splat(ground_a1), mul(splat((1.0f32 - ground_a1)), add(splat(0.5f32), mul(splat(0.5f32), normal_a0.y))));
 } }
-lanes! { fn ambient_hemisphere(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
-    let e_12 = hemisphere_grade(r, normal_a2, params_a5.x);
-    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_12), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_12), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_12) };
+lanes! { fn ambient_hemisphere(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, material_a4: &Material, params_a5: Vec4<f32>) -> Vec3<F> {
+    let e_13 = hemisphere_grade(r, normal_a2, params_a5.x);
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), material_a4.around.x), e_13), y: mul(mul(splat(r.frame.ambient.y), material_a4.around.y), e_13), z: mul(mul(splat(r.frame.ambient.z), material_a4.around.z), e_13) };
 } }
-lanes! { fn ambient_occlusion(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+lanes! { fn ambient_occlusion(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, material_a4: &Material, params_a5: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let e_13 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
-    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_13.x), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_13.x), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_13.x) };
+    let e_14 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), material_a4.around.x), e_14.x), y: mul(mul(splat(r.frame.ambient.y), material_a4.around.y), e_14.x), z: mul(mul(splat(r.frame.ambient.z), material_a4.around.z), e_14.x) };
 } }
-lanes! { fn ambient_sky(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+lanes! { fn ambient_sky(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, material_a4: &Material, params_a5: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let e_8 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
@@ -1649,40 +1760,40 @@ lanes! { fn ambient_sky(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &
     let e_13 = max_with(sqrt(add(add(mul(open_10.x, open_10.x), mul(open_10.y, open_10.y)), mul(open_10.z, open_10.z))), splat(1e-6f32));
     let toward_18 = Vec3 { x: mul(splat(0.5f32), add(div(open_10.x, e_13), normal_a2.x)), y: mul(splat(0.5f32), add(div(open_10.y, e_13), normal_a2.y)), z: mul(splat(0.5f32), add(div(open_10.z, e_13), normal_a2.z)) };
     let part_21 = max_with(add(add(add(mul(normal_a2.x, open_10.x), mul(normal_a2.y, open_10.y)), mul(normal_a2.z, open_10.z)), splat(0.0f32)), splat(0.0f32));
-    let e_28 = hemisphere_grade(r, toward_18, params_a5.x);
-    let e_29 = mul(part_21, e_28);
-    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_29), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_29), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_29) };
+    let e_29 = hemisphere_grade(r, toward_18, params_a5.x);
+    let e_30 = mul(part_21, e_29);
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), material_a4.around.x), e_30), y: mul(mul(splat(r.frame.ambient.y), material_a4.around.y), e_30), z: mul(mul(splat(r.frame.ambient.z), material_a4.around.z), e_30) };
 } }
-lanes! { fn ambient_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>) -> Vec3<F> {
+lanes! { fn ambient_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, material_a4: &Material) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     match r.surface_settings.choices[10].number {
         0u32 => {
-            let e_15 = ambient_constant(r, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
+            let e_15 = ambient_constant(r, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
             return e_15;
         }
         1u32 => {
-            let e_21 = ambient_occlusion(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
+            let e_21 = ambient_occlusion(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
             return e_21;
         }
         2u32 => {
-            let e_27 = ambient_bent_normal(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
+            let e_27 = ambient_bent_normal(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
             return e_27;
         }
         3u32 => {
-            let e_33 = ambient_bounce(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
+            let e_33 = ambient_bounce(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
             return e_33;
         }
         4u32 => {
-            let e_39 = ambient_environment(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
+            let e_39 = ambient_environment(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
             return e_39;
         }
         5u32 => {
-            let e_45 = ambient_hemisphere(r, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
+            let e_45 = ambient_hemisphere(r, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
             return e_45;
         }
         _ => {
-            let e_51 = ambient_sky(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
+            let e_51 = ambient_sky(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
             return e_51;
         }
     }
@@ -2952,6 +3063,57 @@ lanes! { fn detail_texel_between(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, l
     let e_35 = detail_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.y }, layer_a1, k_11);
     let e_37 = bilinear(r, e_17, e_23, e_29, e_35, Vec2 { x: at_4.part.x, y: at_4.part.y });
     return e_37;
+} }
+lanes! { fn material_of_texels(r: &Resources<'_>, within: M, place_a0: Vec2<F>, layer_a1: i32, level_a2: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let n_6 = level_texels(r, r.surface_settings.material_size, level_a2);
+    let point_12 = Vec2 { x: sub(mul(place_a0.x, f_of_i(n_6.x)), splat(0.5f32)), y: sub(mul(place_a0.y, f_of_i(n_6.y)), splat(0.5f32)) };
+    let cell_13 = cell_of(r, point_12);
+    let i_14 = Vec2 { x: i_of_small(cell_13.x), y: i_of_small(cell_13.y) };
+    let i0_20 = color_index(r, i_14.x, n_6.x, r.surface_settings.color_wrap_u);
+    let i1_28 = color_index(r, add_i(i_14.x, splat_i(1i32)), n_6.x, r.surface_settings.color_wrap_u);
+    let j0_34 = color_index(r, i_14.y, n_6.y, r.surface_settings.color_wrap_v);
+    let j1_42 = color_index(r, add_i(i_14.y, splat_i(1i32)), n_6.y, r.surface_settings.color_wrap_v);
+    let k_43 = i_of_u(level_a2);
+    let e_46 = color_texel_of_each(&r.material_map, ex, i0_20, j0_34, splat_i(layer_a1), k_43);
+    let e_49 = color_texel_of_each(&r.material_map, ex, i1_28, j0_34, splat_i(layer_a1), k_43);
+    let e_52 = color_texel_of_each(&r.material_map, ex, i0_20, j1_42, splat_i(layer_a1), k_43);
+    let e_55 = color_texel_of_each(&r.material_map, ex, i1_28, j1_42, splat_i(layer_a1), k_43);
+    let e_57 = bilinear(r, e_46, e_49, e_52, e_55, Vec2 { x: sub(point_12.x, cell_13.x), y: sub(point_12.y, cell_13.y) });
+    return e_57;
+} }
+lanes! { fn material_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1: i32, level_a2: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = color_place(r, uv_a0);
+    let e_4 = material_of_texels(r, ex, e_3, layer_a1, level_a2);
+    return e_4;
+} }
+lanes! { fn material_layer(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, footprint_a1: F, layer_a2: i32) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let levels_10 = levels_of(r, ex, mul(footprint_a1, splat(r.surface_settings.material_texels)), r.surface_settings.material_levels);
+    let e_12 = material_at(r, ex, uv_a0, layer_a2, levels_10.fine);
+    let (b1, c2) = (ex, gt(levels_10.part, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_20 = material_at(r, ex, uv_a0, layer_a2, add_u(levels_10.fine, splat_u(1u32)));
+        ret = Vec3 { x: add(e_12.x, mul(sub(e_20.x, e_12.x), levels_10.part)), y: add(e_12.y, mul(sub(e_20.y, e_12.y), levels_10.part)), z: add(e_12.z, mul(sub(e_20.z, e_12.z), levels_10.part)) };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let y3 = Vec3 { x: e_12.x, y: e_12.y, z: e_12.z };
+    return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
+} }
+lanes! { fn emission_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, footprint_a1: F) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    if ((r.surface_settings.has_material & 2u32) == 0u32) {
+        return Vec3 { x: splat(r.surface_settings.emission.x), y: splat(r.surface_settings.emission.y), z: splat(r.surface_settings.emission.z) };
+    }
+    let e_18 = material_layer(r, ex, uv_a0, footprint_a1, 1i32);
+    return Vec3 { x: mul(splat(r.surface_settings.emission.x), e_18.x), y: mul(splat(r.surface_settings.emission.y), e_18.y), z: mul(splat(r.surface_settings.emission.z), e_18.z) };
 } }
 lanes! { fn plane_normal(r: &Resources<'_>, pixel_a0: &PixelIn) -> Vec3<F> {
     let e_5 = Vec3 { x: (pixel_a0.b.position.x - pixel_a0.a.position.x), y: (pixel_a0.b.position.y - pixel_a0.a.position.y), z: (pixel_a0.b.position.z - pixel_a0.a.position.z) };
@@ -5630,6 +5792,15 @@ lanes! { fn object_color_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hi
         }
     }
 } }
+lanes! { fn occlusion_roughness_metalness(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, footprint_a1: F) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    if ((r.surface_settings.has_material & 1u32) == 0u32) {
+        return Vec3 { x: splat(1.0f32), y: splat(1.0f32), z: splat(1.0f32) };
+    }
+    let e_14 = material_layer(r, ex, uv_a0, footprint_a1, 0i32);
+    return e_14;
+} }
 stage! { pub(super) fn pixel_eye(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
     return Vec3 { x: add(add(splat(r.frame.eye.x), mul(splat(r.frame.eye_right.x), pixel_a0.x)), mul(splat(r.frame.eye_down.x), pixel_a0.y)), y: add(add(splat(r.frame.eye.y), mul(splat(r.frame.eye_right.y), pixel_a0.x)), mul(splat(r.frame.eye_down.y), pixel_a0.y)), z: add(add(splat(r.frame.eye.z), mul(splat(r.frame.eye_right.z), pixel_a0.x)), mul(splat(r.frame.eye_down.z), pixel_a0.y)) };
 } }
@@ -5969,6 +6140,58 @@ stage! { pub(super) fn ray_to_light(r: &Resources<'_>, within: M, at_a0: &Entere
     let e_6 = light_ray(r, ex, at_a0, hit_a1, &e_5);
     return e_6;
 } }
+lanes! { fn shade_blinn_phong_material(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, mean_a3: F, view_a4: Vec3<F>, color_a5: Vec3<F>, params_a6: Vec4<f32>) -> Material {
+    let e_16 = (1.0f32 - r.surface_settings.transmission);
+    let diffuse_17 = Vec3 { x: mul(mul(splat(r.surface_settings.diffuse.x), color_a5.x), splat(e_16)), y: mul(mul(splat(r.surface_settings.diffuse.y), color_a5.y), splat(e_16)), z: mul(mul(splat(r.surface_settings.diffuse.z), color_a5.z), splat(e_16)) };
+    let none_21 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
+    let transmitted_22 = Vec3 { x: r.surface_settings.transmission, y: r.surface_settings.transmission, z: r.surface_settings.transmission };
+    return Material { diffuse: diffuse_17, transmitted: Vec3 { x: splat(transmitted_22.x), y: splat(transmitted_22.y), z: splat(transmitted_22.z) }, specular: Vec3 { x: splat(r.surface_settings.specular.x), y: splat(r.surface_settings.specular.y), z: splat(r.surface_settings.specular.z) }, around: diffuse_17, emission: Vec3 { x: splat(none_21.x), y: splat(none_21.y), z: splat(none_21.z) }, occlusion: splat(1.0f32), squared_alpha: splat(0.0f32), upright: splat(0.0f32), masking: splat(0.0f32), again: splat(0.0f32), };
+} }
+lanes! { fn shade_metallic_roughness_material(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, mean_a3: F, view_a4: Vec3<F>, color_a5: Vec3<F>, params_a6: Vec4<f32>) -> Material {
+    let mut ex = within;
+    let mut ret: Material = zero_material();
+    let mut squared_alpha_v0: F = splat(0f32);
+    let maps_9 = occlusion_roughness_metalness(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.footprint);
+    let roughness_16 = max_with(mul(splat(r.surface_settings.roughness), maps_9.y), splat(0.045f32));
+    let metallic_21 = mul(splat(r.surface_settings.metallic), maps_9.z);
+    let base_26 = Vec3 { x: mul(splat(r.surface_settings.diffuse.x), color_a5.x), y: mul(splat(r.surface_settings.diffuse.y), color_a5.y), z: mul(splat(r.surface_settings.diffuse.z), color_a5.z) };
+    let e_28 = sub(splat(1.0f32), metallic_21);
+    let entering_29 = Vec3 { x: mul(base_26.x, e_28), y: mul(base_26.y, e_28), z: mul(base_26.z, e_28) };
+    let e_34 = (1.0f32 - r.surface_settings.transmission);
+    let diffuse_35 = Vec3 { x: mul(entering_29.x, splat(e_34)), y: mul(entering_29.y, splat(e_34)), z: mul(entering_29.z, splat(e_34)) };
+    let specular_42 = Vec3 { x: add(splat(r.surface_settings.specular.x), mul(sub(base_26.x, splat(r.surface_settings.specular.x)), metallic_21)), y: add(splat(r.surface_settings.specular.y), mul(sub(base_26.y, splat(r.surface_settings.specular.y)), metallic_21)), z: add(splat(r.surface_settings.specular.z), mul(sub(base_26.z, splat(r.surface_settings.specular.z)), metallic_21)) };
+    let alpha_43 = mul(roughness_16, roughness_16);
+    squared_alpha_v0 = mul(alpha_43, alpha_43);
+    let c1 = lt(mean_a3, splat(1.0f32));
+    let e_48 = squared_alpha_v0;
+    squared_alpha_v0 = sel(c1, min_with(add(e_48, div(mul(splat(2.0f32), sub(splat(1.0f32), mean_a3)), mean_a3)), splat(1.0f32)), squared_alpha_v0);
+    let upright_59 = max_with(add(add(add(mul(normal_a2.x, view_a4.x), mul(normal_a2.y, view_a4.y)), mul(normal_a2.z, view_a4.z)), splat(0.0f32)), splat(0.0001f32));
+    let e_61 = squared_alpha_v0;
+    let e_65 = squared_alpha_v0;
+    let masking_67 = sqrt(add(mul(mul(upright_59, upright_59), sub(splat(1.0f32), e_61)), e_65));
+    let e_68 = squared_alpha_v0;
+    let once_69 = facet_reflection(r, upright_59, e_68);
+    let again_76 = sub(div(splat(1.0f32), add(once_69.x, once_69.y)), splat(1.0f32));
+    let white_80 = Vec3 { x: 1.0f32, y: 1.0f32, z: 1.0f32 };
+    let reflected_88 = Vec3 { x: mul(add(mul(specular_42.x, once_69.x), mul(splat(white_80.x), once_69.y)), add(splat(white_80.x), mul(specular_42.x, again_76))), y: mul(add(mul(specular_42.y, once_69.x), mul(splat(white_80.y), once_69.y)), add(splat(white_80.y), mul(specular_42.y, again_76))), z: mul(add(mul(specular_42.z, once_69.x), mul(splat(white_80.z), once_69.y)), add(splat(white_80.z), mul(specular_42.z, again_76))) };
+    let e_95 = emission_at(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.footprint);
+    let e_97 = squared_alpha_v0;
+    return Material { diffuse: diffuse_35, transmitted: Vec3 { x: mul(entering_29.x, splat(r.surface_settings.transmission)), y: mul(entering_29.y, splat(r.surface_settings.transmission)), z: mul(entering_29.z, splat(r.surface_settings.transmission)) }, specular: specular_42, around: Vec3 { x: add(mul(diffuse_35.x, sub(splat(white_80.x), reflected_88.x)), reflected_88.x), y: add(mul(diffuse_35.y, sub(splat(white_80.y), reflected_88.y)), reflected_88.y), z: add(mul(diffuse_35.z, sub(splat(white_80.z), reflected_88.z)), reflected_88.z) }, emission: e_95, occlusion: maps_9.x, squared_alpha: e_97, upright: upright_59, masking: masking_67, again: again_76, };
+} }
+lanes! { fn shade_material_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, mean_a3: F, view_a4: Vec3<F>, color_a5: Vec3<F>) -> Material {
+    let mut ex = within;
+    let mut ret: Material = zero_material();
+    match r.surface_settings.choices[7].number {
+        0u32 => {
+            let e_16 = shade_blinn_phong_material(r, at_a0, hit_a1, normal_a2, mean_a3, view_a4, color_a5, r.surface_settings.choices[7].params);
+            return e_16;
+        }
+        _ => {
+            let e_22 = shade_metallic_roughness_material(r, ex, at_a0, hit_a1, normal_a2, mean_a3, view_a4, color_a5, r.surface_settings.choices[7].params);
+            return e_22;
+        }
+    }
+} }
 lanes! { fn table_cosine(r: &Resources<'_>, table_a0: &SeenTable, toward_a1: Vec3<F>) -> F {
     let mean_3 = add(add(add(mul(table_a0.mean.x, toward_a1.x), mul(table_a0.mean.y, toward_a1.y)), mul(table_a0.mean.z, toward_a1.z)), splat(0.0f32));
     let squares_8 = min_with(add(add(add(mul(table_a0.squares.x, mul(toward_a1.x, toward_a1.x)), mul(table_a0.squares.y, mul(toward_a1.y, toward_a1.y))), mul(table_a0.squares.z, mul(toward_a1.z, toward_a1.z))), splat(0.0f32)), splat(16.0f32));
@@ -6045,47 +6268,78 @@ stage! { fn whole_power(r: &Resources<'_>, within: M, base_a0: F, exponent_a1: U
     let e_23 = result_v0;
     return e_23;
 } }
-lanes! { fn shade_blinn_phong(r: &Resources<'_>, within: M, normal_a0: Vec3<F>, mean_a1: F, cosine_a2: F, view_a3: Vec3<F>, toward_a4: Vec3<F>, color_a5: Vec3<F>, params_a6: Vec4<f32>) -> Vec3<F> {
+lanes! { fn shade_blinn_phong_light(r: &Resources<'_>, within: M, material_a0: &Material, normal_a1: Vec3<F>, mean_a2: F, cosine_a3: F, view_a4: Vec3<F>, toward_a5: Vec3<F>, params_a6: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let mut exponent_v0: U = splat_u(0u32);
     let mut dimmed_v1: F = splat(1.0f32);
-    let (b1, c2) = (ex, gt(cosine_a2, splat(0.0f32)));
+    let (b1, c2) = (ex, gt(cosine_a3, splat(0.0f32)));
     ex = and(b1, c2);
     if any(ex) {
         exponent_v0 = splat_u(r.surface_settings.shininess);
-        let (b3, c4) = (ex, lt(mean_a1, splat(1.0f32)));
+        let (b3, c4) = (ex, lt(mean_a2, splat(1.0f32)));
         ex = and(b3, c4);
         if any(ex) {
             let sharp_20 = (r.surface_settings.shininess as f32);
-            let wide_29 = max_with(floor(div(mul(splat(sharp_20), mean_a1), add(mean_a1, mul(splat(sharp_20), sub(splat(1.0f32), mean_a1))))), splat(1.0f32));
+            let wide_29 = max_with(floor(div(mul(splat(sharp_20), mean_a2), add(mean_a2, mul(splat(sharp_20), sub(splat(1.0f32), mean_a2))))), splat(1.0f32));
             exponent_v0 = sel_u(ex, u_of_f(wide_29), exponent_v0);
             dimmed_v1 = sel(ex, div(add(wide_29, splat(8.0f32)), splat((sharp_20 + 8.0f32))), dimmed_v1);
         }
         ex = b3;
-        let e_36 = Vec3 { x: add(toward_a4.x, view_a3.x), y: add(toward_a4.y, view_a3.y), z: add(toward_a4.z, view_a3.z) };
+        let e_36 = Vec3 { x: add(toward_a5.x, view_a4.x), y: add(toward_a5.y, view_a4.y), z: add(toward_a5.z, view_a4.z) };
         let length5 = sqrt(add(add(mul(e_36.x, e_36.x), mul(e_36.y, e_36.y)), mul(e_36.z, e_36.z)));
         let e_37 = Vec3 { x: div(e_36.x, length5), y: div(e_36.y, length5), z: div(e_36.z, length5) };
-        let lobe_40 = max_with(add(add(add(mul(normal_a0.x, e_37.x), mul(normal_a0.y, e_37.y)), mul(normal_a0.z, e_37.z)), splat(0.0f32)), splat(0.0f32));
-        let e_45 = exponent_v0;
-        let e_46 = whole_power(r, ex, lobe_40, e_45);
-        let e_47 = dimmed_v1;
-        let e_48 = mul(e_46, e_47);
-        let specular_49 = Vec3 { x: mul(splat(r.surface_settings.specular.x), e_48), y: mul(splat(r.surface_settings.specular.y), e_48), z: mul(splat(r.surface_settings.specular.z), e_48) };
-        ret = Vec3 { x: add(mul(color_a5.x, cosine_a2), specular_49.x), y: add(mul(color_a5.y, cosine_a2), specular_49.y), z: add(mul(color_a5.z, cosine_a2), specular_49.z) };
+        let lobe_40 = max_with(add(add(add(mul(normal_a1.x, e_37.x), mul(normal_a1.y, e_37.y)), mul(normal_a1.z, e_37.z)), splat(0.0f32)), splat(0.0f32));
+        let e_42 = exponent_v0;
+        let e_43 = whole_power(r, ex, lobe_40, e_42);
+        let e_44 = dimmed_v1;
+        let e_45 = mul(e_43, e_44);
+        let specular_46 = Vec3 { x: mul(material_a0.specular.x, e_45), y: mul(material_a0.specular.y, e_45), z: mul(material_a0.specular.z, e_45) };
+        ret = Vec3 { x: add(mul(material_a0.diffuse.x, cosine_a3), specular_46.x), y: add(mul(material_a0.diffuse.y, cosine_a3), specular_46.y), z: add(mul(material_a0.diffuse.z, cosine_a3), specular_46.z) };
         ex = no_lane();
     }
     ex = and_not(b1, c2);
     let y6 = Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) };
     return Vec3 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y), z: sel(ex, y6.z, ret.z) };
 } }
-lanes! { fn shade_stage(r: &Resources<'_>, within: M, normal_a0: Vec3<F>, mean_a1: F, cosine_a2: F, view_a3: Vec3<F>, toward_a4: Vec3<F>, color_a5: Vec3<F>) -> Vec3<F> {
+lanes! { fn shade_metallic_roughness_light(r: &Resources<'_>, within: M, material_a0: &Material, normal_a1: Vec3<F>, mean_a2: F, cosine_a3: F, view_a4: Vec3<F>, toward_a5: Vec3<F>, params_a6: Vec4<f32>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let (b1, c2) = (ex, gt(cosine_a3, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let sum_9 = Vec3 { x: add(toward_a5.x, view_a4.x), y: add(toward_a5.y, view_a4.y), z: add(toward_a5.z, view_a4.z) };
+        let squared_sum_12 = max_with(add(add(add(mul(sum_9.x, sum_9.x), mul(sum_9.y, sum_9.y)), mul(sum_9.z, sum_9.z)), splat(0.0f32)), splat(1e-6f32));
+        let along_13 = add(add(add(mul(normal_a1.x, sum_9.x), mul(normal_a1.y, sum_9.y)), mul(normal_a1.z, sum_9.z)), splat(0.0f32));
+        let across_14 = Vec3 { x: sub(mul(normal_a1.y, sum_9.z), mul(normal_a1.z, sum_9.y)), y: sub(mul(normal_a1.z, sum_9.x), mul(normal_a1.x, sum_9.z)), z: sub(mul(normal_a1.x, sum_9.y), mul(normal_a1.y, sum_9.x)) };
+        let spread_20 = div(add(mul(mul(along_13, along_13), material_a0.squared_alpha), add(add(add(mul(across_14.x, across_14.x), mul(across_14.y, across_14.y)), mul(across_14.z, across_14.z)), splat(0.0f32))), squared_sum_12);
+        let shadowing_26 = sqrt(add(mul(mul(cosine_a3, cosine_a3), sub(splat(1.0f32), material_a0.squared_alpha)), material_a0.squared_alpha));
+        let visible_31 = add(mul(cosine_a3, material_a0.masking), mul(material_a0.upright, shadowing_26));
+        let facets_36 = div(mul(splat(0.5f32), material_a0.squared_alpha), mul(mul(spread_20, spread_20), visible_31));
+        let rest_43 = max_with(sub(splat(1.0f32), mul(splat(0.5f32), sqrt(squared_sum_12))), splat(0.0f32));
+        let squared_rest_44 = mul(rest_43, rest_43);
+        let white_48 = Vec3 { x: 1.0f32, y: 1.0f32, z: 1.0f32 };
+        let e_53 = mul(mul(squared_rest_44, squared_rest_44), rest_43);
+        let fresnel_55 = Vec3 { x: add(material_a0.specular.x, mul(sub(splat(white_48.x), material_a0.specular.x), e_53)), y: add(material_a0.specular.y, mul(sub(splat(white_48.y), material_a0.specular.y), e_53)), z: add(material_a0.specular.z, mul(sub(splat(white_48.z), material_a0.specular.z), e_53)) };
+        let specular_61 = Vec3 { x: mul(mul(fresnel_55.x, add(splat(white_48.x), mul(material_a0.specular.x, material_a0.again))), facets_36), y: mul(mul(fresnel_55.y, add(splat(white_48.y), mul(material_a0.specular.y, material_a0.again))), facets_36), z: mul(mul(fresnel_55.z, add(splat(white_48.z), mul(material_a0.specular.z, material_a0.again))), facets_36) };
+        ret = Vec3 { x: mul(add(mul(material_a0.diffuse.x, sub(splat(white_48.x), fresnel_55.x)), specular_61.x), cosine_a3), y: mul(add(mul(material_a0.diffuse.y, sub(splat(white_48.y), fresnel_55.y)), specular_61.y), cosine_a3), z: mul(add(mul(material_a0.diffuse.z, sub(splat(white_48.z), fresnel_55.z)), specular_61.z), cosine_a3) };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let y3 = Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) };
+    return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
+} }
+lanes! { fn shade_light_stage(r: &Resources<'_>, within: M, material_a0: &Material, normal_a1: Vec3<F>, mean_a2: F, cosine_a3: F, view_a4: Vec3<F>, toward_a5: Vec3<F>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     match r.surface_settings.choices[7].number {
-        _ => {
-            let e_16 = shade_blinn_phong(r, ex, normal_a0, mean_a1, cosine_a2, view_a3, toward_a4, color_a5, r.surface_settings.choices[7].params);
+        0u32 => {
+            let e_16 = shade_blinn_phong_light(r, ex, material_a0, normal_a1, mean_a2, cosine_a3, view_a4, toward_a5, r.surface_settings.choices[7].params);
             return e_16;
+        }
+        _ => {
+            let e_22 = shade_metallic_roughness_light(r, ex, material_a0, normal_a1, mean_a2, cosine_a3, view_a4, toward_a5, r.surface_settings.choices[7].params);
+            return e_22;
         }
     }
 } }
@@ -6094,30 +6348,29 @@ stage! { fn reflected_light(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let mut light_v0: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let mut k_v1: u32 = 0u32;
-    let e_15 = (1.0f32 - r.surface_settings.transmission);
-    let diffuse_16 = Vec3 { x: mul(mul(splat(r.surface_settings.diffuse.x), color_a4.x), splat(e_15)), y: mul(mul(splat(r.surface_settings.diffuse.y), color_a4.y), splat(e_15)), z: mul(mul(splat(r.surface_settings.diffuse.z), color_a4.z), splat(e_15)) };
-    let e_20 = ambient_stage(r, ex, at_a0, hit_a1, Vec3 { x: mul(seen_a2.normal.x, seen_a2.length), y: mul(seen_a2.normal.y, seen_a2.length), z: mul(seen_a2.normal.z, seen_a2.length) }, view_a3, diffuse_16);
-    light_v0 = e_20;
+    let material_8 = shade_material_stage(r, ex, at_a0, hit_a1, Vec3 { x: seen_a2.normal.x, y: seen_a2.normal.y, z: seen_a2.normal.z }, seen_a2.length, view_a3, color_a4);
+    let around_12 = ambient_stage(r, ex, at_a0, hit_a1, Vec3 { x: mul(seen_a2.normal.x, seen_a2.length), y: mul(seen_a2.normal.y, seen_a2.length), z: mul(seen_a2.normal.z, seen_a2.length) }, view_a3, &material_8);
+    light_v0 = Vec3 { x: add(mul(around_12.x, material_8.occlusion), material_8.emission.x), y: add(mul(around_12.y, material_8.occlusion), material_8.emission.y), z: add(mul(around_12.z, material_8.occlusion), material_8.emission.z) };
     'l1: loop {
-        let e_24 = k_v1;
-        if (e_24 < r.frame.light_count) {
+        let e_20 = k_v1;
+        if (e_20 < r.frame.light_count) {
         } else {
             break 'l1;
         }
-        let e_29 = k_v1;
-        let toward_31 = toward_light(r, e_29, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
-        let cosine_33 = seen_cosine(r, ex, at_a0, seen_a2, Vec3 { x: toward_31.direction.x, y: toward_31.direction.y, z: toward_31.direction.z });
-        let reflected_37 = shade_stage(r, ex, Vec3 { x: seen_a2.normal.x, y: seen_a2.normal.y, z: seen_a2.normal.z }, seen_a2.length, cosine_33, view_a3, Vec3 { x: toward_31.direction.x, y: toward_31.direction.y, z: toward_31.direction.z }, diffuse_16);
-        let e_38 = light_v0;
-        let e_41 = k_v1;
-        let e_48 = k_v1;
-        let e_51 = mul(toward_31.falloff, visible_a5[e_48 as usize].x);
-        light_v0 = Vec3 { x: add(e_38.x, mul(mul(reflected_37.x, splat(r.frame.lights[e_41 as usize].color.x)), e_51)), y: add(e_38.y, mul(mul(reflected_37.y, splat(r.frame.lights[e_41 as usize].color.y)), e_51)), z: add(e_38.z, mul(mul(reflected_37.z, splat(r.frame.lights[e_41 as usize].color.z)), e_51)) };
-        let e_54 = k_v1;
-        k_v1 = e_54.wrapping_add(1u32);
+        let e_25 = k_v1;
+        let toward_27 = toward_light(r, e_25, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+        let cosine_29 = seen_cosine(r, ex, at_a0, seen_a2, Vec3 { x: toward_27.direction.x, y: toward_27.direction.y, z: toward_27.direction.z });
+        let reflected_33 = shade_light_stage(r, ex, &material_8, Vec3 { x: seen_a2.normal.x, y: seen_a2.normal.y, z: seen_a2.normal.z }, seen_a2.length, cosine_29, view_a3, Vec3 { x: toward_27.direction.x, y: toward_27.direction.y, z: toward_27.direction.z });
+        let e_34 = light_v0;
+        let e_37 = k_v1;
+        let e_44 = k_v1;
+        let e_47 = mul(toward_27.falloff, visible_a5[e_44 as usize].x);
+        light_v0 = Vec3 { x: add(e_34.x, mul(mul(reflected_33.x, splat(r.frame.lights[e_37 as usize].color.x)), e_47)), y: add(e_34.y, mul(mul(reflected_33.y, splat(r.frame.lights[e_37 as usize].color.y)), e_47)), z: add(e_34.z, mul(mul(reflected_33.z, splat(r.frame.lights[e_37 as usize].color.z)), e_47)) };
+        let e_50 = k_v1;
+        k_v1 = e_50.wrapping_add(1u32);
     }
-    let e_57 = light_v0;
-    return e_57;
+    let e_53 = light_v0;
+    return e_53;
 } }
 lanes! { fn z_of(r: &Resources<'_>, depth_a0: F) -> F {
     if (r.frame.clip.y == 0.0f32) {

@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program. Of the other groups a program binds the
 /// variables that it uses.
-pub static BINDINGS: [Binding; 42] = [
+pub static BINDINGS: [Binding; 43] = [
     uniform(0, "surface_settings", "SurfaceSettings", "settings of the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(2, "color_map", false, "linear colours; a single texel if the settings turn them off"),
@@ -106,6 +106,12 @@ pub static BINDINGS: [Binding; 42] = [
         kind: BindingKind::Texture { layers: false, filtered: false },
         holds: "holes, the texels above 0; a single texel if the settings turn them off",
     },
+    filtered(
+        16,
+        "material_map",
+        true,
+        "occlusion, roughness and metalness, then emission; a single texel if the settings turn them off",
+    ),
     storage(1, 0, "mesh_faces", "Face", true, "the base mesh's triangles"),
     storage(1, 1, "mesh_corners", "Corner", true, "the base mesh's corners, shared by triangles"),
     storage(1, 8, "pixels", "PixelIn", true, "rays to probe"),

@@ -61,6 +61,8 @@ pub enum Role {
     Tracing(TracingRole),
     /// A shadow: its test between a hit and a light.
     Shadow(ShadowRole),
+    /// A shading that reads roughness, metalness and the material maps.
+    ReadsMaterials,
     /// An ambient light that shows the environment map: in reflections, and through the surface.
     Surroundings,
 }
@@ -193,6 +195,11 @@ impl Entry {
             Role::Shadow(shadow) => Some(shadow),
             _ => None,
         }
+    }
+
+    /// Whether it reads roughness, metalness and the material maps as a shading.
+    pub const fn reads_materials(&self) -> bool {
+        matches!(self.role, Role::ReadsMaterials)
     }
 
     /// Whether it shows the environment map as an ambient light.

@@ -53,8 +53,8 @@ pub use methods::{Family, METHODS, Method, method};
 pub use selection::{Choice, Selection, SelectionError};
 pub use slots::MapSlot;
 pub use stages::{
-    AMBIENT, Call, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE,
-    Stage, stage, stage_of_setting,
+    AMBIENT, Call, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, SLICES, STAGES,
+    SURFACE, Stage, stage, stage_of_setting,
 };
 pub use variants::Variants;
 

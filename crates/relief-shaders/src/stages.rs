@@ -168,17 +168,37 @@ pub static STAGES: [Stage; 11] = [
         plural: "shadings",
         entries: shade::ENTRIES,
         chosen_as: None,
-        calls: &[only(
-            &[
-                ("normal", "vec3f"),
-                ("mean", "f32"),
-                ("cosine", "f32"),
-                ("view", "vec3f"),
-                ("toward", "vec3f"),
-                ("color", "vec3f"),
-            ],
-            "vec3f",
-        )],
+        calls: &[
+            Call {
+                name: "material",
+                inputs: &[
+                    ("at", "Entered"),
+                    ("hit", "Hit"),
+                    ("normal", "vec3f"),
+                    ("mean", "f32"),
+                    ("view", "vec3f"),
+                    ("color", "vec3f"),
+                ],
+                returns: "Material",
+            },
+            Call {
+                name: "light",
+                inputs: &[
+                    ("material", "Material"),
+                    ("normal", "vec3f"),
+                    ("mean", "f32"),
+                    ("cosine", "f32"),
+                    ("view", "vec3f"),
+                    ("toward", "vec3f"),
+                ],
+                returns: "vec3f",
+            },
+            Call {
+                name: "mirrored",
+                inputs: &[("material", "Material"), ("mean", "f32"), ("cosine", "f32")],
+                returns: "Mirrored",
+            },
+        ],
         slot: None,
         rays: &[],
     },
@@ -212,7 +232,13 @@ pub static STAGES: [Stage; 11] = [
         entries: ambient::ENTRIES,
         chosen_as: None,
         calls: &[only(
-            &[("at", "Entered"), ("hit", "Hit"), ("normal", "vec3f"), ("view", "vec3f"), ("color", "vec3f")],
+            &[
+                ("at", "Entered"),
+                ("hit", "Hit"),
+                ("normal", "vec3f"),
+                ("view", "vec3f"),
+                ("material", "Material"),
+            ],
             "vec3f",
         )],
         slot: Some(MapSlot::Ambient),
@@ -240,6 +266,9 @@ pub const SEARCH: usize = place("search");
 
 /// Place of the stage `refine` in [`STAGES`].
 pub const REFINE: usize = place("refine");
+
+/// Place of the stage `shade` in [`STAGES`].
+pub const SHADE: usize = place("shade");
 
 /// Place of the stage `shadow` in [`STAGES`].
 pub const SHADOW: usize = place("shadow");

@@ -75,7 +75,7 @@ impl Sampling {
     /// Every choice, in the order in which help lists them.
     pub const ALL: [Sampling; 2] = [Sampling::Exact, Sampling::Fast];
 
-    /// The name used on the command line and in scenes.
+    /// Returns the name of this sampling, as files and the command spell it: `exact` or `fast`.
     pub const fn name(self) -> &'static str {
         match self {
             Sampling::Exact => "exact",

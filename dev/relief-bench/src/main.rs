@@ -1,5 +1,5 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `looks`, `mesh`,
+//! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `looks`, `materials`, `mesh`,
 //! `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`, `sheet`, `slices`,
 //! `solids`, `surfaces`, `tessellate`, `trace` and `units`. Results are kept in `docs/measurements/`.
 
@@ -25,6 +25,7 @@ mod judge;
 mod lanes;
 mod levels;
 mod looks;
+mod materials;
 mod memory;
 mod mesh;
 mod object_slices;
@@ -89,6 +90,8 @@ enum Command {
     Levels(levels::Arguments),
     /// First pictures by what makes them good to look at, and their times: fails where a bound is missed
     Looks(looks::Arguments),
+    /// Time of a frame shaded by roughness and metalness, beside Blinn-Phong: fails where the bound is missed
+    Materials(materials::Arguments),
     /// Triangles a second that height maps become, in memory and in files
     Mesh(mesh::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
@@ -141,6 +144,7 @@ fn main() -> ExitCode {
         Command::Lanes(arguments) => lanes::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Levels(arguments) => levels::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Looks(arguments) => looks::run(&arguments),
+        Command::Materials(arguments) => materials::run(&arguments),
         Command::Mesh(arguments) => mesh::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),

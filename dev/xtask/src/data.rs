@@ -25,7 +25,7 @@ mod tree;
 /// When the elevation model, from which its colours are made, cannot be read, or a picture cannot be encoded.
 pub fn files(root: &Path) -> Result<Vec<Generated>, String> {
     let (bricks, bricks_color) = bricks::maps();
-    let (cobbles, cobbles_color) = cobbles::maps();
+    let (cobbles, cobbles_color, cobbles_orm) = cobbles::maps();
     let elevation = picture::read_grey(&root.join("data/jacksboro.png"))?;
     let maps = [
         ("data/bricks.png", bricks.heights()),
@@ -34,6 +34,7 @@ pub fn files(root: &Path) -> Result<Vec<Generated>, String> {
         // A crate of its own ships what it compares methods on.
         ("crates/relief-compare/data/cobbles.png", cobbles.heights()),
         ("data/cobbles_color.png", cobbles_color.colours()),
+        ("data/cobbles_orm.png", cobbles_orm.colours()),
         ("data/spikes.png", spikes::map().heights()),
         ("data/logo.png", logo::map().heights()),
         ("data/noise.png", noise::map().heights()),

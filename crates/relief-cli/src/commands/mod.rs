@@ -11,6 +11,7 @@ pub mod inspect;
 mod lengths;
 pub mod man;
 pub mod maps;
+pub mod material_arguments;
 pub mod mesh;
 pub mod method_set;
 pub mod methods;

@@ -129,7 +129,11 @@ fn of_key(key: &Key) -> Value {
         }),
         Form::Material => json!({
             "type": "object", "additionalProperties": false,
-            "properties": { "diffuse": colour(), "specular": colour(), "shininess": { "type": "integer" } },
+            "properties": {
+                "diffuse": colour(), "specular": colour(), "shininess": { "type": "integer" },
+                "base": colour(), "roughness": { "type": "number" }, "metallic": { "type": "number" },
+                "emission": colour(),
+            },
         }),
         Form::Lights => json!({
             "type": "array",

@@ -10,12 +10,13 @@ use relief_scene::background::Background;
 use relief_scene::depth_buffer::Clip;
 use relief_scene::tone::Tone;
 use relief_scene::{
-    BackendChoice, LightDirection, LightSpec, Look, MaterialSpec, MeshChoice, PictureSize, ProjectionChoice,
-    Sampling, SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
+    BackendChoice, LightDirection, LightSpec, Look, MeshChoice, PictureSize, ProjectionChoice, Sampling,
+    SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
 };
 use relief_shaders::METHODS;
 
 use super::maps::HeightArguments;
+use super::material_arguments::MaterialArguments;
 use super::placement::PlacementArguments;
 use super::stages::StageArguments;
 use crate::failure::Failure;
@@ -119,36 +120,8 @@ pub struct SceneArguments {
     creases: bool,
     #[command(flatten)]
     placement: PlacementArguments,
-    /// Material parameter, repeatable: diffuse=0.5,0.3,0.2 or specular=0,0,0 (linear, 0 to 1), or
-    /// shininess=50 (1 to 1024) [default: diffuse 0.4, 0.8 under a colour map; specular 0.1;
-    /// shininess 32]
-    #[arg(
-        long,
-        value_name = "PART=VALUE",
-        value_parser = values::material,
-        help_heading = "Maps and mesh",
-        hide_short_help = true,
-    )]
-    material: Vec<MaterialSpec>,
-    /// Share of light that is refracted instead of scattered, 0 to 1; 1 is clear glass, which shows
-    /// the environment map [default: 0]
-    #[arg(
-        long,
-        value_name = "F",
-        allow_hyphen_values = true,
-        help_heading = "Maps and mesh",
-        hide_short_help = true
-    )]
-    transmission: Option<f32>,
-    /// Index of refraction, 1 to 4; also sets how much is reflected [default: 1.5]
-    #[arg(
-        long,
-        value_name = "N",
-        allow_hyphen_values = true,
-        help_heading = "Maps and mesh",
-        hide_short_help = true
-    )]
-    ior: Option<f32>,
+    #[command(flatten)]
+    material: MaterialArguments,
     /// Also draw back faces, with their normals turned over
     #[arg(long, help_heading = "Maps and mesh", hide_short_help = true)]
     two_sided: bool,
@@ -342,8 +315,9 @@ impl SceneArguments {
 
     /// Returns the files that may be standard input.
     pub fn files(&mut self) -> Vec<&mut PathBuf> {
-        let Self { scene, height, color, normal, environment, .. } = self;
-        [scene, height, color, normal, environment].into_iter().flatten().collect()
+        let Self { scene, height, color, normal, material, environment, .. } = self;
+        let files = [scene, height, color, normal, environment].into_iter().flatten();
+        files.chain(material.files()).collect()
     }
 
     /// Returns the scene file, if the file that is shown is one.
@@ -386,15 +360,8 @@ impl SceneArguments {
             method: self.method.clone(),
             stages,
             set: BTreeMap::from_iter(self.set.iter().cloned()),
-            material: self.material.iter().cloned().reduce(|so_far, part| MaterialSpec {
-                diffuse: part.diffuse.or(so_far.diffuse),
-                specular: part.specular.or(so_far.specular),
-                shininess: part.shininess.or(so_far.shininess),
-            }),
-            transmission: self.transmission,
-            ior: self.ior,
             two_sided: given(self.two_sided),
-            ..self.placement.surface(&self.reading)
+            ..self.material.surface(self.placement.surface(&self.reading))
         };
         let light = self.light.map(|LightDirection(toward)| toward);
         let directional =

@@ -28,7 +28,7 @@ impl Builtin {
     pub const ALL: [Builtin; 6] =
         [Builtin::Plane, Builtin::Square, Builtin::Cube, Builtin::Cylinder, Builtin::Sphere, Builtin::Torus];
 
-    /// Name on the command line and in scenes.
+    /// Returns the name of this mesh, as scenes spell it: `plane`, `square` and so on.
     pub const fn name(self) -> &'static str {
         match self {
             Builtin::Plane => "plane",

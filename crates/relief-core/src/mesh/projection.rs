@@ -32,7 +32,7 @@ impl UvProjection {
     /// All projections, in the order of the help.
     pub const ALL: [UvProjection; 3] = [UvProjection::Box, UvProjection::Cylinder, UvProjection::Sphere];
 
-    /// Name on the command line and in scenes.
+    /// Returns the name of this projection, as scenes spell it: `box`, `cylinder` or `sphere`.
     pub const fn name(self) -> &'static str {
         match self {
             UvProjection::Box => "box",

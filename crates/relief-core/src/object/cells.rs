@@ -11,7 +11,7 @@ impl JumpCells {
     pub const ALL: [JumpCells; 4] =
         [JumpCells::Bilinear, JumpCells::Step, JumpCells::Highest, JumpCells::Nearest];
 
-    /// Name in files and on the command line.
+    /// Returns the name of this kind of cells, as files and the command spell it: `bilinear` to `nearest`.
     pub const fn name(self) -> &'static str {
         match self {
             JumpCells::Bilinear => "bilinear",

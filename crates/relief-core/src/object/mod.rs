@@ -180,7 +180,8 @@ impl ImageObject {
         texels * self.views.iter().map(View::texel_height).fold(0.0, f64::max)
     }
 
-    /// Returns the object at another placement. Its images are shared.
+    /// Returns the object, moved from where it is by a placement: turned, scaled and shifted once more.
+    /// Its images are shared.
     ///
     /// # Errors
     ///

@@ -255,7 +255,7 @@ impl View {
         }
     }
 
-    /// Returns the view of the object at another placement.
+    /// Returns the view of the object, moved from where it is by a placement.
     ///
     /// # Errors
     ///

@@ -25,7 +25,7 @@ impl Up {
     /// Both axes.
     pub const ALL: [Self; 2] = [Self::Y, Self::Z];
 
-    /// Name used on the command line.
+    /// Returns the name of this axis, as files and the command spell it: `y` or `z`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Y => "y",

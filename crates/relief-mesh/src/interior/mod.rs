@@ -107,7 +107,8 @@ impl Cut {
 /// All interiors. Those that accept more edge rules come first.
 pub static INTERIORS: &[Interior] = &[DICE, SWEEP, ADAPT];
 
-/// Returns the interior `name`.
+/// Returns the interior of that name: the rule that fills a patch with triangles between the points of
+/// its sides.
 ///
 /// # Errors
 ///

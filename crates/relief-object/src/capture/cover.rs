@@ -20,7 +20,7 @@ impl Cover {
     /// Both covers.
     pub const ALL: [Cover; 2] = [Cover::Centre, Cover::Pixel];
 
-    /// Name on the command line.
+    /// Returns the name of this cover, as files and the command spell it: `centre` or `pixel`.
     pub const fn name(self) -> &'static str {
         match self {
             Cover::Centre => "centre",

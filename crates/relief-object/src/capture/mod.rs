@@ -169,7 +169,7 @@ impl<'a> Capturer<'a> {
         self.views.first().map_or((DVec3::ZERO, 1.0), View::ball)
     }
 
-    /// Files of an object with these images.
+    /// Returns the names of the files that such an object has, and what they hold. Nothing is written.
     pub fn files(&self) -> ObjectFiles {
         ObjectFiles {
             bits: self.settings.bits,
@@ -326,7 +326,7 @@ impl<'a> Capturer<'a> {
 }
 
 impl Captured {
-    /// Files of an object with these images.
+    /// Returns the names of the files that such an object has, and what they hold. Nothing is written.
     pub fn files(&self) -> ObjectFiles {
         ObjectFiles {
             bits: self.bits,

@@ -267,6 +267,7 @@ mod tests {
             height_map: map,
             color: None,
             normal_map: None,
+            material_maps: None,
             maps: Vec::new(),
             two_sided: false,
         }

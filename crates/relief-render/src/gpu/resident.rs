@@ -120,6 +120,7 @@ pub struct Resident {
     holes: Option<CachedTexture<Arc<TexelMask>>>,
     color: Option<CachedTexture<Arc<Mipmaps>>>,
     normals: Option<CachedTexture<Arc<Mipmaps>>>,
+    materials: Option<CachedTexture<Arc<Mipmaps>>>,
     slots: [Option<CachedTexture<SlotSource>>; MapSlot::ALL.len()],
     sampler: Option<(Wrap, Sampler)>,
     mesh: Option<(Arc<Triangles>, BindGroup)>,
@@ -172,6 +173,7 @@ impl Resident {
             holes: None,
             color: None,
             normals: None,
+            materials: None,
             slots: [const { None }; MapSlot::ALL.len()],
             sampler: None,
             mesh: None,
@@ -299,7 +301,7 @@ impl Resident {
     ) -> Result<bool, GpuError> {
         let precision = Precision::of(gpu, sampling);
         if self.precision != Some(precision) {
-            (self.heights, self.color, self.normals) = (None, None, None);
+            (self.heights, self.color, self.normals, self.materials) = (None, None, None, None);
             self.precision = Some(precision);
         }
         let levels = surface.settings.height_levels;
@@ -323,6 +325,9 @@ impl Resident {
         })?;
         changed |= update_texture(&mut self.normals, surface.normal_map.as_ref(), Arc::ptr_eq, || {
             textures::picture(gpu, "normal map", surface.normal_map.as_deref(), precision, true)
+        })?;
+        changed |= update_texture(&mut self.materials, surface.material_maps.as_ref(), Arc::ptr_eq, || {
+            textures::picture(gpu, "material map", surface.material_maps.as_deref(), precision, true)
         })?;
         for (place, slot) in MapSlot::ALL.into_iter().enumerate() {
             let of = SlotSource::of(surface, slot, builder);
@@ -370,6 +375,7 @@ impl Resident {
             ("hole_map", self.holes.as_ref().map(|held| &held.view)),
             ("color_map", self.color.as_ref().map(|held| &held.view)),
             ("normal_map", self.normals.as_ref().map(|held| &held.view)),
+            ("material_map", self.materials.as_ref().map(|held| &held.view)),
         ];
         let slots = MapSlot::ALL.into_iter().zip(&self.slots);
         let slots = slots.map(|(slot, held)| {

@@ -68,6 +68,7 @@ fn surface(map: &Arc<HeightMap>) -> JobSurface {
         height_map: Arc::clone(map),
         color: None,
         normal_map: None,
+        material_maps: None,
         maps: Vec::new(),
         two_sided: false,
     }

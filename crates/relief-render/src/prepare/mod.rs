@@ -25,7 +25,7 @@ use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError};
 use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
 use relief_shaders::object::{MASK_CELLS, ObjectCells, Solid};
-use relief_shaders::{MapNeed, MapSlot, SlotMaps};
+use relief_shaders::{MapNeed, MapSlot, SHADE, SlotMaps};
 
 use crate::error::RenderError;
 use crate::job::{HOLES_OF_COLORS, HOLES_OF_HEIGHTS, Job, JobSurface};
@@ -87,6 +87,8 @@ impl JobBuilder<'_> {
             }
             None => None,
         };
+        let material_maps = surface.material_maps().filter(|_| reads_materials(surface));
+        let material_maps = material_maps.map(|maps| self.pictures.of_materials(maps, levels, before));
         let mut maps = maps.to_vec();
         let behind = self.scene.environment_behind();
         if surface.selection().sees_environment() || behind.is_some() {
@@ -97,7 +99,10 @@ impl JobBuilder<'_> {
             maps.push((MapSlot::Object, Arc::clone(object.images())));
         }
         let slots = maps.iter().map(|(slot, map)| (*slot, &**map)).collect();
-        let settings = surface_settings(surface, &slots, color.as_deref(), normal_map.as_deref());
+        let settings = {
+            let pictures = [&color, &normal_map, &material_maps].map(Option::as_deref);
+            surface_settings(surface, &slots, pictures)
+        };
         let settings = SurfaceSettings { number: number as u32, ..settings };
         let shell_m = [settings.shell_m.x, settings.shell_m.y];
         let triangles =
@@ -109,6 +114,7 @@ impl JobBuilder<'_> {
             height_map: Arc::clone(surface.height_map()),
             color,
             normal_map,
+            material_maps,
             maps,
             // Slices have no back.
             two_sided: surface.two_sided() || surface.selection().paths().is_sliced(),
@@ -292,21 +298,17 @@ fn clip(scene: &Scene, surfaces: &[JobSurface]) -> [f32; 4] {
 fn surface_settings(
     surface: &Surface,
     maps: &SlotMaps,
-    color: Option<&Mipmaps>,
-    normals: Option<&Mipmaps>,
+    [color, normals, material_maps]: [Option<&Mipmaps>; 3],
 ) -> SurfaceSettings {
     let (material, height) = (surface.material(), surface.height_map());
     let size = |map: Option<&Mipmaps>| map.map_or([1, 1], Mipmaps::size);
     let levels = |map: Option<&Mipmaps>| map.map_or(1, Mipmaps::levels);
     // Texels of a picture beside one of the height map, along the axis where they are more.
-    let texels = |map: Option<&Arc<Picture>>| match map {
-        Some(map) => {
-            let [along_u, along_v] = [(map.width, height.width()), (map.height, height.height())]
-                .map(|(a, b)| a as f32 / b as f32);
-            along_u.max(along_v)
-        }
-        None => 1.0,
+    let beside = |size: [u32; 2]| {
+        let [along_u, along_v] = [(size[0], height.width()), (size[1], height.height())];
+        (along_u.0 as f32 / along_u.1 as f32).max(along_v.0 as f32 / along_v.1 as f32)
     };
+    let texels = |map: Option<&Arc<Picture>>| map.map_or(1.0, |map| beside([map.width, map.height]));
     // Derived normals begin with the second level.
     let derived = u32::from(surface.normal_map().is_none() && normals.is_some());
     let ([images, solids], cells, jump) = images(surface);
@@ -317,15 +319,28 @@ fn surface_settings(
     let color_times = if surface.color_place() == ColorPlace::default() { 1.0 } else { axis(0).max(axis(1)) };
     let of_heights = if surface.has_holes() && height.holes().is_some() { HOLES_OF_HEIGHTS } else { 0 };
     let has_holes = of_heights + if surface.cutoff() > 0.0 { HOLES_OF_COLORS } else { 0 };
+    let specular =
+        if reads_materials(surface) { Vec3::splat(material.reflectance()) } else { material.specular() };
+    let has_material = match surface.material_maps().filter(|_| material_maps.is_some()) {
+        Some(maps) => u32::from(maps.has_surface()) + 2 * u32::from(maps.has_emission()),
+        None => 0,
+    };
     SurfaceSettings {
         images,
         solids,
         cells,
         jump,
         diffuse: four(material.diffuse()).into(),
-        specular: four(material.specular()).into(),
+        specular: four(specular).into(),
+        emission: four(material.emission()).into(),
+        roughness: material.roughness(),
+        metallic: material.metallic(),
+        has_material,
         color_size: size(color).into(),
         normal_size: size(normals).into(),
+        material_size: size(material_maps).into(),
+        material_levels: levels(material_maps),
+        material_texels: material_maps.map_or(1.0, |maps| beside(maps.size())) * color_times,
         color_levels: levels(color),
         normal_levels: levels(normals) + derived,
         color_u: [color_u[0], color_u[1], color_u[2], 0.0].into(),
@@ -346,6 +361,11 @@ fn surface_settings(
         ..SurfaceSettings::tracing(height, surface.selection(), maps)
             .with_least_shell(height, extent_m(surface.mesh()) * LEAST_SHELL)
     }
+}
+
+/// Whether the shading of a surface reads roughness, metalness and the material maps.
+fn reads_materials(surface: &Surface) -> bool {
+    surface.selection().choices[SHADE].entry.reads_materials()
 }
 
 /// Returns values of a surface's depth object: numbers of all images, and of the images that decide

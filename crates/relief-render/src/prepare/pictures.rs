@@ -5,9 +5,10 @@ use std::sync::Arc;
 use relief_core::HeightMap;
 use relief_io::Picture;
 
-use crate::frame_cache::cached;
+use crate::frame_cache::{cached, cached_where};
 use crate::mipmaps::Mipmaps;
 use relief_scene::Surface;
+use relief_scene::material_maps::MaterialMaps;
 
 /// Colour and normal maps of a scene's surfaces, with the mip levels that are bound.
 #[derive(Debug, Default)]
@@ -18,6 +19,8 @@ pub struct Pictures {
     levels: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
     /// Normal maps with all levels.
     normals: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
+    /// Maps of materials, each with or without coarser levels.
+    materials: Vec<(Arc<MaterialMaps>, Arc<Mipmaps>)>,
     /// Normals derived from height maps, with the tile for which they are derived.
     derived: Vec<(Arc<HeightMap>, [f64; 2], Arc<Mipmaps>)>,
 }
@@ -41,6 +44,18 @@ impl Pictures {
         }
         let make = || Arc::new(Mipmaps::of_normals(Arc::clone(picture)));
         cached(&mut self.normals, &before.normals, picture, make)
+    }
+
+    /// Returns the mip levels of a material's maps, cached or new.
+    pub fn of_materials(
+        &mut self,
+        maps: &Arc<MaterialMaps>,
+        levels: bool,
+        before: &Pictures,
+    ) -> Arc<Mipmaps> {
+        let fits = |made: &Mipmaps| (made.levels() > 1) == levels || made.size() == [1, 1];
+        let make = || Arc::new(Mipmaps::of_materials(maps, levels));
+        cached_where(&mut self.materials, &before.materials, maps, fits, make)
     }
 
     /// Returns the normals derived from a surface's height map, from the second level on.

@@ -20,7 +20,7 @@ impl BackendChoice {
     /// All choices, in the order in which help lists them.
     pub const ALL: [BackendChoice; 3] = [BackendChoice::Auto, BackendChoice::Cpu, BackendChoice::Gpu];
 
-    /// Returns the name used on the command line and in scene files.
+    /// Returns the name of this backend, as files and the command spell it: `auto` to `gpu`.
     pub const fn name(self) -> &'static str {
         match self {
             BackendChoice::Auto => "auto",
@@ -59,7 +59,7 @@ impl ProjectionChoice {
     /// All choices, in the order in which help lists them.
     pub const ALL: [ProjectionChoice; 2] = [ProjectionChoice::Perspective, ProjectionChoice::Orthographic];
 
-    /// Returns the name used on the command line and in scene files.
+    /// Returns the name of this projection, as scenes spell it: `perspective` or `orthographic`.
     pub const fn name(self) -> &'static str {
         match self {
             ProjectionChoice::Perspective => "perspective",

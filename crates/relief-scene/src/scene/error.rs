@@ -1,9 +1,11 @@
 //! Errors of reading, completing and loading a scene.
 
+use super::material_spec::metallic_roughness;
 use super::{Look, MapSizeProblem, ObjectProblem};
 use crate::environment::EnvironmentError;
 use crate::light::LightError;
 use crate::material::MaterialError;
+use crate::material_maps::MaterialMapError;
 use relief_core::camera::CameraError;
 use relief_core::mesh::MeshError;
 use relief_core::{ByteSize, HeightMapError};
@@ -11,7 +13,7 @@ use relief_io::ReadError;
 use relief_maps::MapsError;
 use relief_object::ObjectFileError;
 use relief_shaders::shadow::of_light_views;
-use relief_shaders::{SURFACE, SelectionError, Variants};
+use relief_shaders::{SHADE, STAGES, SURFACE, SelectionError, Variants};
 use std::path::PathBuf;
 
 /// Reason why a scene cannot be read, completed or loaded.
@@ -76,6 +78,14 @@ pub enum SceneError {
     /// A colour map, a normal map or an environment map cannot be read.
     #[error(transparent)]
     Picture(ReadError),
+    /// A material map cannot be used.
+    #[error("{}: {source}", path.display())]
+    MaterialMap {
+        /// Path of the map.
+        path: PathBuf,
+        /// Description of the problem.
+        source: MaterialMapError,
+    },
     /// A base mesh cannot be read.
     #[error(transparent)]
     Mesh(ReadError),
@@ -215,6 +225,25 @@ pub enum ValueProblem {
     /// A key is given without another that it needs.
     #[error("needs {0} as well")]
     Needs(&'static str),
+    /// Values of two shading models are given for a material.
+    #[error(
+        "has {plain}, of the shading {}, and {rough}, of {}: leave one of them out",
+        STAGES[SHADE].entries[0].name, metallic_roughness()
+    )]
+    MixedMaterial {
+        /// Value of the shading `blinn-phong`.
+        plain: &'static str,
+        /// Value or map of the shading `metallic-roughness`.
+        rough: &'static str,
+    },
+    /// A value of a material is given that the named shading does not read.
+    #[error("has {part}, which the shading {shading} does not read: leave it out, or leave the shading out")]
+    NotOfShading {
+        /// Name of the value or the map.
+        part: &'static str,
+        /// Name of the shading.
+        shading: &'static str,
+    },
     /// A search for shadow rays is given, but the shadow variant has no rays.
     #[error(
         "is for shadows with rays toward the light, and the chosen shadow has none: leave it out or choose \

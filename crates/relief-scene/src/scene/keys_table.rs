@@ -50,7 +50,7 @@ pub enum Form {
     Memory,
     /// A table with a table of numbers for each stage.
     Settings,
-    /// A table of `diffuse`, `specular` and `shininess`.
+    /// A table of the values of a material, for one of two shading models.
     Material,
     /// A list of tables. Each has `direction` and `angle`, or `position` and `radius`, and also
     /// `color` and `intensity`.
@@ -149,6 +149,34 @@ pub fn keys() -> Vec<Key> {
             "\"+y\"",
             "direction of the normal map's green: up (+y) or down (-y)",
         ),
+        surface("roughness", Form::Text, "", "file of the roughness map, 0 smooth to 1 rough"),
+        surface("metallic", Form::Text, "", "file of the metalness map, 1 for metal"),
+        surface(
+            "occlusion",
+            Form::Text,
+            "",
+            "file of the occlusion map, 1 for open, for light from all around",
+        ),
+        surface(
+            "orm",
+            Form::Text,
+            "",
+            "file of occlusion, roughness and metalness in red, green and blue; maps of their own replace them",
+        ),
+        surface(
+            "mask-map",
+            Form::Text,
+            "",
+            "file of metalness, occlusion and smoothness in red, green and opacity (Unity's HDRP)",
+        ),
+        surface(
+            "metallic-smoothness",
+            Form::Text,
+            "",
+            "file of metalness in red and smoothness in opacity (Unity)",
+        ),
+        surface("glossiness", Form::Text, "", "file of the glossiness map: 1 less the roughness"),
+        surface("emission", Form::Text, "", "file of the emission map, in sRGB: light of the surface itself"),
         surface(
             "mesh",
             Form::Mesh(builtins),
@@ -193,7 +221,7 @@ pub fn keys() -> Vec<Key> {
             "material",
             Form::Material,
             "",
-            "diffuse and specular colour, linear from 0 to 1, and shininess, 1 to 1024",
+            "base, roughness, metallic, emission; or diffuse, specular and shininess (1 to 1024)",
         ),
         surface("transmission", Form::Number, "0", "part of the light that is refracted, from 0 to 1"),
         surface("ior", Form::Number, "1.5", "index of refraction, from 1 to 4"),
@@ -340,6 +368,14 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
         "object" => path(&spec.object),
         "color" => path(&spec.color),
         "normal" => path(&spec.normal),
+        "roughness" => path(&spec.roughness),
+        "metallic" => path(&spec.metallic),
+        "occlusion" => path(&spec.occlusion),
+        "orm" => path(&spec.orm),
+        "mask-map" => path(&spec.mask_map),
+        "metallic-smoothness" => path(&spec.metallic_smoothness),
+        "glossiness" => path(&spec.glossiness),
+        "emission" => path(&spec.emission),
         "channel" => spec.channel.as_deref().map(quoted),
         "depth" => spec.depth.map(|flag| flag.to_string()),
         "fill" => spec.fill.map(|flag| flag.to_string()),
@@ -381,6 +417,10 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
                 material.diffuse.map(|color| format!("diffuse = {}", list(&color))),
                 material.specular.map(|color| format!("specular = {}", list(&color))),
                 material.shininess.map(|shininess| format!("shininess = {shininess}")),
+                material.base.map(|color| format!("base = {}", list(&color))),
+                material.roughness.map(|value| format!("roughness = {value:?}")),
+                material.metallic.map(|value| format!("metallic = {value:?}")),
+                material.emission.map(|color| format!("emission = {}", list(&color))),
             ];
             format!("{{ {} }}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
         }),

@@ -3,18 +3,21 @@
 use super::builder::{AMBIENT_ENVIRONMENT, DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::maps::{LoadedMesh, Maps};
+use super::material_spec::{metallic_roughness, reads_materials};
 use super::metres::{MAX_METRES, check_metres};
 use super::surface_colors::{DrawnColors, DrawnMaterial};
 use super::surface_spec::environment;
 use super::{Look, MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
-use crate::material::{Material, MaterialError};
+use crate::material::{Material, ShadingModel};
 use glam::{Vec2, Vec3};
 use relief_core::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use relief_core::object::ImageObject;
 use relief_core::{HeightMap, Wrap};
 use relief_io::{Convention, Fill, HeightOptions, HeightRange, Remark, omissions};
 use relief_object::{ObjectFile, ObjectOptions};
-use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
+use relief_shaders::{
+    AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, STAGES, Selection,
+};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -125,10 +128,11 @@ impl SurfaceSpec {
         if self.mesh_up.is_some() && !matches!(self.mesh, Some(MeshChoice::File(_))) {
             return Err(ValueProblem::Needs(MESH_OF_FILE).of("mesh-up"));
         }
+        let selection = self.selection(samples, context)?;
         Ok(Parts {
             mesh: self.placed(self.mesh_without_file([1.0, 1.0])?)?,
-            material: self.material_of(None)?,
-            selection: self.selection(samples, context)?,
+            material: self.material_of(None, &selection)?,
+            selection,
             scale_m: self.scale,
             bias_m: self.bias,
             exaggerate: self.exaggerate.unwrap_or(1.0),
@@ -170,8 +174,10 @@ impl SurfaceSpec {
             Surface::of_object(object)
         };
         let surface = surface.map_err(|error| ValueProblem::from(error).of("object"))?;
-        let diffuse = color.is_some().then(|| Material::under_colours().diffuse());
-        let material = self.material_of(diffuse)?;
+        let under = || {
+            if reads_materials(&parts.selection) { Vec3::ONE } else { Material::under_colours().diffuse() }
+        };
+        let material = self.material_of(color.is_some().then(under), &parts.selection)?;
         let mut surface = surface.with_material(material).with_selection(parts.selection);
         if let Some(color) = color {
             maps.take_picture(&color);
@@ -248,8 +254,8 @@ impl SurfaceSpec {
         let of_number = |error: ValueError| error.of_surface(number);
         let (mut parts, of_file) = match &self.mesh {
             Some(MeshChoice::File(file)) => {
-                let own =
-                    self.color.is_some() || self.material.as_ref().is_some_and(|own| own.diffuse.is_some());
+                let own = self.color.is_some()
+                    || self.material.as_ref().is_some_and(|own| own.diffuse.or(own.base).is_some());
                 // A mesh without any map needs no texture coordinates.
                 let is_bare = self.is_mesh_alone()
                     && self.project.is_none()
@@ -306,7 +312,7 @@ impl SurfaceSpec {
             Some(DrawnColors::One(material)) => Some(material.diffuse),
             _ => None,
         };
-        parts.material = self.material_of(diffuse).map_err(of_number)?;
+        parts.material = self.material_of(diffuse, &parts.selection).map_err(of_number)?;
         if let Some(path) = &self.height {
             // Each material is drawn with maps of its own.
             let times = match &drawn {
@@ -336,6 +342,9 @@ impl SurfaceSpec {
         if let Some(path) = &self.normal {
             let map = maps.normal(path, self.green.unwrap_or_default())?;
             surface = surface.with_normal_map(&map);
+        }
+        if let Some(material_maps) = maps.material(self, surface.height_map().wrap())? {
+            surface = surface.with_material_maps(material_maps);
         }
         Ok(surface)
     }
@@ -395,23 +404,6 @@ impl SurfaceSpec {
         Ok(placement)
     }
 
-    /// Returns the material. `diffuse` is the default of its diffuse colour.
-    fn material_of(&self, diffuse: Option<Vec3>) -> Result<Material, ValueError> {
-        let default = if self.color.is_some() { Material::under_colours() } else { Material::default() };
-        let spec = self.material.clone().unwrap_or_default();
-        let material = Material::new(
-            spec.diffuse.map(Vec3::from).or(diffuse).unwrap_or(default.diffuse()),
-            spec.specular.map_or(default.specular(), Vec3::from),
-            spec.shininess.unwrap_or(default.shininess()),
-        );
-        let material = material.map_err(|error| ValueProblem::from(error).of("material"))?;
-        let transmission = self.transmission.unwrap_or(default.transmission());
-        material.with_transmission(transmission, self.ior.unwrap_or(default.ior())).map_err(|error| {
-            let key = if matches!(error, MaterialError::BadIor(_)) { "ior" } else { "transmission" };
-            ValueProblem::from(error).of(key)
-        })
-    }
-
     /// Returns the variants of all stages. With several samples per pixel, minified maps are
     /// filtered, too, if the search's maps can have levels of detail.
     fn selection(&self, samples: u32, context: &SceneContext) -> Result<Selection, ValueError> {
@@ -448,6 +440,12 @@ impl SurfaceSpec {
         if let Some(detail) = detail {
             selection.choose(STAGES[DETAIL].key, detail).map_err(of_selection)?;
         }
+        let model = self.shading_model()?;
+        let is_rough =
+            model.map_or(context.look.shades_materials(), |model| model == ShadingModel::MetallicRoughness);
+        if is_rough {
+            selection.choose(STAGES[SHADE].key, metallic_roughness()).map_err(of_selection)?;
+        }
         let sees_environment = context.has_environment || self.asks_for_environment();
         if sees_environment {
             selection.choose(STAGES[AMBIENT].key, environment()).map_err(of_selection)?;
@@ -476,7 +474,8 @@ impl SurfaceSpec {
                 selection.set(key, self.set[key]).map_err(of_selection)?;
             }
         }
-        if self.ior.is_some_and(|ior| ior != Material::default().ior()) && !selection.sees_environment() {
+        let is_read = selection.sees_environment() || reads_materials(&selection);
+        if self.ior.is_some_and(|ior| ior != Material::default().ior()) && !is_read {
             return Err(ValueProblem::Needs(&AMBIENT_ENVIRONMENT).of("ior"));
         }
         if !selection.uses(SHADOW_SEARCH) {

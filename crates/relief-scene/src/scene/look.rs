@@ -5,12 +5,14 @@ use std::str::FromStr;
 
 use glam::{DVec3, Vec3};
 use relief_core::registry::UnknownName;
-use relief_shaders::{AMBIENT, Choice, SHADOW, STAGES, Selection};
+use relief_shaders::{AMBIENT, Choice, SHADE, SHADOW, STAGES, Selection};
 
 use super::framing::Framing;
+use super::material_spec::metallic_roughness;
 use super::{Surface, View};
 use crate::background::Background;
 use crate::light::{Light, LightError, SUN_DEG};
+use crate::material::ShadingModel;
 use crate::tone::Tone;
 use relief_core::camera::Camera;
 
@@ -54,6 +56,9 @@ pub(crate) struct LookParts {
     /// Whether surfaces without a named ambient variant see a sky above and ground below, as far as
     /// the relief leaves them open. Otherwise the ambient light is constant.
     has_sky: bool,
+    /// Whether surfaces without a named shading and without values of another one are shaded by
+    /// roughness and metalness.
+    shades_materials: bool,
     /// Whether surfaces cast shadows on each other if there are several.
     is_shared: bool,
     pub background: Background,
@@ -94,7 +99,7 @@ impl Look {
     /// Default look of pictures and scene files.
     pub const OF_PICTURES: Look = Look::Studio;
 
-    /// Returns the name used on the command line and in scene files.
+    /// Returns the name of this look, as files and the command spell it: `studio` to `plain`.
     pub const fn name(self) -> &'static str {
         match self {
             Look::Studio => "studio",
@@ -123,6 +128,7 @@ impl Look {
             }),
             ambient: Vec3::new(0.42, 0.51, 0.64),
             has_sky: true,
+            shades_materials: true,
             is_shared: true,
             background: Background::GRADIENT,
             exposure: 0.0,
@@ -147,6 +153,7 @@ impl Look {
                 key: Some(KeyLight { toward: PLAIN_LIGHT, of_camera: false, irradiance: Vec3::ONE }),
                 ambient: Vec3::splat(0.12),
                 has_sky: false,
+                shades_materials: false,
                 is_shared: false,
                 background: Background::Color(Vec3::splat(0.05)),
                 exposure: 0.0,
@@ -155,6 +162,12 @@ impl Look {
                 framing: Framing::Volume,
             },
         }
+    }
+
+    /// Returns whether materials that suit all shading models are shaded by roughness and
+    /// metalness.
+    pub(super) fn shades_materials(self) -> bool {
+        self.parts().shades_materials
     }
 
     /// Sets this look's sky in a selection without a named ambient variant, at a resolution for a
@@ -174,12 +187,21 @@ impl Look {
         }
     }
 
-    /// Sets sky and shadows for surfaces made by programs. Their first variants count as not named.
+    /// Sets shading, sky and shadows for surfaces made by programs. Their first variants count as not
+    /// named.
     pub(super) fn adapt(self, surfaces: &mut [Surface], size: [u32; 2]) {
         let several = surfaces.len() > 1;
         for surface in surfaces {
             let mut selection = *surface.selection();
-            let [is_free, is_alone] = [AMBIENT, SHADOW].map(|stage| selection.choices[stage].number == 0);
+            let [is_free, is_alone, is_unshaded] =
+                [AMBIENT, SHADOW, SHADE].map(|stage| selection.choices[stage].number == 0);
+            let is_rough = match surface.material().model() {
+                Some(model) => model == ShadingModel::MetallicRoughness,
+                None => self.shades_materials(),
+            };
+            if is_unshaded && is_rough {
+                choose(&mut selection, SHADE, &[metallic_roughness()]);
+            }
             if is_free {
                 self.light_from_sky(&mut selection, surface.height_map().scale_m() > 0.0, size);
             }

@@ -1,12 +1,13 @@
 //! Reader of a scene's files. It reads each file once, within the memory limit.
 
-use super::SceneError;
+use super::{SceneError, SurfaceSpec};
 use crate::environment::Environment;
+use crate::material_maps::{MaterialMap, MaterialMapError, MaterialMaps, MaterialPictures};
 use relief_core::mesh::{Mesh, UvProjection};
-use relief_core::{ByteSize, HeightMap};
+use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{
-    GreenSign, HeightFile, HeightOptions, MeshColors, MeshOptions, NormalMap, Picture, ReadError, ReadNote,
-    ReadProblem, Remark, Up,
+    Curve, GreenSign, HeightFile, HeightOptions, MeshColors, MeshOptions, NormalMap, Picture, ReadError,
+    ReadNote, ReadProblem, Remark, Up,
 };
 use relief_shaders::Selection;
 use std::path::{Path, PathBuf};
@@ -48,6 +49,7 @@ pub struct Maps {
     heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
     colors: Vec<(PathBuf, Arc<Picture>)>,
     meshes: Vec<(PathBuf, MeshOptions, LoadedMesh)>,
+    materials: Vec<([Option<PathBuf>; MaterialMap::ALL.len()], Wrap, Arc<MaterialMaps>)>,
     /// Notes of the file readers.
     notes: Vec<ReadNote>,
 }
@@ -55,7 +57,15 @@ pub struct Maps {
 impl Maps {
     /// Creates a reader with `left` bytes for maps, out of the whole limit.
     pub fn new(limit: ByteSize, left: u64) -> Self {
-        Self { limit, left, heights: Vec::new(), colors: Vec::new(), meshes: Vec::new(), notes: Vec::new() }
+        Self {
+            limit,
+            left,
+            heights: Vec::new(),
+            colors: Vec::new(),
+            meshes: Vec::new(),
+            materials: Vec::new(),
+            notes: Vec::new(),
+        }
     }
 
     /// Notes of the file readers.
@@ -144,6 +154,46 @@ impl Maps {
         self.note(path);
         self.spend((read + converted) * u64::from(map.width) * u64::from(map.height));
         Ok(map)
+    }
+
+    /// Reads the material maps of a surface whose maps have that wrap. `None` if it has none.
+    pub(super) fn material(
+        &mut self,
+        spec: &SurfaceSpec,
+        wrap: Wrap,
+    ) -> Result<Option<Arc<MaterialMaps>>, SceneError> {
+        let files = spec.material_files().map(|(_, file)| file.clone());
+        if files.iter().all(Option::is_none) {
+            return Ok(None);
+        }
+        if let Some((.., known)) = self.materials.iter().find(|(of, with, _)| (of, *with) == (&files, wrap)) {
+            return Ok(Some(Arc::clone(known)));
+        }
+        let mut pictures = MaterialPictures::default();
+        for ((what, file), picture) in MaterialMap::ALL.into_iter().zip(&files).zip(&mut pictures) {
+            let Some(path) = file else { continue };
+            let curve = if what == MaterialMap::Emission { Curve::Srgb } else { Curve::Linear };
+            let read = relief_io::read_picture_as(path, curve, self.left).map_err(SceneError::Picture)?;
+            self.note(path);
+            self.spend(READ_BYTES * u64::from(read.width) * u64::from(read.height));
+            *picture = Some(read);
+        }
+        let size = MaterialMaps::size_of(&pictures);
+        let texels = u64::from(size[0]) * u64::from(size[1]);
+        let needed = MaterialMaps::BYTES_PER_TEXEL * texels;
+        if needed > self.left {
+            let path = files.iter().flatten().next().cloned().unwrap_or_default();
+            let source = MaterialMapError::Memory { needed: ByteSize(needed), left: ByteSize(self.left) };
+            return Err(SceneError::MaterialMap { path, source });
+        }
+        self.spend(needed);
+        let maps = MaterialMaps::new(&pictures, wrap).map_err(|(what, source)| {
+            let path = files[what as usize].clone().unwrap_or_default();
+            SceneError::MaterialMap { path, source }
+        })?;
+        let maps = Arc::new(maps);
+        self.materials.push((files, wrap, Arc::clone(&maps)));
+        Ok(Some(maps))
     }
 
     /// Subtracts the memory of a normal map that has been read.

@@ -5,6 +5,7 @@ use super::color_place::ColorPlace;
 use super::load_surface::stated_scale_m;
 use super::surface_colors::{DrawnMaterial, SurfaceColors};
 use crate::material::Material;
+use crate::material_maps::MaterialMaps;
 use relief_core::mesh::Mesh;
 use relief_core::{HeightMap, Metric};
 use relief_io::{MeshColors, MeshMaterial, NormalMap, Picture};
@@ -24,6 +25,7 @@ pub struct Surface {
     height_map: Arc<HeightMap>,
     color: Option<Arc<Picture>>,
     normal_map: Option<Arc<Picture>>,
+    material_maps: Option<Arc<MaterialMaps>>,
     selection: Selection,
     material: Material,
     two_sided: bool,
@@ -47,6 +49,7 @@ impl Surface {
             height_map: height_map.into(),
             color: None,
             normal_map: None,
+            material_maps: None,
             selection: Selection::exact(),
             material: Material::default(),
             two_sided: false,
@@ -183,6 +186,13 @@ impl Surface {
         Self { normal_map: Some(Arc::new(picture)), ..self }
     }
 
+    /// Sets maps that multiply the material's values. They have the colour picture's coordinates and
+    /// wrap. Shadings other than `metallic-roughness` ignore them.
+    #[must_use]
+    pub fn with_material_maps(self, maps: impl Into<Arc<MaterialMaps>>) -> Self {
+        Self { material_maps: Some(maps.into()), ..self }
+    }
+
     /// Sets the variants of all stages: how the first hit is found and how it is shaded.
     #[must_use]
     pub fn with_selection(self, selection: Selection) -> Self {
@@ -255,6 +265,11 @@ impl Surface {
     /// falling `v`, `z` out of the surface.
     pub fn normal_map(&self) -> Option<&Arc<Picture>> {
         self.normal_map.as_ref()
+    }
+
+    /// Returns the maps of the material, if there are any.
+    pub fn material_maps(&self) -> Option<&Arc<MaterialMaps>> {
+        self.material_maps.as_ref()
     }
 
     /// Returns the variants of all stages: how the first hit is found and how it is shaded.

@@ -1,8 +1,8 @@
 //! Descriptions of surfaces, as in scene files. Missing values have defaults.
 
-use super::MeshChoice;
 use super::keys::{length, lengths, numbers, parsed, range};
 use super::settings::settings;
+use super::{MaterialSpec, MeshChoice};
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
 use relief_io::{GivenUnits, GreenSign, HeightRange, RawLayout, Up};
@@ -84,6 +84,31 @@ pub struct SurfaceSpec {
     /// Direction of the normal map's green: `+y` (default) up in the picture, `-y` down.
     #[serde(deserialize_with = "parsed")]
     pub green: Option<GreenSign>,
+    /// File of the roughness map, in its first channel: 0 is smooth, 1 rough. Default: none.
+    ///
+    /// This and the maps that follow need the shading `metallic-roughness`. They hold plain
+    /// numbers, not colours, and have the colour map's coordinates and wrap.
+    pub roughness: Option<PathBuf>,
+    /// File of the metalness map, in its first channel: 1 is metal. Default: none.
+    pub metallic: Option<PathBuf>,
+    /// File of the occlusion map, in its first channel: the part of the light from all around that
+    /// arrives. Default: none.
+    pub occlusion: Option<PathBuf>,
+    /// File of occlusion, roughness and metalness in red, green and blue. Engines call it ORM or
+    /// ARM. A map of its own replaces a channel. Default: none.
+    pub orm: Option<PathBuf>,
+    /// File of the mask map of Unity's HDRP: metalness in red, occlusion in green, smoothness in
+    /// opacity. Default: none.
+    pub mask_map: Option<PathBuf>,
+    /// File of metalness in red and smoothness in opacity, as in Unity's standard material.
+    /// Default: none.
+    pub metallic_smoothness: Option<PathBuf>,
+    /// File of the glossiness or smoothness map, in its first channel: 1 less the roughness. Default:
+    /// none.
+    pub glossiness: Option<PathBuf>,
+    /// File of the emission map, a picture in sRGB: the light that the surface gives by itself.
+    /// Default: none.
+    pub emission: Option<PathBuf>,
     /// Size of a tile in metres along `u` and `v`. Default: as the height map's file states,
     /// otherwise such that texels are square.
     #[serde(deserialize_with = "lengths")]
@@ -135,22 +160,6 @@ pub struct SurfaceSpec {
     pub ior: Option<f32>,
     /// Whether triangles seen from behind are drawn. Default: `false`.
     pub two_sided: Option<bool>,
-}
-
-/// Description of a Blinn-Phong material. Missing values come from
-/// [`Material::default`](crate::material::Material::default), except that the diffuse colour under
-/// a colour map is 0.8.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
-pub struct MaterialSpec {
-    /// Linear diffuse colour, each part from 0 to 1.
-    #[serde(deserialize_with = "numbers")]
-    pub diffuse: Option<[f32; 3]>,
-    /// Linear specular colour, each part from 0 to 1.
-    #[serde(deserialize_with = "numbers")]
-    pub specular: Option<[f32; 3]>,
-    /// Exponent of the highlight, a whole number from 1 to 1024.
-    pub shininess: Option<u32>,
 }
 
 /// Returns the name of the ambient variant that reads the environment map.
@@ -225,6 +234,14 @@ impl SurfaceSpec {
             color: over.color.or(self.color),
             normal: over.normal.or(self.normal),
             green: over.green.or(self.green),
+            roughness: over.roughness.or(self.roughness),
+            metallic: over.metallic.or(self.metallic),
+            occlusion: over.occlusion.or(self.occlusion),
+            orm: over.orm.or(self.orm),
+            mask_map: over.mask_map.or(self.mask_map),
+            metallic_smoothness: over.metallic_smoothness.or(self.metallic_smoothness),
+            glossiness: over.glossiness.or(self.glossiness),
+            emission: over.emission.or(self.emission),
             mesh: over.mesh.or(self.mesh),
             project: over.project.or(self.project),
             mesh_up: over.mesh_up.or(self.mesh_up),
@@ -236,7 +253,10 @@ impl SurfaceSpec {
             method: over.method.or(self.method),
             stages,
             set,
-            material: over.material.or(self.material),
+            material: match (self.material, over.material) {
+                (Some(own), Some(over)) => Some(own.overridden_by(over)),
+                (own, over) => over.or(own),
+            },
             transmission: over.transmission.or(self.transmission),
             ior: over.ior.or(self.ior),
             two_sided: over.two_sided.or(self.two_sided),
@@ -249,9 +269,23 @@ impl SurfaceSpec {
             Some(MeshChoice::File(path)) => Some(path),
             _ => None,
         };
-        [self.height.as_ref(), self.object.as_ref(), self.color.as_ref(), self.normal.as_ref(), mesh]
-            .into_iter()
-            .flatten()
+        [
+            self.height.as_ref(),
+            self.object.as_ref(),
+            self.color.as_ref(),
+            self.normal.as_ref(),
+            self.roughness.as_ref(),
+            self.metallic.as_ref(),
+            self.occlusion.as_ref(),
+            self.orm.as_ref(),
+            self.mask_map.as_ref(),
+            self.metallic_smoothness.as_ref(),
+            self.glossiness.as_ref(),
+            self.emission.as_ref(),
+            mesh,
+        ]
+        .into_iter()
+        .flatten()
     }
 
     /// Returns the paths of all files for changing them.
@@ -260,9 +294,23 @@ impl SurfaceSpec {
             Some(MeshChoice::File(path)) => Some(path),
             _ => None,
         };
-        [self.height.as_mut(), self.object.as_mut(), self.color.as_mut(), self.normal.as_mut(), mesh]
-            .into_iter()
-            .flatten()
+        [
+            self.height.as_mut(),
+            self.object.as_mut(),
+            self.color.as_mut(),
+            self.normal.as_mut(),
+            self.roughness.as_mut(),
+            self.metallic.as_mut(),
+            self.occlusion.as_mut(),
+            self.orm.as_mut(),
+            self.mask_map.as_mut(),
+            self.metallic_smoothness.as_mut(),
+            self.glossiness.as_mut(),
+            self.emission.as_mut(),
+            mesh,
+        ]
+        .into_iter()
+        .flatten()
     }
 
     /// Drops everything about the relief. Placement, material, shadow and ambient light stay.
@@ -300,6 +348,14 @@ impl SurfaceSpec {
             ("color", self.color.is_some()),
             ("normal", self.normal.is_some()),
             ("green", self.green.is_some()),
+            ("roughness", self.roughness.is_some()),
+            ("metallic", self.metallic.is_some()),
+            ("occlusion", self.occlusion.is_some()),
+            ("orm", self.orm.is_some()),
+            ("mask-map", self.mask_map.is_some()),
+            ("metallic-smoothness", self.metallic_smoothness.is_some()),
+            ("glossiness", self.glossiness.is_some()),
+            ("emission", self.emission.is_some()),
             ("tile-size", self.tile_size.is_some()),
             ("mesh", self.mesh.is_some()),
             ("project", self.project.is_some()),

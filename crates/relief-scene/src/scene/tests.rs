@@ -2,6 +2,7 @@ mod listed_keys;
 mod loading;
 mod looks;
 mod map_size;
+mod materials;
 mod overriding;
 mod proportions;
 
@@ -70,6 +71,14 @@ creases = true
 color = "/somewhere/b.png"
 normal = "c.png"
 green = "-y"
+roughness = "r.png"
+metallic = "m.png"
+occlusion = "o.png"
+orm = "orm.png"
+mask-map = "mask.png"
+metallic-smoothness = "ms.png"
+glossiness = "gloss.png"
+emission = "e.png"
 mesh = "meshes/column.glb"
 project = "box"
 mesh-up = "z"
@@ -79,7 +88,7 @@ position = [0, -0.5, 0]
 rotation = [90, 0, 0]
 search = "linear"
 refine = "binary"
-shade = "blinn-phong"
+shade = "metallic-roughness"
 shadow = "soft"
 shadow-search = "frustum"
 set.search.steps = 64
@@ -102,7 +111,7 @@ environment = "sky/noon.hdr"
 transmission = 0.25
 ior = 1.33
 ambient-color = [0.1, 0.1, 0.2]
-material = { diffuse = [0.5, 0.6, 0.7], specular = [0, 0, 0], shininess = 100 }
+material = { base = [0.5, 0.6, 0.7], roughness = 0.25, metallic = 1, emission = [4, 0, 0.5] }
 background = [0, 0, 1]
 backend = "cpu"
 sampling = "fast"
@@ -139,6 +148,14 @@ fn every_key_is_read() {
         color: Some(PathBuf::from("/somewhere/b.png")),
         normal: Some(folder.path().join("c.png")),
         green: "-y".parse().ok(),
+        roughness: Some(folder.path().join("r.png")),
+        metallic: Some(folder.path().join("m.png")),
+        occlusion: Some(folder.path().join("o.png")),
+        orm: Some(folder.path().join("orm.png")),
+        mask_map: Some(folder.path().join("mask.png")),
+        metallic_smoothness: Some(folder.path().join("ms.png")),
+        glossiness: Some(folder.path().join("gloss.png")),
+        emission: Some(folder.path().join("e.png")),
         mesh: Some(MeshChoice::File(folder.path().join("meshes/column.glb"))),
         project: Some(UvProjection::Box),
         mesh_up: Some(relief_io::Up::Z),
@@ -151,16 +168,18 @@ fn every_key_is_read() {
         stages: stages([
             ("search", "linear"),
             ("refine", "binary"),
-            ("shade", "blinn-phong"),
+            ("shade", "metallic-roughness"),
             ("shadow", "soft"),
             ("shadow-search", "frustum"),
             ("ambient", "environment"),
         ]),
         set: settings.into_iter().collect(),
         material: Some(MaterialSpec {
-            diffuse: Some([0.5, 0.6, 0.7]),
-            specular: Some([0.0; 3]),
-            shininess: Some(100),
+            base: Some([0.5, 0.6, 0.7]),
+            roughness: Some(0.25),
+            metallic: Some(1.0),
+            emission: Some([4.0, 0.0, 0.5]),
+            ..MaterialSpec::default()
         }),
         transmission: Some(0.25),
         ior: Some(1.33),
@@ -274,7 +293,7 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
         ("transmission = 1.5", "transmission"),
         ("transmission = nan", "transmission"),
         ("ior = 0.9", "ior"),
-        ("ior = 2\nambient = 'occlusion'", "ior"),
+        ("ior = 2\nshade = 'blinn-phong'\nambient = 'occlusion'", "ior"),
         ("transmission = 1\nambient = 'constant'", "transmission"),
         ("environment = 'sky.exr'\nambient = 'bounce'", "environment"),
         ("set.ambient.intensity = -1\nambient = 'environment'", "set"),

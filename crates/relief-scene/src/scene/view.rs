@@ -34,7 +34,7 @@ impl View {
     /// All views, in the order in which help lists them.
     pub const ALL: [View; 5] = [View::Corner, View::ThreeQuarter, View::Top, View::Front, View::Right];
 
-    /// Returns the name used on the command line and in scene files.
+    /// Returns the name of this view, as files and the command spell it: `corner` to `right`.
     pub const fn name(self) -> &'static str {
         match self {
             View::Corner => "corner",

@@ -57,6 +57,7 @@ impl<'a> MethodTracer<'a> {
             hole_map: HoleTexture::new(None),
             color_map: ColorTexture::BLANK,
             normal_map: ColorTexture::BLANK,
+            material_map: ColorTexture::BLANK,
             maps,
         });
         Self { program, levels }

@@ -64,6 +64,8 @@ pub struct Bound<'a> {
     pub color_map: ColorTexture<'a>,
     /// Normals in tangent space.
     pub normal_map: ColorTexture<'a>,
+    /// Occlusion, roughness and metalness in the first layer, linear emission in the second.
+    pub material_map: ColorTexture<'a>,
     /// Baked maps in their slots.
     pub maps: SlotMaps<'a>,
 }

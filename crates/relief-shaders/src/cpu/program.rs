@@ -2,7 +2,7 @@
 
 use relief_core::Lanes;
 
-use super::generated::Resources;
+use super::generated::{Material, Resources};
 use super::lanes::{
     self, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, Task, TriangleRays,
 };
@@ -122,6 +122,38 @@ impl<'a> Program<'a> {
     #[inline]
     pub fn trace(&self, path: Path) -> Hit {
         self.0.trace(path)
+    }
+
+    /// Returns the linear light that the selected shading reflects toward an eye in direction
+    /// `view`, under an irradiance of 1 from direction `toward`. The directions are unit vectors.
+    /// `color` is the colour map's, `uv` the place in the material maps. The surface's own light
+    /// and the light from all around are left out.
+    pub fn reflected(
+        &self,
+        color: [f32; 3],
+        uv: [f32; 2],
+        [normal, view, toward]: [[f32; 3]; 3],
+    ) -> Vec3<f32> {
+        let material = self.material(color, uv, [normal, view]);
+        let cosine = (normal[0] * toward[0] + normal[1] * toward[1]) + normal[2] * toward[2];
+        self.0.shade_light_stage(material, normal, 1.0, cosine.max(0.0), view, toward)
+    }
+
+    /// Returns the linear light that the selected shading reflects toward an eye in direction
+    /// `view`, under a light of 1 that is the same from all around. See [`Program::reflected`].
+    pub fn reflected_from_around(
+        &self,
+        color: [f32; 3],
+        uv: [f32; 2],
+        directions: [[f32; 3]; 2],
+    ) -> Vec3<f32> {
+        self.material(color, uv, directions).around
+    }
+
+    fn material(&self, color: [f32; 3], uv: [f32; 2], [normal, view]: [[f32; 3]; 2]) -> Material {
+        let at = EnteredBlock::default().get(0);
+        let hit = Hit { uv: uv.into(), ..HitBlock::default().get(0) };
+        self.0.shade_material_stage(at, hit, normal, 1.0, view, color)
     }
 
     /// Runs search and refinement in SIMD lanes on the paths of a block that `which` has bits for.

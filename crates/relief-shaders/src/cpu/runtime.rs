@@ -119,7 +119,7 @@ impl super::generated::Resources<'_> {
             &self.detail_map,
             &self.environment_map,
         ];
-        let colors = [&self.color_map, &self.normal_map];
+        let colors = [&self.color_map, &self.normal_map, &self.material_map];
         maps.iter().all(|map| map.has_places_of_32_bits())
             && colors.iter().all(|map| map.has_places_of_32_bits())
     }

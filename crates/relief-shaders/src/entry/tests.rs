@@ -2,7 +2,7 @@ use std::path::Path;
 
 use super::*;
 use crate::stages::{
-    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
+    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
     stage,
 };
 use crate::surface::Shown;
@@ -47,6 +47,9 @@ fn faults(stages: &[Stage]) -> Vec<String> {
         if place == AMBIENT {
             count("lights of the surroundings", 1, Entry::sees_surroundings);
         }
+        if place == SHADE {
+            count("shadings that read materials", 1, Entry::reads_materials);
+        }
         if place == SHADOW {
             use ShadowRole::{LightViews, ThroughScene, ToLights};
             count("shadows by rays", 1, |it| matches!(it.shadow(), Some(ToLights { rays: None })));
@@ -76,6 +79,7 @@ fn fits(entry: &Entry, place: usize) -> bool {
         Role::Flattened => place == DETAIL,
         Role::Tracing(_) => [SEARCH, REFINE, SHADOW_SEARCH].contains(&place),
         Role::Shadow(_) => place == SHADOW,
+        Role::ReadsMaterials => place == SHADE,
         Role::Surroundings => place == AMBIENT,
     }
 }
@@ -156,6 +160,8 @@ fn a_wrong_role_is_found() {
         with_role("object", "depth", Role::Plain),
         with_role("ambient", "environment", Role::Plain),
         with_role("shade", "blinn-phong", Role::Idle),
+        with_role("shade", "metallic-roughness", Role::Plain),
+        with_role("shadow", "ray", Role::ReadsMaterials),
     ];
     for (number, stages) in wrong.iter().enumerate() {
         assert!(!faults(stages).is_empty(), "mutation {number} is not found");

@@ -6,6 +6,7 @@ use crate::SURVEY;
 use crate::entry::Entry;
 
 mod blinn_phong;
+mod metallic_roughness;
 
 /// All shadings, in the order of their numbers in the shaders.
-pub static ENTRIES: &[Entry] = &[blinn_phong::ENTRY];
+pub static ENTRIES: &[Entry] = &[blinn_phong::ENTRY, metallic_roughness::ENTRY];

@@ -129,6 +129,7 @@ fn texels(name: &str, job: &Job) -> Texels {
         }
         ("color_map", _) => picture(surface.color.as_deref()),
         ("normal_map", _) => picture(surface.normal_map.as_deref()),
+        ("material_map", _) => picture(surface.material_maps.as_deref()),
         ("hole_map", _) => blank(TextureFormat::R8Unorm),
         (_, Some((_, map))) => {
             let layout = map.layout();

@@ -85,7 +85,8 @@ structs! {
         choices, maps, diffuse, specular, height_size, color_size, normal_size, height_levels, color_levels,
         normal_levels, color_texels, normal_texels, normal_tile_m, wrap, shininess, has_color, has_normal,
         has_holes, has_creases, has_vertex_normals, has_shadows, scale_m, bias_m, shell_m, mean_height,
-        transmission, ior, number, environment_side, environment_levels, images, solids,
+        transmission, ior, number, emission, material_size, material_levels, material_texels, roughness,
+        metallic, has_material, environment_side, environment_levels, images, solids,
         cells, jump, color_u, color_v, color_wrap_u, color_wrap_v, cutoff,
     }
     Light { place, color, first_view, views }

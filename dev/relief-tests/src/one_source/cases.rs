@@ -151,6 +151,7 @@ pub fn bare_surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMa
         height_map: map,
         color: None,
         normal_map: None,
+        material_maps: None,
         maps: in_slots(&selection, maps),
         two_sided: false,
     }

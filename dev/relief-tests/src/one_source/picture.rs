@@ -9,6 +9,7 @@ use relief_core::{Metric, Wrap};
 use relief_render::job::{Job, JobSurface, LightViews, Rendering, uncovered};
 use relief_render::mipmaps::Mipmaps;
 use relief_scene::environment::Environment;
+use relief_scene::material_maps::{MaterialMap, MaterialMaps, MaterialPictures};
 use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, Shell, SurfaceSettings, Triangle};
 use relief_shaders::{MapSlot, Selection};
 use relief_testing::maps;
@@ -37,6 +38,7 @@ pub struct Variation<'a> {
 
 const NORMALS: [u32; 2] = [5, 3];
 const COLORS: [u32; 2] = [3, 2];
+const MATERIALS: [u32; 2] = [4, 3];
 
 impl Picture {
     /// Scene in a picture of the given columns and rows.
@@ -93,6 +95,15 @@ impl Picture {
         // Derived normals begin with the second level.
         let normal_levels =
             normals.as_ref().map_or(1, |normals| normals.levels() + u32::from(!variation.normal_map));
+        let texel = |at: u32| std::array::from_fn(|part| (at as f32 * 0.37 + part as f32 * 0.21).fract());
+        let mut pictures = MaterialPictures::default();
+        for kind in [MaterialMap::Packed, MaterialMap::Emission] {
+            let texels = (0..MATERIALS[0] * MATERIALS[1]).map(texel).collect();
+            pictures[kind as usize] =
+                Some(relief_io::Picture { width: MATERIALS[0], height: MATERIALS[1], texels });
+        }
+        let materials = MaterialMaps::new(&pictures, variation.wrap).expect("maps of a material");
+        let materials = Arc::new(Mipmaps::of_materials(&materials, true));
         let mut held = in_slots(selection, baked);
         if selection.sees_environment() {
             held.push((MapSlot::Environment, Arc::clone(Environment::sky().map())));
@@ -107,6 +118,13 @@ impl Picture {
             normal_levels,
             color_texels: 0.25,
             normal_texels: if variation.normal_map { 0.125 } else { 1.0 },
+            emission: [0.1, 0.2, 0.1, 0.0].into(),
+            material_size: MATERIALS.into(),
+            material_levels: materials.levels(),
+            material_texels: 0.25,
+            roughness: 0.7,
+            metallic: 0.9,
+            has_material: 3,
             shininess: 20,
             has_color: 1,
             has_normal: u32::from(variation.normal_map),
@@ -121,6 +139,7 @@ impl Picture {
             height_map: Arc::new(map),
             color: Some(color),
             normal_map: normals,
+            material_maps: Some(materials),
             maps: held,
             two_sided: variation.two_sided,
         };

@@ -6,14 +6,19 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use relief_core::rng::Rng;
 use relief_core::{HeightMap, Lanes, MapFormat, TexelMask, Wrap};
+use relief_io::Picture;
 use relief_render::job::JobSurface;
+use relief_render::mipmaps::Mipmaps;
 use relief_scene::environment::Environment;
+use relief_scene::material_maps::{MaterialMap, MaterialMaps, MaterialPictures};
 use relief_shaders::cpu::{
     BLOCK, EnteredBlock, Frame, HitBlock, Light, LightPoint, PathBlock, PixelIn, PixelOutBlock, Program, Row,
     SurfaceSettings, Triangle, TriangleRays, Vec4,
 };
 use relief_shaders::surface::{ENTRIES, Proposal};
-use relief_shaders::{AMBIENT, DETAIL, MAX_LIGHTS, MapSlot, SHADOW, SLICES, STAGES, SURFACE, Selection};
+use relief_shaders::{
+    AMBIENT, DETAIL, MAX_LIGHTS, MapSlot, SHADE, SHADOW, SLICES, STAGES, SURFACE, Selection,
+};
 use relief_testing::maps;
 use relief_tests::baked::maps_in;
 use relief_tests::one_source::cases::bare_surface;
@@ -137,6 +142,7 @@ fn surface(surface: usize, detail: usize, number: usize, named: &maps::NamedMap)
         (DETAIL, STAGES[DETAIL].entries[detail].name),
         (SHADOW, shadows[number % shadows.len()]),
         (AMBIENT, ambients[number / 2 % ambients.len()]),
+        (SHADE, STAGES[SHADE].entries[number % STAGES[SHADE].entries.len()].name),
     ];
     for (stage, name) in chosen {
         selection.choose(STAGES[stage].key, name).expect("a listed name");
@@ -160,9 +166,28 @@ fn surface(surface: usize, detail: usize, number: usize, named: &maps::NamedMap)
     made.settings.diffuse = [0.7, 0.6, 0.5, 0.0].into();
     made.settings.specular = [0.2, 0.3, 0.4, 0.0].into();
     made.settings.shininess = [1, 30, 999][number % 3];
+    let (materials, size) = material_maps(wrap);
+    made.settings.emission = [0.2, 0.1, 0.3, 0.0].into();
+    made.settings.roughness = [0.0, 0.5, 1.0][number % 3];
+    made.settings.metallic = 0.8;
+    made.settings.has_material = (number / 2 % 4) as u32;
+    (made.settings.material_size, made.settings.material_levels) = (size.into(), materials.levels());
+    made.material_maps = Some(Arc::new(materials));
     made.settings.has_creases = u32::from(number.is_multiple_of(2));
     made.settings.has_holes = u32::from(number.is_multiple_of(3));
     Some(made)
+}
+
+/// Maps of a material with all kinds, with their levels and their size.
+fn material_maps(wrap: Wrap) -> (Mipmaps, [u32; 2]) {
+    let texel = |at: u32| std::array::from_fn(|part| (at as f32 * 0.37 + part as f32 * 0.21).fract());
+    let picture = || Some(Picture { width: 5, height: 3, texels: (0..15).map(texel).collect() });
+    let mut pictures = MaterialPictures::default();
+    for kind in [MaterialMap::Packed, MaterialMap::Emission] {
+        pictures[kind as usize] = picture();
+    }
+    let maps = MaterialMaps::new(&pictures, wrap).expect("maps of a material");
+    (Mipmaps::of_materials(&maps, true), maps.size())
 }
 
 /// The map with a texel in seven that is a hole.

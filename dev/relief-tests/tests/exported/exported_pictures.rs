@@ -16,8 +16,9 @@ use relief_tests::spheres::{CUBE, eyes_on_spheres};
 /// Columns and rows: 100,000 rays.
 const SIZE: [u32; 2] = [400, 250];
 
-fn selection(method: &str, surface: &str, shadow: &str, ambient: &str) -> Selection {
+fn selection([method, surface, shadow, ambient, shade]: [&str; 5]) -> Selection {
     let mut selection = Selection::method(method).expect("a method");
+    selection.choose("shade", shade).expect("a shading");
     selection.choose("surface", surface).expect("a surface");
     selection.choose("shadow", shadow).expect("a shadow");
     selection.choose("ambient", ambient).expect("an ambient light");
@@ -28,13 +29,6 @@ fn picture(selection: &Selection, wrap: Wrap) -> Picture {
     let variation = Variation { selection, wrap, normal_map: false, two_sided: true };
     Picture::new(SIZE[0], SIZE[1], &variation)
 }
-
-const CASES: [(&str, &str, &str, &str, Wrap); 4] = [
-    ("cone", "plane", "ray", "constant", Wrap::Repeat),
-    ("relief", "plane", "heuristic", "constant", Wrap::Mirror),
-    ("exact", "plane", "horizon", "occlusion", Wrap::Clamp),
-    ("relief", "prism", "none", "constant", Wrap::Repeat),
-];
 
 #[test]
 fn an_export_of_an_object_gives_the_bits_of_the_renderer() {
@@ -56,37 +50,57 @@ fn an_export_of_an_object_gives_the_bits_of_the_renderer() {
     assert!(compare(&own, &drawn).bits > 0);
 }
 
-#[test]
-fn an_export_bound_by_its_manifest_gives_the_bits_of_the_renderer() {
+/// Draws the export of a method, surface, shadow, ambient light and shading in all languages, bound by
+/// nothing but its manifest, and compares it with the renderer's picture.
+fn gives_the_bits_of_the_renderer(names: [&str; 5], wrap: Wrap) {
     let Some(device) = device() else { return };
     let mut languages = vec![Language::Wgsl, Language::Spirv];
     if compilers::are_there() {
         languages.extend([Language::Glsl, Language::Hlsl]);
     }
-    for (method, surface, shadow, ambient, wrap) in CASES {
-        let selection = selection(method, surface, shadow, ambient);
-        let picture = picture(&selection, wrap);
-        let own = rendered(&device, picture.job());
-        let check = |export: &Exported, language| {
-            let drawn = draw(&device, export, picture.job(), language);
-            let Difference { bits, far, covered } = compare(&own, &drawn);
-            assert!(covered > 25_000, "{covered}");
-            println!("{method} {surface} in {language:?}: {bits} and {far} of {covered} pixels differ");
-            // The compiler of HLSL rounds otherwise: a ray at an edge may meet the other side of it.
-            let is_same = if language == Language::Hlsl { far <= 50 } else { bits == 0 };
-            assert!(is_same, "{method} {surface} in {language:?}: {bits}, {far}");
-        };
-        check(&exported(&selection, None), Language::Wgsl);
-        // The device numbers its bindings one after the other, whatever numbers are given.
-        let export = exported(&selection, Some(Placement { group: 0, first_binding: 0 }));
-        languages.iter().for_each(|language| check(&export, *language));
-    }
+    let ([method, surface, ..], selection) = (names, selection(names));
+    let picture = picture(&selection, wrap);
+    let own = rendered(&device, picture.job());
+    let check = |export: &Exported, language| {
+        let drawn = draw(&device, export, picture.job(), language);
+        let Difference { bits, far, covered } = compare(&own, &drawn);
+        assert!(covered > 25_000, "{covered}");
+        println!("{method} {surface} in {language:?}: {bits} and {far} of {covered} pixels differ");
+        // The compiler of HLSL rounds otherwise: a ray at an edge may meet the other side of it.
+        let is_same = if language == Language::Hlsl { far <= 50 } else { bits == 0 };
+        assert!(is_same, "{method} {surface} in {language:?}: {bits}, {far}");
+    };
+    check(&exported(&selection, None), Language::Wgsl);
+    // The device numbers its bindings one after the other, whatever numbers are given.
+    let export = exported(&selection, Some(Placement { group: 0, first_binding: 0 }));
+    languages.iter().for_each(|language| check(&export, *language));
+}
+
+#[test]
+fn an_export_of_cones_with_shadow_rays_gives_the_bits_of_the_renderer() {
+    gives_the_bits_of_the_renderer(["cone", "plane", "ray", "constant", "blinn-phong"], Wrap::Repeat);
+}
+
+#[test]
+fn an_export_of_relief_with_materials_gives_the_bits_of_the_renderer() {
+    let names = ["relief", "plane", "heuristic", "constant", "metallic-roughness"];
+    gives_the_bits_of_the_renderer(names, Wrap::Mirror);
+}
+
+#[test]
+fn an_export_of_exact_hits_with_baked_light_gives_the_bits_of_the_renderer() {
+    gives_the_bits_of_the_renderer(["exact", "plane", "horizon", "occlusion", "blinn-phong"], Wrap::Clamp);
+}
+
+#[test]
+fn an_export_of_prisms_gives_the_bits_of_the_renderer() {
+    gives_the_bits_of_the_renderer(["relief", "prism", "none", "constant", "blinn-phong"], Wrap::Repeat);
 }
 
 #[test]
 fn a_mutated_export_gives_other_bits() {
     let Some(device) = device() else { return };
-    let selection = selection("relief", "plane", "ray", "constant");
+    let selection = selection(["relief", "plane", "ray", "constant", "blinn-phong"]);
     let picture = picture(&selection, Wrap::Mirror);
     let (export, own) = (exported(&selection, None), rendered(&device, picture.job()));
     // Of the shader, then of the manifest.

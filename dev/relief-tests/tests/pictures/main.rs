@@ -3,6 +3,7 @@
 mod ambient;
 mod backends;
 mod cast_shadows;
+mod materials;
 mod picture;
 mod pictures_of_both;
 mod scenes;

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use relief_core::{Watch, Wrap};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::wgsl::Sampling;
-use relief_shaders::{Selection, ambient};
+use relief_shaders::{SHADE, STAGES, Selection, ambient};
 use relief_tests::one_source::adapter;
 use relief_tests::one_source::picture::{Picture, Variation};
 
@@ -23,11 +23,13 @@ fn pictures_agree() {
         (120, 140, "relaxed", "heuristic", "none", Wrap::Repeat, false, false),
     ];
     let ambients = ambient::ENTRIES.iter().cycle();
-    for (case, ambient) in cases.into_iter().zip(ambients) {
+    for ((number, case), ambient) in cases.into_iter().enumerate().zip(ambients) {
         let (width, height, method, shadow, detail, wrap, normal_map, two_sided) = case;
         let mut selection = Selection::method(method).expect("a method");
         selection.choose("ambient", ambient.name).expect("an ambient light");
         selection.choose("shadow", shadow).expect("a shadow");
+        let shadings = STAGES[SHADE].entries;
+        selection.choose("shade", shadings[number % shadings.len()].name).expect("a shading");
         selection.choose("detail", detail).expect("a detail");
         let variation = Variation { selection: &selection, wrap, normal_map, two_sided };
         let picture = Picture::new(width, height, &variation);

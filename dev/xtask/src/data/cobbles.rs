@@ -13,6 +13,9 @@ const CLOSENESS: f64 = 0.9;
 /// Half the width of a gap, in tiles.
 const HALF_GAP: f64 = 0.0035;
 
+/// Roughness of stones and of sand.
+const ROUGHNESS: [f64; 2] = [0.34, 0.95];
+
 const SAND: [f64; 3] = [92.0, 80.0, 64.0];
 const STONE: [[f64; 3]; 4] =
     [[136.0, 134.0, 130.0], [112.0, 116.0, 122.0], [152.0, 140.0, 122.0], [126.0, 112.0, 100.0]];
@@ -22,10 +25,23 @@ struct Stone {
     radius: f64,
 }
 
-/// Height and colour.
-pub fn maps() -> (Grid<f64>, Grid<[f64; 3]>) {
+/// Height and colour, and occlusion, roughness and metalness: dry sand, and stones that are worn smooth.
+pub fn maps() -> (Grid<f64>, Grid<[f64; 3]>, Grid<[f64; 3]>) {
     let stones = lay();
-    Grid::square(SIDE, |u, v| texel(&stones, u, v)).unzip()
+    let grid = Grid::square(SIDE, |u, v| {
+        let Texel { height, colour, material } = texel(&stones, u, v);
+        (height, (colour, material))
+    });
+    let (heights, rest) = grid.unzip();
+    let (colours, materials) = rest.unzip();
+    (heights, colours, materials)
+}
+
+/// A point of the ground.
+struct Texel {
+    height: f64,
+    colour: [f64; 3],
+    material: [f64; 3],
 }
 
 /// Lays stones at random, the large ones first, each where it does not overlap those that lie there.
@@ -51,7 +67,7 @@ fn lay() -> Vec<Stone> {
     stones
 }
 
-fn texel(stones: &[Stone], u: f64, v: f64) -> (f64, [f64; 3]) {
+fn texel(stones: &[Stone], u: f64, v: f64) -> Texel {
     let wander = 0.007;
     let x = u + wander * fractal_noise(u, v, 12, 2, 11);
     let y = v + wander * fractal_noise(u, v, 12, 2, 21);
@@ -95,5 +111,9 @@ fn texel(stones: &[Stone], u: f64, v: f64) -> (f64, [f64; 3]) {
     let sandy = SAND.map(|part| part * (1.0 + 0.2 * fractal_noise(u, v, 64, 2, 61)));
     let stone_colour = kind.map(|part| part * shade);
     let colour = mix_colour(sandy, stone_colour, smooth_step(0.0, 0.35, inward));
-    (height, colour.map(|part| part.clamp(0.0, 255.0)))
+    let smooth = ROUGHNESS[0] + 0.12 * signed(number, 0, 6) + 0.1 * grain;
+    let roughness = mix(ROUGHNESS[1], smooth, smooth_step(0.1, 0.6, inward));
+    let open = mix(0.4, 1.0, smooth_step(0.0, 0.5, inward));
+    let material = [open, roughness, 0.0].map(|part| (part * 255.0).clamp(0.0, 255.0));
+    Texel { height, colour: colour.map(|part| part.clamp(0.0, 255.0)), material }
 }

@@ -41,6 +41,7 @@ fn label(number: usize, count: usize) -> String {
 fn module(place: usize, stage: &Stage) -> String {
     let mut text = String::from(
         "import package::shared::types::{PixelIn, Entered, Path, SearchResult, Hit, Toward};\n\
+         import package::shared::types::{Material, Mirrored};\n\
          import package::bindings::surface_settings;\n",
     );
     let mut functions = String::new();

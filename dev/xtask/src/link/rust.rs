@@ -115,7 +115,7 @@ fn concrete_textures(module: &Module, text: &str) -> Result<String, String> {
         let concrete = match name {
             "height_map" => "HeightTexture",
             "hole_map" => "HoleTexture",
-            "color_map" | "normal_map" => "ColorTexture",
+            "color_map" | "normal_map" | "material_map" => "ColorTexture",
             _ => "MapTexture",
         };
         text = text.replace(&declared, &format!("pub {name}: rt::{concrete}<'g>"));

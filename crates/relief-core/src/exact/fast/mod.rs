@@ -107,8 +107,8 @@ impl FastTracer {
     }
 
     /// Whether [`Self::trace`] finds a hit, for shadow rays. Shadow rays must begin off the surface
-    /// by more than [`Self::ERROR`], so that they do not hit at their start. A path that is given
-    /// up is not blocked.
+    /// by more than [`Self::ERROR`], in heights of the map, so that they do not hit at their start. A
+    /// path that is given up is not blocked.
     pub fn is_blocked(&self, path: &Path) -> bool {
         matches!(self.search(path, &mut Cost::default()), Outcome::Hit { .. })
     }

@@ -63,6 +63,7 @@ fn builder(gpu: &Gpu, map: &Arc<HeightMap>) -> Builder {
         height_map: Arc::clone(map),
         color: None,
         normal_map: None,
+        material_maps: None,
         maps: Vec::new(),
         two_sided: false,
     };

@@ -66,7 +66,7 @@ fn what_belongs_to_something_replaced_goes_with_it() {
 
     let both = with(SurfaceSpec { method: Some("parallax".into()), ..SurfaceSpec::default() });
     let others = [
-        ("shade", "blinn-phong"),
+        ("shade", "metallic-roughness"),
         ("shadow", "soft"),
         ("shadow-search", "frustum"),
         ("ambient", "environment"),

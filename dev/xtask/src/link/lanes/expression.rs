@@ -514,7 +514,7 @@ impl Writer<'_> {
                     format!("height_texel(&{place}, {x}, {y}, {level})")
                 })
             }
-            _ if place == "r.color_map" || place == "r.normal_map" => {
+            _ if ["r.color_map", "r.normal_map", "r.material_map"].contains(&place.as_str()) => {
                 let is_lanes = !self.is_uniform(level) || layer.is_some_and(|layer| !self.is_uniform(layer));
                 let level = self.part(level, 0, is_lanes)?;
                 let layer = match layer {
