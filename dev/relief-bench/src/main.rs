@@ -1,7 +1,7 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `looks`, `materials`, `mesh`,
-//! `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`, `sheet`, `slices`,
-//! `solids`, `surfaces`, `tessellate`, `trace` and `units`. Results are kept in `docs/measurements/`.
+//! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `look`, `looks`,
+//! `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`,
+//! `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace` and `units`. Results are kept in `docs/measurements/`.
 
 use std::process::ExitCode;
 
@@ -24,6 +24,7 @@ mod impostors;
 mod judge;
 mod lanes;
 mod levels;
+mod look;
 mod looks;
 mod materials;
 mod memory;
@@ -88,6 +89,8 @@ enum Command {
     Lanes(lanes::Arguments),
     /// What is between filter levels and their map: volume, skylines, and seconds to make them
     Levels(levels::Arguments),
+    /// A sphere by roughness and metalness beside three.js: fails where a bound is missed
+    Look(look::Arguments),
     /// First pictures by what makes them good to look at, and their times: fails where a bound is missed
     Looks(looks::Arguments),
     /// Time of a frame shaded by roughness and metalness, beside Blinn-Phong: fails where the bound is missed
@@ -143,6 +146,7 @@ fn main() -> ExitCode {
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Lanes(arguments) => lanes::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Levels(arguments) => levels::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Look(arguments) => look::run(&arguments),
         Command::Looks(arguments) => looks::run(&arguments),
         Command::Materials(arguments) => materials::run(&arguments),
         Command::Mesh(arguments) => mesh::run(&arguments).map(|()| ExitCode::SUCCESS),
