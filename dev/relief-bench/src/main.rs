@@ -1,7 +1,8 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
 //! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `look`, `looks`,
 //! `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`,
-//! `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace` and `units`. Results are kept in `docs/measurements/`.
+//! `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace` and `units`. Results are kept in
+//! `docs/measurements/`.
 
 use std::process::ExitCode;
 
