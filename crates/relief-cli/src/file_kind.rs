@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use relief_io::{Format, MeshFormat};
 
@@ -19,6 +19,8 @@ pub enum FileKind {
     HeightMap,
     /// A mesh.
     Mesh,
+    /// A folder with the maps of a material.
+    Textures,
 }
 
 /// Bytes at the start of a file that decide its kind: a scene's first tables.
@@ -45,6 +47,9 @@ impl FileKind {
         if !path.exists() {
             return Ok(Self::by_name(path));
         }
+        if path.is_dir() {
+            return Ok(if path.join(OBJECT).is_file() { FileKind::Object } else { FileKind::Textures });
+        }
         let mut start = Vec::new();
         let read = File::open(path).and_then(|file| file.take(START_BYTES).read_to_end(&mut start));
         read.map_err(|error| Failure::Work(format!("{}: cannot be read: {error}", path.display())))?;
@@ -68,6 +73,12 @@ impl FileKind {
         }
     }
 
+    /// Returns the file that describes the object at a path: the path, or in a folder the one with the
+    /// name of all of them.
+    pub fn object_at(path: &Path) -> PathBuf {
+        if path.is_dir() { path.join(OBJECT) } else { path.to_owned() }
+    }
+
     /// Returns the flag that names such a file.
     pub const fn flag(self) -> &'static str {
         match self {
@@ -75,6 +86,7 @@ impl FileKind {
             FileKind::Object => "--object",
             FileKind::HeightMap => "--height",
             FileKind::Mesh => "--mesh",
+            FileKind::Textures => "--textures",
         }
     }
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use relief_core::HeightMap;
 
+use crate::texture_set::is_height_word;
 use crate::{Convention, GreenSign, NormalMap};
 
 /// Conventions under which a height map and a normal map agree best.
@@ -59,33 +60,25 @@ pub struct Guess {
     pub confidence: f64,
 }
 
-/// Words in file names, the convention that each suggests, and the confidence. They were checked
-/// with maps of other projects whose convention is known: all three that were named as depths are
-/// depths, and five of six named as heights are heights. For samples this small the confidence is
-/// `(n + 1) / (m + 2)`, if `n` of `m` are right.
-const WORDS: [(&[&str], Guess); 2] = [
-    (&["depth", "depthmap"], Guess { convention: Convention::Depth, confidence: 0.8 }),
-    (
-        &[
-            "height",
-            "heights",
-            "heightmap",
-            "ht",
-            "h",
-            "displacement",
-            "disp",
-            "bump",
-            "elevation",
-            "dem",
-            "dsm",
-            "dtm",
-            "topology",
-            "topo",
-            "terrain",
-        ],
-        Guess { convention: Convention::Height, confidence: 0.75 },
-    ),
-];
+/// Words of depth maps in file names.
+const DEPTH_WORDS: [&str; 2] = ["depth", "depthmap"];
+
+/// Words of height maps in file names, beside the words for textures of this role.
+const HEIGHT_WORDS: [&str; 8] = ["h", "elevation", "dem", "dsm", "dtm", "topology", "topo", "terrain"];
+
+/// Guesses from a word of a file name. The words were checked with maps of other projects whose
+/// convention is known: all three that were named as depths are depths, and five of six named as
+/// heights are heights. For samples this small the confidence is `(n + 1) / (m + 2)`, if `n` of `m`
+/// are right.
+fn guess_by_word(word: &str) -> Option<Guess> {
+    if DEPTH_WORDS.contains(&word) {
+        Some(Guess { convention: Convention::Depth, confidence: 0.8 })
+    } else if HEIGHT_WORDS.contains(&word) || is_height_word(word) {
+        Some(Guess { convention: Convention::Height, confidence: 0.75 })
+    } else {
+        None
+    }
+}
 
 /// Guesses a height map's convention from its file name. None for most names.
 ///
@@ -94,7 +87,7 @@ const WORDS: [(&[&str], Guess); 2] = [
 pub fn guess_by_name(path: &Path) -> Option<Guess> {
     let stem = path.file_stem()?.to_string_lossy().to_ascii_lowercase();
     let mut words = stem.split(|sign: char| !sign.is_ascii_alphabetic());
-    words.find_map(|word| WORDS.iter().find(|(words, _)| words.contains(&word)).map(|(_, guess)| *guess))
+    words.find_map(guess_by_word)
 }
 
 /// Pearson's correlation, from sums of values whose means are near 0.

@@ -158,12 +158,11 @@ impl<'a> StoredImage<'a> {
             Some(Format::Pgm) => Ok(Self::Pgm(PgmFile::open(input)?)),
             Some(Format::Webp) => Ok(Self::Webp(Box::new(WebpFile::open(input)?))),
             Some(Format::Raw) | None => {
-                let extension = source.name().extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
                 if let Some(foreign) = ForeignFormat::of(source.name(), input.file_len, &signature) {
                     return Err(ReadProblem::Foreign(foreign));
                 }
-                match extension.as_deref() {
-                    Some("raw" | "r16" | "bin") => Err(ReadProblem::NeedsRawLayout),
+                match Format::by_name(source.name()) {
+                    Some(Format::Raw) => Err(ReadProblem::NeedsRawLayout),
                     _ => Err(ReadProblem::Unrecognised),
                 }
             }

@@ -1,6 +1,8 @@
 //! Header of a file: format, channels and sample types; and the interface by which decoders pass on
 //! samples.
 
+use std::path::Path;
+
 use crate::ReadProblem;
 use crate::elevation::{Elevation, Georeference};
 use crate::georeference::{Facts, GivenUnits, Grid};
@@ -28,7 +30,36 @@ pub enum Format {
     Raw,
 }
 
+/// File extensions of height maps and pictures.
+const ENDINGS: [(&str, Format); 14] = [
+    ("png", Format::Png),
+    ("jpg", Format::Jpeg),
+    ("jpeg", Format::Jpeg),
+    ("exr", Format::Exr),
+    ("tif", Format::Tiff),
+    ("tiff", Format::Tiff),
+    ("hdr", Format::Hdr),
+    ("pgm", Format::Pgm),
+    ("ppm", Format::Pgm),
+    ("pnm", Format::Pgm),
+    ("webp", Format::Webp),
+    ("raw", Format::Raw),
+    ("r16", Format::Raw),
+    ("bin", Format::Raw),
+];
+
 impl Format {
+    /// Returns the format that a file's extension, in upper or lower case, stands for. None if it is
+    /// not one of a picture. Readers recognise all formats but raw by the content instead.
+    pub fn by_name(path: &Path) -> Option<Self> {
+        Self::by_ending(path.extension()?.to_str()?)
+    }
+
+    /// Returns the format that an extension stands for.
+    pub(crate) fn by_ending(ending: &str) -> Option<Self> {
+        ENDINGS.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(ending)).map(|(_, format)| format)
+    }
+
     /// Returns the format's common name.
     pub const fn name(self) -> &'static str {
         match self {

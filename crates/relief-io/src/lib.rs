@@ -18,6 +18,8 @@
 //! Pictures are turned by the orientation in their EXIF metadata or TIFF tag, for all uses.
 //! Exceptions are pictures that a glTF refers to and TIFFs with a georeference.
 //!
+//! [`find_textures`] finds the textures of a material in a folder by their names.
+//!
 //! Writers leave a complete file or none; [`file_set`] does the same for several files at once.
 //!
 //! A reader returns a [`ReadNote`] for everything that it ignores or assumes. The note's row in
@@ -88,6 +90,7 @@ mod samples;
 mod source;
 mod text;
 mod texture;
+mod texture_set;
 mod tiff;
 mod webp;
 mod write;
@@ -125,5 +128,6 @@ pub use texture::{
     LineSink, Metadata, PngTexture, Row, RowSource, read_metadata, write_exr_lines, write_exr_rows,
     write_png_rows,
 };
+pub use texture_set::{FoundTexture, LeftReason, TextureRole, TextureSet, TextureSetError, find_textures};
 pub use write::{PngColour, write_exr, write_png8, write_png16};
 pub use write_whole::write_atomically;

@@ -119,6 +119,12 @@ omissions! {
     ANIMATION: "animation", "pictures",
         "an animation in a PNG or WebP file",
         "the PNG's still picture is read, or the WebP's first picture";
+    TEXTURE_SET: "texture-set", "folders of textures",
+        "maps of a material, recognised by their names",
+        "each is taken for what its name says";
+    LEFT_TEXTURES: "left-textures", "folders of textures",
+        "files that have no name of a texture, or that another file replaces",
+        "they are not read";
     ORIENTATION_IN_GLTF: "orientation-in-gltf", "meshes",
         "a picture of a glTF with an orientation",
         "it is read as it is stored, as viewers of glTF do";

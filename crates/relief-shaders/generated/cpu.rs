@@ -738,13 +738,21 @@ pub struct Mirrored {
     pub part: rt::Vec3<f32>,
     /// The deviation of facets from the normal, in radians.
     pub lean: f32,
+    /// The deviations of two lobes around the mirrored view, and the weight of the second.
+    pub lobes: rt::Vec2<f32>,
+    pub second: f32,
+    /// How far the lobes are turned from the mirrored view, 0, to the normal, 1.
+    pub turn: f32,
 }
 impl Mirrored {
     pub fn new(
         part: impl rt::Into<rt::Vec3<f32>>,
         lean: impl rt::Into<f32>,
+        lobes: impl rt::Into<rt::Vec2<f32>>,
+        second: impl rt::Into<f32>,
+        turn: impl rt::Into<f32>,
     ) -> Self {
-        Self { part: rt::into(part), lean: rt::into(lean) }
+        Self { part: rt::into(part), lean: rt::into(lean), lobes: rt::into(lobes), second: rt::into(second), turn: rt::into(turn) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -2406,7 +2414,7 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_fresnel(cosine_2);
         let _e7 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e7.to_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean).max(rt::Scalar(0f32)))).sqrt();
-        return <Mirrored>::new(<rt::Vec3<f32>>::from_scalars(_e4, _e4, _e4), lean);
+        return <Mirrored>::new(<rt::Vec3<f32>>::from_scalars(_e4, _e4, _e4), lean, <rt::Vec2<f32>>::from_scalars((rt::Scalar(2f32) * lean), (rt::Scalar(2f32) * lean)), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facet_reflection(
         &self,
@@ -2463,7 +2471,8 @@ impl<'g> Resources<'g> {
         let white = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let _e10 = self.v_facet_reflection(rt::Scalar(material_4.upright), rt::Scalar(material_4.squared_alpha));
         let part_9 = (((material_4.specular * _e10.x()) + (white * _e10.y())) * (white + (material_4.specular * rt::Scalar(material_4.again))));
-        return <Mirrored>::new(part_9, rt::Scalar(material_4.squared_alpha).sqrt());
+        let alpha_1 = rt::Scalar(material_4.squared_alpha).sqrt();
+        return <Mirrored>::new(part_9, alpha_1, <rt::Vec2<f32>>::from_scalars((rt::Scalar(1.4f32) * alpha_1), (rt::Scalar(5.6f32) * alpha_1)), rt::Scalar(0.25f32), (alpha_1 * alpha_1.sqrt()));
     }
     pub(crate) fn shade_mirrored_stage(
         &self,
@@ -2696,24 +2705,33 @@ impl<'g> Resources<'g> {
         let cosine_10 = n_10.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let _e12 = self.v_shade_mirrored_stage(material_6, mean_9, cosine_10);
         let reflected = ((n_10 * (rt::Scalar(2f32) * cosine_10)) - view_3);
-        let _e20 = self.v_environment_in_lobe(reflected, (rt::Scalar(2f32) * rt::Scalar(_e12.lean)));
-        light = (_e20 * _e12.part);
-        let enters = (<rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32)) - _e12.part);
-        let _e30 = light;
-        let _e31 = self.v_environment_on(n_10);
-        light = (_e30 + ((_e31 * material_6.diffuse) * enters));
-        let _e38 = rt::Scalar(self.surface_settings.transmission);
-        if rt::Scalar::into_branch_condition(_e38.elementwise_gt(rt::Scalar(0f32))) {
-            let _e43 = rt::Scalar(self.surface_settings.ior);
-            let eta_1 = (rt::Scalar(1f32) / _e43);
-            let _e47 = self.v_cosine_inside(cosine_10);
-            let refracted = ((n_10 * ((eta_1 * cosine_10) - _e47)) - (view_3 * eta_1));
-            let _e56 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta_1) * rt::Scalar(_e12.lean)));
-            let _e57 = light;
-            light = (_e57 + (_e56 * (material_6.transmitted * enters)));
+        let axis_4 = (reflected + ((n_10 - reflected) * rt::Scalar(_e12.turn)));
+        let _e23 = self.v_environment_in_lobe(axis_4, _e12.lobes.x());
+        light = _e23;
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e12.second).elementwise_gt(rt::Scalar(0f32))) {
+            let _e28 = light;
+            let _e31 = self.v_environment_in_lobe(axis_4, _e12.lobes.y());
+            let _e32 = light;
+            light = (_e28 + ((_e31 - _e32) * rt::Scalar(_e12.second)));
         }
-        let _e62 = light;
-        return (_e62 * params_5.x());
+        let _e37 = light;
+        light = (_e37 * _e12.part);
+        let enters = (<rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32)) - _e12.part);
+        let _e46 = light;
+        let _e47 = self.v_environment_on(n_10);
+        light = (_e46 + ((_e47 * material_6.diffuse) * enters));
+        let _e54 = rt::Scalar(self.surface_settings.transmission);
+        if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0f32))) {
+            let _e59 = rt::Scalar(self.surface_settings.ior);
+            let eta_1 = (rt::Scalar(1f32) / _e59);
+            let _e63 = self.v_cosine_inside(cosine_10);
+            let refracted = ((n_10 * ((eta_1 * cosine_10) - _e63)) - (view_3 * eta_1));
+            let _e72 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta_1) * rt::Scalar(_e12.lean)));
+            let _e73 = light;
+            light = (_e73 + (_e72 * (material_6.transmitted * enters)));
+        }
+        let _e78 = light;
+        return (_e78 * params_5.x());
     }
     pub(crate) fn hemisphere_grade(
         &self,
@@ -9034,12 +9052,12 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_plane_normal(pixel_56);
         let _e7 = self.v_triangle_distance(pixel_56, _e6);
         let far_7 = (_e7 * along_37);
-        let axis_4 = pixel_56.a.of_surface.z().to_u32();
+        let axis_5 = pixel_56.a.of_surface.z().to_u32();
         let height_19 = at_57.of_surface.x();
         let _e17 = self.v_height_at(at_57.uv, rt::Scalar(at_57.level));
-        let _e18 = self.v_slice_spacing(at_57, axis_4);
+        let _e18 = self.v_slice_spacing(at_57, axis_5);
         let _e19 = self.v_slices_stage(_e17, height_19, _e18);
-        let _e20 = self.v_slice_before(pixel_56, at_57, axis_4, along_37, far_7);
+        let _e20 = self.v_slice_before(pixel_56, at_57, axis_5, along_37, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
         return <Path>::new((at_57.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_19 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_57.metric, RAY_VIEW, rt::Scalar(at_57.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
@@ -16140,8 +16158,8 @@ impl<'g> Resources<'g> {
         let _e38 = self.surface_settings.specular;
         let dielectric = _e38.xyz();
         let specular_1 = (dielectric + ((base_6 - dielectric) * metallic));
-        let alpha_1 = (roughness_1 * roughness_1);
-        squared_alpha_1 = (alpha_1 * alpha_1);
+        let alpha_2 = (roughness_1 * roughness_1);
+        squared_alpha_1 = (alpha_2 * alpha_2);
         if rt::Scalar::into_branch_condition(mean_4.elementwise_lt(rt::Scalar(1f32))) {
             let _e48 = squared_alpha_1;
             squared_alpha_1 = (_e48 + ((rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_4)) / mean_4)).min(rt::Scalar(1f32));

@@ -9035,6 +9035,11 @@ struct Mirrored {
     part: vec3f,
     // The deviation of facets from the normal, in radians.
     lean: f32,
+    // The deviations of two lobes around the mirrored view, and the weight of the second.
+    lobes: vec2f,
+    second: f32,
+    // How far the lobes are turned from the mirrored view, 0, to the normal, 1.
+    turn: f32,
 }"#,
     },
     Declaration {
@@ -12288,11 +12293,11 @@ const LOBE = 8.0;"#,
         name: "shade_blinn_phong_mirrored",
         sampling: None,
         uses: &["Material", "Mirrored", "fresnel", "surface_settings"],
-        text: r#"// The deviation of facets is that of the highlight's exponent and of the normals in a footprint.
+        text: r#"// The deviation of facets follows from the highlight's exponent and from the normals in a footprint.
 fn shade_blinn_phong_mirrored(material: Material, mean: f32, cosine: f32, params: vec4f) -> Mirrored {
     let part = fresnel(cosine);
     let lean = sqrt(2.0 / (f32(surface_settings.shininess) + 2.0) + 2.0 * max(1.0 - mean, 0.0));
-    return Mirrored(vec3f(part, part, part), lean);
+    return Mirrored(vec3f(part, part, part), lean, vec2f(2.0 * lean, 2.0 * lean), 0.0, 0.0);
 }"#,
     },
     Declaration {
@@ -12311,6 +12316,30 @@ const LEAST_ROUGHNESS = 0.045;"#,
         uses: &[],
         text: r#"// The least cosine between a normal and the view. Normals between texels may face away.
 const LEAST_COSINE = 0.0001;"#,
+    },
+    Declaration {
+        module: "shade/metallic_roughness",
+        name: "NARROW",
+        sampling: None,
+        uses: &[],
+        text: r#"// Surroundings are looked up in two lobes, since one of facets has a long tail: the deviations of both
+// over alpha, and the weight of the wide one. They are turned to the normal by the third power of the
+// roughness, since rough facets reflect less light from near the horizon. Fitted to the integral.
+const NARROW = 1.4;"#,
+    },
+    Declaration {
+        module: "shade/metallic_roughness",
+        name: "WIDE",
+        sampling: None,
+        uses: &[],
+        text: r#"const WIDE = 5.6;"#,
+    },
+    Declaration {
+        module: "shade/metallic_roughness",
+        name: "WIDE_PART",
+        sampling: None,
+        uses: &[],
+        text: r#"const WIDE_PART = 0.25;"#,
     },
     Declaration {
         module: "shade/metallic_roughness",
@@ -12409,7 +12438,7 @@ const LEAST_SQUARED_SUM = 0.000001;"#,
         module: "shade/metallic_roughness",
         name: "shade_metallic_roughness_mirrored",
         sampling: None,
-        uses: &["Material", "Mirrored", "facet_reflection"],
+        uses: &["Material", "Mirrored", "NARROW", "WIDE", "WIDE_PART", "facet_reflection"],
         text: r#"fn shade_metallic_roughness_mirrored(
     material: Material,
     mean: f32,
@@ -12419,7 +12448,8 @@ const LEAST_SQUARED_SUM = 0.000001;"#,
     let white = vec3f(1.0, 1.0, 1.0);
     let once = facet_reflection(material.upright, material.squared_alpha);
     let part = (material.specular * once.x + white * once.y) * (white + material.specular * material.again);
-    return Mirrored(part, sqrt(material.squared_alpha));
+    let alpha = sqrt(material.squared_alpha);
+    return Mirrored(part, alpha, vec2f(NARROW * alpha, WIDE * alpha), WIDE_PART, alpha * sqrt(alpha));
 }"#,
     },
     Declaration {
@@ -12711,7 +12741,12 @@ fn open_part(at: Entered, hit: Hit, azimuth: i32, elevation: i32, elevations: i3
     let cosine = clamp(dot(n, view), 0.0, 1.0);
     let mirror = shade_mirrored_stage(material, mean, cosine);
     let reflected = n * (2.0 * cosine) - view;
-    var light = environment_in_lobe(reflected, 2.0 * mirror.lean) * mirror.part;
+    let axis = reflected + (n - reflected) * mirror.turn;
+    var light = environment_in_lobe(axis, mirror.lobes.x);
+    if (mirror.second > 0.0) {
+        light = light + (environment_in_lobe(axis, mirror.lobes.y) - light) * mirror.second;
+    }
+    light = light * mirror.part;
     let enters = vec3f(1.0, 1.0, 1.0) - mirror.part;
     light = light + environment_on(n) * material.diffuse * enters;
     if (surface_settings.transmission > 0.0) {

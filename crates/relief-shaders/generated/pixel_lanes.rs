@@ -442,17 +442,26 @@ lanes! { fn zero_material() -> Material {
 pub struct Mirrored {
     pub part: Vec3<F>,
     pub lean: F,
+    pub lobes: Vec2<F>,
+    pub second: F,
+    pub turn: F,
 }
 lanes! { fn sel_mirrored(m: M, a: &Mirrored, b: &Mirrored) -> Mirrored {
     Mirrored {
         part: Vec3 { x: sel(m, a.part.x, b.part.x), y: sel(m, a.part.y, b.part.y), z: sel(m, a.part.z, b.part.z) },
         lean: sel(m, a.lean, b.lean),
+        lobes: Vec2 { x: sel(m, a.lobes.x, b.lobes.x), y: sel(m, a.lobes.y, b.lobes.y) },
+        second: sel(m, a.second, b.second),
+        turn: sel(m, a.turn, b.turn),
     }
 } }
 lanes! { fn zero_mirrored() -> Mirrored {
     Mirrored {
         part: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
         lean: splat(0f32),
+        lobes: Vec2 { x: splat(0f32), y: splat(0f32) },
+        second: splat(0f32),
+        turn: splat(0f32),
     }
 } }
 
@@ -1510,7 +1519,7 @@ lanes! { fn fresnel(r: &Resources<'_>, cosine_a0: F) -> F {
 lanes! { fn shade_blinn_phong_mirrored(r: &Resources<'_>, material_a0: &Material, mean_a1: F, cosine_a2: F, params_a3: Vec4<f32>) -> Mirrored {
     let part_4 = fresnel(r, cosine_a2);
     let lean_20 = sqrt(add(splat((2.0f32 / ((r.surface_settings.shininess as f32) + 2.0f32))), mul(splat(2.0f32), max_with(sub(splat(1.0f32), mean_a1), splat(0.0f32)))));
-    return Mirrored { part: Vec3 { x: part_4, y: part_4, z: part_4 }, lean: lean_20, };
+    return Mirrored { part: Vec3 { x: part_4, y: part_4, z: part_4 }, lean: lean_20, lobes: Vec2 { x: mul(splat(2.0f32), lean_20), y: mul(splat(2.0f32), lean_20) }, second: splat(0.0f32), turn: splat(0.0f32), };
 } }
 lanes! { fn facet_reflection(r: &Resources<'_>, cosine_a0: F, squared_alpha_a1: F) -> Vec2<F> {
     let alpha_2 = sqrt(squared_alpha_a1);
@@ -1538,7 +1547,8 @@ lanes! { fn shade_metallic_roughness_mirrored(r: &Resources<'_>, material_a0: &M
     let white_7 = Vec3 { x: 1.0f32, y: 1.0f32, z: 1.0f32 };
     let once_10 = facet_reflection(r, material_a0.upright, material_a0.squared_alpha);
     let part_21 = Vec3 { x: mul(add(mul(material_a0.specular.x, once_10.x), mul(splat(white_7.x), once_10.y)), add(splat(white_7.x), mul(material_a0.specular.x, material_a0.again))), y: mul(add(mul(material_a0.specular.y, once_10.x), mul(splat(white_7.y), once_10.y)), add(splat(white_7.y), mul(material_a0.specular.y, material_a0.again))), z: mul(add(mul(material_a0.specular.z, once_10.x), mul(splat(white_7.z), once_10.y)), add(splat(white_7.z), mul(material_a0.specular.z, material_a0.again))) };
-    return Mirrored { part: part_21, lean: sqrt(material_a0.squared_alpha), };
+    let alpha_23 = sqrt(material_a0.squared_alpha);
+    return Mirrored { part: part_21, lean: alpha_23, lobes: Vec2 { x: mul(splat(1.4f32), alpha_23), y: mul(splat(5.6f32), alpha_23) }, second: splat(0.25f32), turn: mul(alpha_23, sqrt(alpha_23)), };
 } }
 lanes! { fn shade_mirrored_stage(r: &Resources<'_>, material_a0: &Material, mean_a1: F, cosine_a2: F) -> Mirrored {
     match r.surface_settings.choices[7].number {
@@ -1721,23 +1731,36 @@ lanes! { fn ambient_environment(r: &Resources<'_>, within: M, at_a0: &Entered, h
     let mirror_12 = shade_mirrored_stage(r, material_a4, mean_6, cosine_11);
     let e_14 = mul(splat(2.0f32), cosine_11);
     let reflected_16 = Vec3 { x: sub(mul(n_7.x, e_14), view_a3.x), y: sub(mul(n_7.y, e_14), view_a3.y), z: sub(mul(n_7.z, e_14), view_a3.z) };
-    let e_20 = environment_in_lobe(r, ex, reflected_16, mul(splat(2.0f32), mirror_12.lean));
-    light_v0 = Vec3 { x: mul(e_20.x, mirror_12.part.x), y: mul(e_20.y, mirror_12.part.y), z: mul(e_20.z, mirror_12.part.z) };
-    let enters_29 = Vec3 { x: sub(splat(1.0f32), mirror_12.part.x), y: sub(splat(1.0f32), mirror_12.part.y), z: sub(splat(1.0f32), mirror_12.part.z) };
-    let e_30 = light_v0;
-    let e_31 = environment_on(r, ex, n_7);
-    light_v0 = Vec3 { x: add(e_30.x, mul(mul(e_31.x, material_a4.diffuse.x), enters_29.x)), y: add(e_30.y, mul(mul(e_31.y, material_a4.diffuse.y), enters_29.y)), z: add(e_30.z, mul(mul(e_31.z, material_a4.diffuse.z), enters_29.z)) };
-    if (r.surface_settings.transmission > 0.0f32) {
-        let eta_45 = (1.0f32 / r.surface_settings.ior);
-        let e_47 = cosine_inside(r, cosine_11);
-        let e_48 = sub(mul(splat(eta_45), cosine_11), e_47);
-        let refracted_51 = Vec3 { x: sub(mul(n_7.x, e_48), mul(view_a3.x, splat(eta_45))), y: sub(mul(n_7.y, e_48), mul(view_a3.y, splat(eta_45))), z: sub(mul(n_7.z, e_48), mul(view_a3.z, splat(eta_45))) };
-        let seen_56 = environment_in_lobe(r, ex, refracted_51, mul(splat((1.0f32 - eta_45)), mirror_12.lean));
-        let e_57 = light_v0;
-        light_v0 = Vec3 { x: add(e_57.x, mul(seen_56.x, mul(material_a4.transmitted.x, enters_29.x))), y: add(e_57.y, mul(seen_56.y, mul(material_a4.transmitted.y, enters_29.y))), z: add(e_57.z, mul(seen_56.z, mul(material_a4.transmitted.z, enters_29.z))) };
+    let axis_20 = Vec3 { x: add(reflected_16.x, mul(sub(n_7.x, reflected_16.x), mirror_12.turn)), y: add(reflected_16.y, mul(sub(n_7.y, reflected_16.y), mirror_12.turn)), z: add(reflected_16.z, mul(sub(n_7.z, reflected_16.z), mirror_12.turn)) };
+    let e_23 = environment_in_lobe(r, ex, axis_20, mirror_12.lobes.x);
+    light_v0 = e_23;
+    let (b2, c3) = (ex, gt(mirror_12.second, splat(0.0f32)));
+    ex = and(b2, c3);
+    if any(ex) {
+        let e_28 = light_v0;
+        let e_31 = environment_in_lobe(r, ex, axis_20, mirror_12.lobes.y);
+        let e_32 = light_v0;
+        let (m4, y5) = (ex, Vec3 { x: add(e_28.x, mul(sub(e_31.x, e_32.x), mirror_12.second)), y: add(e_28.y, mul(sub(e_31.y, e_32.y), mirror_12.second)), z: add(e_28.z, mul(sub(e_31.z, e_32.z), mirror_12.second)) });
+        light_v0 = Vec3 { x: sel(m4, y5.x, light_v0.x), y: sel(m4, y5.y, light_v0.y), z: sel(m4, y5.z, light_v0.z) };
     }
-    let e_62 = light_v0;
-    return Vec3 { x: mul(e_62.x, splat(params_a5.x)), y: mul(e_62.y, splat(params_a5.x)), z: mul(e_62.z, splat(params_a5.x)) };
+    ex = b2;
+    let e_37 = light_v0;
+    light_v0 = Vec3 { x: mul(e_37.x, mirror_12.part.x), y: mul(e_37.y, mirror_12.part.y), z: mul(e_37.z, mirror_12.part.z) };
+    let enters_45 = Vec3 { x: sub(splat(1.0f32), mirror_12.part.x), y: sub(splat(1.0f32), mirror_12.part.y), z: sub(splat(1.0f32), mirror_12.part.z) };
+    let e_46 = light_v0;
+    let e_47 = environment_on(r, ex, n_7);
+    light_v0 = Vec3 { x: add(e_46.x, mul(mul(e_47.x, material_a4.diffuse.x), enters_45.x)), y: add(e_46.y, mul(mul(e_47.y, material_a4.diffuse.y), enters_45.y)), z: add(e_46.z, mul(mul(e_47.z, material_a4.diffuse.z), enters_45.z)) };
+    if (r.surface_settings.transmission > 0.0f32) {
+        let eta_61 = (1.0f32 / r.surface_settings.ior);
+        let e_63 = cosine_inside(r, cosine_11);
+        let e_64 = sub(mul(splat(eta_61), cosine_11), e_63);
+        let refracted_67 = Vec3 { x: sub(mul(n_7.x, e_64), mul(view_a3.x, splat(eta_61))), y: sub(mul(n_7.y, e_64), mul(view_a3.y, splat(eta_61))), z: sub(mul(n_7.z, e_64), mul(view_a3.z, splat(eta_61))) };
+        let seen_72 = environment_in_lobe(r, ex, refracted_67, mul(splat((1.0f32 - eta_61)), mirror_12.lean));
+        let e_73 = light_v0;
+        light_v0 = Vec3 { x: add(e_73.x, mul(seen_72.x, mul(material_a4.transmitted.x, enters_45.x))), y: add(e_73.y, mul(seen_72.y, mul(material_a4.transmitted.y, enters_45.y))), z: add(e_73.z, mul(seen_72.z, mul(material_a4.transmitted.z, enters_45.z))) };
+    }
+    let e_78 = light_v0;
+    return Vec3 { x: mul(e_78.x, splat(params_a5.x)), y: mul(e_78.y, splat(params_a5.x)), z: mul(e_78.z, splat(params_a5.x)) };
 } }
 lanes! { fn hemisphere_grade(r: &Resources<'_>, normal_a0: Vec3<F>, ground_a1: f32) -> F {
     return add(splat(ground_a1), mul(splat((1.0f32 - ground_a1)), add(splat(0.5f32), mul(splat(0.5f32), normal_a0.y))));

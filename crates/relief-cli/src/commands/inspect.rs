@@ -70,9 +70,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.mesh_up.is_some() {
         return Err(Failure::usage("--mesh-up is for meshes: leave it out"));
     }
-    if arguments.reading.raw.is_none() && arguments.file.extension().is_some_and(|ending| ending == "toml") {
+    let is_description = || arguments.file.extension().is_some_and(|ending| ending == "toml");
+    if arguments.file.is_dir() || (arguments.reading.raw.is_none() && is_description()) {
         let what = match FileKind::of(&arguments.file)? {
             FileKind::Object => "a depth object",
+            FileKind::Textures => "a folder of textures",
             _ => "a scene file",
         };
         let name = arguments.file.display();

@@ -10,6 +10,13 @@ use crate::values;
 /// Values of the material, and the files of its maps.
 #[derive(Args)]
 pub struct MaterialArguments {
+    /// Folder of a material's maps, recognised by their names, as ambientCG, Poly Haven, Substance,
+    /// Unreal and Unity give them. Flags that name a map replace one of them [default: none]
+    #[arg(long, value_name = "FOLDER", help_heading = "Maps and mesh")]
+    textures: Option<PathBuf>,
+    /// UDIM tile whose maps are taken from the folder, as in 1001 [default: the only one]
+    #[arg(long, value_name = "N", help_heading = "Maps and mesh", hide_short_help = true)]
+    udim: Option<u32>,
     /// Roughness map, 0 smooth to 1 rough, in its first channel [default: none]
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", hide_short_help = true)]
     roughness: Option<PathBuf>,
@@ -73,6 +80,8 @@ impl MaterialArguments {
     /// Returns a description of a surface with this material.
     pub fn surface(&self, surface: SurfaceSpec) -> SurfaceSpec {
         SurfaceSpec {
+            textures: self.textures.clone(),
+            udim: self.udim,
             roughness: self.roughness.clone(),
             metallic: self.metallic.clone(),
             occlusion: self.occlusion.clone(),
@@ -86,6 +95,11 @@ impl MaterialArguments {
             ior: self.ior,
             ..surface
         }
+    }
+
+    /// Whether a folder of textures is named.
+    pub fn names_textures(&self) -> bool {
+        self.textures.is_some()
     }
 
     /// Returns the files of its maps, which may be standard input.

@@ -56,7 +56,7 @@ pub struct Arguments {
     aov: Option<PathBuf>,
     /// Render one picture per frame number from A to B, inclusive, as in 0..47. The number replaces
     /// %d, or %04d with leading zeros, once in each name: --output, --aov, and the files that scene
-    /// and flags name (height, object, color, normal, mesh, environment). %% is then a percent
+    /// and flags name (maps, textures, object, mesh, environment). %% is then a percent
     /// sign. All files are checked before the first frame. Each picture is the same as if rendered
     /// alone: fix the camera with --eye and --target, and the --range of float maps
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]

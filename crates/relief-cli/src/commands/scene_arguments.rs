@@ -296,6 +296,7 @@ impl SceneArguments {
             FileKind::Object => self.object.is_some() || self.height.is_some(),
             FileKind::HeightMap => self.object.is_some() || self.height.is_some(),
             FileKind::Mesh => self.object.is_some() || self.placement.mesh.is_some(),
+            FileKind::Textures => self.object.is_some() || self.material.names_textures(),
         };
         if named {
             let flag = kind.flag();
@@ -306,7 +307,8 @@ impl SceneArguments {
         }
         let mut spec = self.flags();
         match kind {
-            FileKind::Object => spec.surface.object = Some(path.clone()),
+            FileKind::Object => spec.surface.object = Some(FileKind::object_at(path)),
+            FileKind::Textures => spec.surface.textures = Some(path.clone()),
             FileKind::Mesh => spec.surface.mesh = Some(MeshChoice::File(path.clone())),
             FileKind::HeightMap | FileKind::Scene => spec.surface.height = Some(path.clone()),
         }

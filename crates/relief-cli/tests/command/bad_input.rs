@@ -95,7 +95,7 @@ fn wrong_command_lines_are_refused_with_the_flag_named() {
         ("--transmission nan", &["--transmission"]),
         ("--ior 0.9 --ambient environment", &["--ior", "1 to 4"]),
         ("--ior nan --ambient environment", &["--ior"]),
-        ("--ior 2", &["--ior", "--ambient environment"]),
+        ("--ior 2 --shade blinn-phong", &["--ior", "--ambient environment"]),
         ("--size map", &["--size", "--view top"]),
         ("--size map --view corner --projection orthographic", &["--size", "--view top"]),
         ("--size map --view top", &["--size", "--projection orthographic"]),

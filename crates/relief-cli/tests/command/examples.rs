@@ -11,7 +11,7 @@ use crate::common::command::{Folder, Ran, json_of};
 use crate::common::files::{Samples, exr, georeference, tiff};
 use crate::common::maps::{Map, encoded};
 use crate::common::meshes::obj;
-use image::{ImageFormat, RgbImage, Rgba, RgbaImage};
+use image::{ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
 use relief_core::mesh::{sphere, square, torus};
 
 /// Commands with examples, as help is asked for.
@@ -104,6 +104,13 @@ fn all(folder: &Folder) -> BTreeSet<String> {
     of_help.chain(of_page).collect()
 }
 
+/// A picture of three different channels, as the bytes of a PNG file.
+fn colours(side: u32) -> Vec<u8> {
+    let picture =
+        RgbImage::from_fn(side, side, |x, y| Rgb([x, y, x ^ y].map(|part| (part * 255 / side) as u8)));
+    encoded(&picture.into(), ImageFormat::Png)
+}
+
 /// A folder with every file that an example reads.
 fn stand_ins() -> Folder {
     let folder = Folder::new();
@@ -116,6 +123,14 @@ fn stand_ins() -> Folder {
     }
     for name in ["waves_0000.png", "waves_0001.png"] {
         folder.write(name, Map::hills().png());
+    }
+    // The maps of a material.
+    for name in ["wall_color.png", "wall_orm.png"] {
+        folder.write(name, colours(128));
+    }
+    for (role, texels) in [("Color", colours(32)), ("Displacement", hills.png()), ("Roughness", colours(32))]
+    {
+        folder.write(&format!("Bricks090/Bricks090_1K-PNG_{role}.png"), texels);
     }
     // Heights in the opacity, too.
     let rock = RgbaImage::from_fn(128, 128, |x, y| {

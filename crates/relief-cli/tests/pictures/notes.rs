@@ -171,6 +171,15 @@ const FEEDS: &[Feed] = &[
         folder.write("map.png", with_chunk(&integers(0, 65535), &chunk));
         "inspect map.png"
     }),
+    ("texture-set", |folder| {
+        folder.write("Stones_Height.pgm", "P2 2 1 255 51 255");
+        "render --textures . --size 8x8 --backend cpu -o out.jpg"
+    }),
+    ("left-textures", |folder| {
+        folder.write("Stones_Height.pgm", "P2 2 1 255 51 255");
+        folder.write("Stones_Unknown.pgm", "P2 2 1 255 51 255");
+        "render . --size 8x8 --backend cpu -o out.jpg"
+    }),
     ("orientation-in-gltf", |folder| {
         let line = painted(folder, "", "", "");
         let turned = b"eXIfII*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0";

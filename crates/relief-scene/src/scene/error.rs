@@ -9,7 +9,7 @@ use crate::material_maps::MaterialMapError;
 use relief_core::camera::CameraError;
 use relief_core::mesh::MeshError;
 use relief_core::{ByteSize, HeightMapError};
-use relief_io::ReadError;
+use relief_io::{ReadError, TextureSetError};
 use relief_maps::MapsError;
 use relief_object::ObjectFileError;
 use relief_shaders::shadow::of_light_views;
@@ -78,6 +78,9 @@ pub enum SceneError {
     /// A colour map, a normal map or an environment map cannot be read.
     #[error(transparent)]
     Picture(ReadError),
+    /// The textures of a folder cannot be used.
+    #[error(transparent)]
+    Textures(#[from] TextureSetError),
     /// A material map cannot be used.
     #[error("{}: {source}", path.display())]
     MaterialMap {

@@ -92,6 +92,8 @@ pub fn keys() -> Vec<Key> {
             "",
             "file of the height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or raw",
         ),
+        surface("textures", Form::Text, "", "folder of a material's maps, recognised by their names"),
+        surface("udim", Form::Whole, "", "UDIM tile whose maps are taken, from 1001 on"),
         surface("object", Form::Text, "", "file of a depth object, object.toml, in place of height and mesh"),
         surface(
             "channel",
@@ -366,6 +368,8 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
     match key {
         "height" => path(&spec.height),
         "object" => path(&spec.object),
+        "textures" => path(&spec.textures),
+        "udim" => spec.udim.map(|tile| tile.to_string()),
         "color" => path(&spec.color),
         "normal" => path(&spec.normal),
         "roughness" => path(&spec.roughness),

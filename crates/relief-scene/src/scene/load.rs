@@ -71,12 +71,15 @@ impl SceneSpec {
     ///
     /// # Errors
     ///
-    /// When there is no height map, a value is out of range, a method is not available, a file
+    /// When there is no height map, the names in a folder of textures are unclear, a value is out of range, a method is not available, a file
     /// cannot be read, or maps and picture need more than `max_memory`. The last is detected before
     /// that memory is allocated.
     pub fn load(&self) -> Result<Scene, SceneError> {
         self.check_surfaces()?;
-        self.with_keys_of_meshes()?.load_whole()
+        let (spec, mut notes) = self.with_texture_sets()?;
+        let scene = spec.with_keys_of_meshes()?.load_whole()?;
+        notes.extend(scene.notes);
+        Ok(Scene { notes, ..scene })
     }
 
     /// Loads a scene that already has the keys of its mesh files.

@@ -47,7 +47,7 @@ impl MaterialSpec {
         ["diffuse", "specular", "shininess", "base", "roughness", "metallic", "emission"];
 
     /// Returns this description with the values of `over` in place of its own. Values of one shading
-    /// drop those of the other.
+    /// drop values of the other.
     #[must_use]
     pub fn overridden_by(self, over: Self) -> Self {
         let own = if over.of_roughness().is_some() {
@@ -60,7 +60,7 @@ impl MaterialSpec {
         own.merged(over)
     }
 
-    /// Returns the values of both descriptions; where both have one, that of `over`.
+    /// Returns the values of both descriptions; `over` goes first.
     #[must_use]
     pub fn merged(self, over: Self) -> Self {
         Self {

@@ -26,6 +26,7 @@ mod spec;
 mod surface;
 mod surface_colors;
 mod surface_spec;
+mod texture_set;
 mod view;
 
 pub use builder::SceneBuilder;

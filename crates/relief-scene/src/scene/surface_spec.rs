@@ -22,6 +22,11 @@ use std::path::PathBuf;
 pub struct SurfaceSpec {
     /// File of the height map. Required, unless `object` or the file of a mesh is given.
     pub height: Option<PathBuf>,
+    /// Folder of textures: the maps of a material, recognised by their names (see
+    /// [`find_textures`](relief_io::find_textures)). Maps that are given go before them.
+    pub textures: Option<PathBuf>,
+    /// Number of the UDIM tile whose textures are taken, from 1001 on. Needed if the folder has several.
+    pub udim: Option<u32>,
     /// File of a depth object, in place of height map and mesh. Such a surface also takes a
     /// placement, a method, settings and a material.
     pub object: Option<PathBuf>,
@@ -231,6 +236,8 @@ impl SurfaceSpec {
             bias: over.bias.or(self.bias),
             exaggerate: over.exaggerate.or(self.exaggerate),
             creases: over.creases.or(self.creases),
+            textures: over.textures.or(self.textures),
+            udim: over.udim.or(self.udim),
             color: over.color.or(self.color),
             normal: over.normal.or(self.normal),
             green: over.green.or(self.green),
@@ -273,6 +280,7 @@ impl SurfaceSpec {
             self.height.as_ref(),
             self.object.as_ref(),
             self.color.as_ref(),
+            self.textures.as_ref(),
             self.normal.as_ref(),
             self.roughness.as_ref(),
             self.metallic.as_ref(),
@@ -298,6 +306,7 @@ impl SurfaceSpec {
             self.height.as_mut(),
             self.object.as_mut(),
             self.color.as_mut(),
+            self.textures.as_mut(),
             self.normal.as_mut(),
             self.roughness.as_mut(),
             self.metallic.as_mut(),
@@ -345,6 +354,8 @@ impl SurfaceSpec {
             ("scale", self.scale.is_some()),
             ("bias", self.bias.is_some()),
             ("exaggerate", self.exaggerate.is_some()),
+            ("textures", self.textures.is_some()),
+            ("udim", self.udim.is_some()),
             ("color", self.color.is_some()),
             ("normal", self.normal.is_some()),
             ("green", self.green.is_some()),

@@ -5,6 +5,7 @@ mod map_size;
 mod materials;
 mod overriding;
 mod proportions;
+mod texture_sets;
 
 use super::*;
 use crate::depth_buffer::Clip;
@@ -71,6 +72,8 @@ creases = true
 color = "/somewhere/b.png"
 normal = "c.png"
 green = "-y"
+textures = "set"
+udim = 1002
 roughness = "r.png"
 metallic = "m.png"
 occlusion = "o.png"
@@ -148,6 +151,8 @@ fn every_key_is_read() {
         color: Some(PathBuf::from("/somewhere/b.png")),
         normal: Some(folder.path().join("c.png")),
         green: "-y".parse().ok(),
+        textures: Some(folder.path().join("set")),
+        udim: Some(1002),
         roughness: Some(folder.path().join("r.png")),
         metallic: Some(folder.path().join("m.png")),
         occlusion: Some(folder.path().join("o.png")),

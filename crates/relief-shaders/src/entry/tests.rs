@@ -2,8 +2,8 @@ use std::path::Path;
 
 use super::*;
 use crate::stages::{
-    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
-    stage,
+    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE,
+    Stage, stage,
 };
 use crate::surface::Shown;
 use crate::{METHODS, Selection, SelectionError};

@@ -23,7 +23,7 @@ impl Differences {
         self.0.partition_point(|difference| *difference <= bound) as f64 / self.0.len().max(1) as f64
     }
 
-    /// The least difference that so many percent of the pixels do not exceed.
+    /// The least difference that a percentage of the pixels does not exceed.
     pub fn percentile(&self, percent: usize) -> u8 {
         let place = (self.0.len() * percent).div_ceil(100).max(1) - 1;
         self.0.get(place).copied().unwrap_or_default()

@@ -1,6 +1,6 @@
 //! The model of `metallic-roughness` integrated over all directions of the light, in `f64`.
 //!
-//! The model is that of appendix B of glTF 2.0; its specular part is multiplied by Turquin's factor.
+//! The model is appendix B of glTF 2.0; its specular part is multiplied by Turquin's factor.
 
 use std::f64::consts::TAU;
 

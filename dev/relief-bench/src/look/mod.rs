@@ -57,7 +57,7 @@ const RADIUS_M: f64 = 0.5;
 const SHARE: f64 = 0.99;
 const BOUNDS: [u8; 2] = [2, 5];
 
-/// The integral is computed for one pixel of so many columns and rows.
+/// The integral is computed for one pixel of a block of this many columns and rows.
 const STEP: usize = 6;
 
 /// A picture: sRGB bytes where it shows the sphere.

@@ -1,4 +1,4 @@
-//! All pictures beside each other: Relief's, those of three.js, and the differences.
+//! All pictures beside each other: Relief's, three.js', and the differences.
 
 use std::path::Path;
 

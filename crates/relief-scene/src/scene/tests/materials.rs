@@ -103,10 +103,7 @@ fn maps_are_read_as_numbers_and_multiplied_by_1() {
     let scene = loaded(folder.path(), "emission = 'half.pgm'").expect("a scene");
     let surface = &scene.surfaces()[0];
     let emission = surface.material_maps().expect("maps").texels()[0][4];
-    assert!(
-        (emission - 0.0331).abs() < 1e-4 && surface.material().emission() == Vec3::ONE,
-        "{emission}"
-    );
+    assert!((emission - 0.0331).abs() < 1e-4 && surface.material().emission() == Vec3::ONE, "{emission}");
 }
 
 #[test]

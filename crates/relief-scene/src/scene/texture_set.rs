@@ -1,0 +1,122 @@
+//! Surfaces whose maps are found in a folder, by their names.
+
+use std::path::{Path, PathBuf};
+
+use relief_io::{FoundTexture, ReadNote, Remark, TextureRole, TextureSet, find_textures, omissions};
+use relief_shaders::{SHADE, STAGES};
+
+use super::material_spec::metallic_roughness;
+use super::{SceneError, SceneSpec, SurfaceSpec};
+use crate::material::ShadingModel;
+
+impl SceneSpec {
+    /// Returns the description with the files of its texture sets as maps of its surfaces, and a note
+    /// on every set. Maps that are given go before a set's.
+    ///
+    /// # Errors
+    ///
+    /// When a folder cannot be read, its names are unclear, or a surface would have no height map.
+    pub(super) fn with_texture_sets(&self) -> Result<(Self, Vec<ReadNote>), SceneError> {
+        let mut notes = Vec::new();
+        let mut spec = self.clone();
+        if spec.surfaces.is_empty() {
+            spec.surface = spec.surface.with_texture_set(&mut notes)?;
+            return Ok((spec, notes));
+        }
+        // Surfaces have the common keys, and so the common set, unless they have one of their own.
+        let each = self.each_surface().into_iter();
+        let found =
+            each.map(|surface| surface.with_texture_set(&mut notes)).collect::<Result<Vec<_>, _>>()?;
+        for (own, found) in spec.surfaces.iter_mut().zip(found) {
+            if found.textures.is_some() {
+                *own = found;
+            }
+        }
+        spec.surface.textures = None;
+        notes.dedup();
+        Ok((spec, notes))
+    }
+}
+
+impl SurfaceSpec {
+    /// Returns the description with the files of its texture set as maps.
+    fn with_texture_set(&self, notes: &mut Vec<ReadNote>) -> Result<Self, SceneError> {
+        let Some(folder) = &self.textures else { return Ok(self.clone()) };
+        let set = find_textures(folder, self.udim)?;
+        let mut spec = self.clone();
+        let mut taken = Vec::new();
+        let mut left = Vec::new();
+        // Blinn-Phong reads no map of a material.
+        let is_plain = self.stages.get(STAGES[SHADE].key).is_some_and(|name| name != metallic_roughness())
+            || self.shading_model()? == Some(ShadingModel::BlinnPhong);
+        if spec.height.is_none() && !spec.is_mesh_alone() {
+            set.height()?;
+        }
+        for texture in &set.textures {
+            let of_relief = [TextureRole::Color, TextureRole::Height, TextureRole::Normal];
+            let Some(key) = key_of(texture.role) else {
+                left.push((texture, "is not read"));
+                continue;
+            };
+            if is_plain && !of_relief.contains(&texture.role) {
+                left.push((texture, "is not read by the shading"));
+            } else if key(&mut spec).is_some() {
+                left.push((texture, "is replaced by a given map"));
+            } else {
+                *key(&mut spec) = Some(texture.path.clone());
+                taken.push(texture);
+                if texture.role == TextureRole::Normal {
+                    spec.green = spec.green.or(texture.green);
+                }
+            }
+        }
+        notes.push(Remark::new(&omissions::TEXTURE_SET, said(&set, &taken)).of(folder));
+        notes.extend(
+            said_left(&set, &left).map(|text| Remark::new(&omissions::LEFT_TEXTURES, text).of(folder)),
+        );
+        Ok(spec)
+    }
+}
+
+/// A key of a surface that names a file.
+type FileKey = fn(&mut SurfaceSpec) -> &mut Option<PathBuf>;
+
+/// Returns the key for textures of a role.
+fn key_of(role: TextureRole) -> Option<FileKey> {
+    let key: FileKey = match role {
+        TextureRole::Color => |spec| &mut spec.color,
+        TextureRole::Height => |spec| &mut spec.height,
+        TextureRole::Normal => |spec| &mut spec.normal,
+        TextureRole::Roughness => |spec| &mut spec.roughness,
+        TextureRole::Glossiness => |spec| &mut spec.glossiness,
+        TextureRole::Metallic => |spec| &mut spec.metallic,
+        TextureRole::Occlusion => |spec| &mut spec.occlusion,
+        TextureRole::Emission => |spec| &mut spec.emission,
+        TextureRole::Orm => |spec| &mut spec.orm,
+        TextureRole::MetallicSmoothness => |spec| &mut spec.metallic_smoothness,
+        TextureRole::MaskMap => |spec| &mut spec.mask_map,
+        TextureRole::Opacity | TextureRole::Specular => return None,
+    };
+    Some(key)
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+/// Returns what was taken from a set, as a sentence.
+fn said(set: &TextureSet, taken: &[&FoundTexture]) -> String {
+    let each: Vec<String> =
+        taken.iter().map(|texture| format!("{} from {}", texture.role, file_name(&texture.path))).collect();
+    let what = if each.is_empty() { "nothing".to_owned() } else { each.join(", ") };
+    format!("the textures {}: {what}", set.name)
+}
+
+/// Returns what was left of a set, as a sentence. `None` if nothing was.
+fn said_left(set: &TextureSet, left: &[(&FoundTexture, &str)]) -> Option<String> {
+    let of_scene =
+        left.iter().map(|(texture, why)| format!("{} ({} {why})", file_name(&texture.path), texture.role));
+    let of_set = set.left.iter().map(|(path, why)| format!("{} ({why})", file_name(path)));
+    let each: Vec<String> = of_scene.chain(of_set).collect();
+    (!each.is_empty()).then(|| format!("left out of the textures {}: {}", set.name, each.join(", ")))
+}
