@@ -61,7 +61,6 @@ mod holes;
 mod integrate;
 mod known;
 mod slopes;
-mod spectrum;
 
 use rayon::prelude::*;
 use relief_core::Watch;

@@ -27,6 +27,7 @@ mod baked_map;
 mod byte_size;
 pub mod camera;
 pub mod encoding;
+mod equal_steps;
 pub mod exact;
 mod found_state;
 mod height_bounds;
@@ -55,6 +56,7 @@ pub use baked_map::{
 };
 pub use byte_size::{BadByteSize, ByteSize};
 pub use encoding::Rounding;
+pub use equal_steps::EqualSteps;
 pub use found_state::FoundState;
 pub use height_bounds::HeightBounds;
 pub use height_map::{HeightMap, HeightMapError, MAX_SIDE, MAX_TEXELS};

@@ -4,8 +4,8 @@ use rayon::prelude::*;
 use relief_core::{HeightMap, HeightMapError, Watch, Wrap};
 
 use super::error::{FromNormalsError, check_steepest};
-use super::spectrum::{Border, LineTransform};
 use crate::kind::normal::Axes;
+use crate::spectrum::{Border, LineTransform};
 use crate::transpose::transpose;
 
 /// Settings for reading and integrating normals.

@@ -1,6 +1,7 @@
 //! Baked maps against brute force, and heights from normals and photographs.
 
 mod cone;
+mod deband;
 mod dilation_erosion;
 mod distance;
 mod filter_levels;

@@ -13,14 +13,14 @@ const LINES: usize = 16;
 
 /// Continuation of a plane beyond its edges: tiled, or mirrored half a sample beyond the last one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Border {
+pub(crate) enum Border {
     Tiled,
     Mirrored,
 }
 
 /// Transform of lines of one length: Hartley when they are tiled, cosine (DCT-II) when they are
 /// mirrored. Both are real and computed from one real FFT.
-pub(super) struct LineTransform {
+pub(crate) struct LineTransform {
     border: Border,
     length: usize,
     forward: Arc<dyn RealToComplex<f64>>,
