@@ -95,6 +95,9 @@ pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
         })
     } else if *row == omissions::FITTED_RANGE {
         with(&|range| [format!(", as with --range {range}"), format!(", as with range = [{range}]")])
+    } else if *row == omissions::BANDED {
+        let text = "; `relief height deband` turns them into slopes";
+        Some([text.to_owned(), text.to_owned()])
     } else if *row == omissions::NAMED_LIKE_DEPTH {
         Some([" give --depth".to_owned(), " give depth = true".to_owned()])
     } else {

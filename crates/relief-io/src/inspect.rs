@@ -1,5 +1,6 @@
 //! Inspection of a file's content, without judging it.
 
+use crate::banding::banding;
 use crate::examine::examine;
 use crate::height::{BYTES_PER_TEXEL, HeightOptions, select};
 use crate::image_file::ImageFile;
@@ -35,7 +36,7 @@ pub struct SourceInfo {
     /// Values of the channel that [`crate::read_height`] would read; none if it would ask for a
     /// channel.
     pub values: Option<Values>,
-    /// Notes that [`crate::read_height_file`] would return.
+    /// Notes that [`crate::read_height_file`] would return, and a note on steps that show.
     pub notes: Vec<ReadNote>,
 }
 
@@ -114,6 +115,7 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadP
                 Ok(mut samples) => {
                     let sample = layout.channels[channel].sample;
                     remarks.extend(examine(&mut samples, &layout, sample, options, note.is_some()));
+                    remarks.extend(banding(&samples));
                     let name = &layout.channels[channel].name;
                     Some(values(samples, name, layout.height_full_scale(), elevation))
                 }

@@ -50,6 +50,9 @@ omissions! {
     FITTED_RANGE: "fitted-range", "heights",
         "floats between 0 and 1 that use less than nine tenths of this range",
         "heights 0 and 1 are their least and greatest value";
+    BANDED: "banded", "heights that are inspected",
+        "a smooth relief of few levels in equal steps, much of it in flat runs",
+        "the steps are read as relief";
     NEARLY_GREY: "nearly-grey", "heights",
         "red, green and blue that are nearly equal",
         "their mean is the height";

@@ -1,7 +1,8 @@
 //! `relief height`: makes height maps from normal maps, photographs, pairs of meshes, depth objects
-//! and formulas, and for a mesh.
+//! and formulas, for a mesh, and with slopes instead of steps.
 
 mod annotated_heights;
+mod deband;
 mod for_mesh;
 mod from_meshes;
 mod from_normals;
@@ -48,6 +49,8 @@ enum Origin {
     /// Adapt a height map to one mesh: add its smooth base, or leave out texels that it does not
     /// show
     ForMesh(Box<for_mesh::Arguments>),
+    /// Turn the steps of a height map of few levels into slopes
+    Deband(Box<deband::Arguments>),
 }
 
 const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.png -o rock.exr\n  \
@@ -55,7 +58,8 @@ const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.pn
     relief height from-photos lights.toml -o coin.exr --normals normal.png --albedo albedo.png\n  \
     relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 -o rock.exr\n  \
     relief height from-view spot/object.toml --view 5 -o front.exr\n  \
-    relief height procedure waves --frames 0..47 -o waves_%04d.png\n\n\
+    relief height procedure waves --frames 0..47 -o waves_%04d.png\n  \
+    relief height deband wall.png -o wall.exr\n\n\
     `relief height from-photos --help` shows a file of lights.";
 
 /// Description of the written files, at the end of several helps.
@@ -166,6 +170,7 @@ impl Arguments {
             Origin::FromView(arguments) => arguments.files(),
             Origin::Procedure(arguments) => arguments.files(),
             Origin::ForMesh(arguments) => arguments.files(),
+            Origin::Deband(arguments) => arguments.files(),
         }
     }
 
@@ -178,6 +183,7 @@ impl Arguments {
             Origin::FromView(arguments) => arguments.json,
             Origin::Procedure(arguments) => arguments.json,
             Origin::ForMesh(arguments) => arguments.json,
+            Origin::Deband(arguments) => arguments.json,
         }
     }
 }
@@ -191,6 +197,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Origin::FromView(arguments) => from_view::run(arguments),
         Origin::Procedure(arguments) => procedure::run(arguments),
         Origin::ForMesh(arguments) => for_mesh::run(arguments),
+        Origin::Deband(arguments) => deband::run(arguments),
     }
 }
 

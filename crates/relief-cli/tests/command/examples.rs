@@ -15,7 +15,7 @@ use image::{ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
 use relief_core::mesh::{sphere, square, torus};
 
 /// Commands with examples, as help is asked for.
-const COMMANDS: [&str; 20] = [
+const COMMANDS: [&str; 21] = [
     "render",
     "scene",
     "inspect",
@@ -27,6 +27,7 @@ const COMMANDS: [&str; 20] = [
     "height from-view",
     "height procedure",
     "height for-mesh",
+    "height deband",
     "mesh",
     "capture",
     "slices",

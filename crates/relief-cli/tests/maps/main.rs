@@ -7,6 +7,7 @@ mod bad_height_input;
 mod bake;
 mod bake_files;
 mod cache;
+mod deband;
 mod elevation;
 mod for_mesh;
 mod from_meshes;

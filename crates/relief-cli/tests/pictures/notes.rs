@@ -57,6 +57,11 @@ const FEEDS: &[Feed] = &[
         folder.write("map.exr", exr(SIZE, &[("Y", ground(0.0).iter().map(|h| h / 200.0).collect())]));
         "render --height map.exr --backend cpu --size 32x24 -o out.png"
     }),
+    ("banded", |folder| {
+        let hill = |x: u32, y: u32| ((x as f32 * 0.05).sin() + (y as f32 * 0.04).cos()) * 8.0 + 16.0;
+        folder.write("map.png", Map::new(96, 96, |x, y| 2000 * hill(x, y).round() as u16).png());
+        "inspect map.png"
+    }),
     ("nearly-grey", |folder| {
         let rgb: Vec<u8> = (0..192u32).map(|at| 100 + (at % 48 / 3) as u8 + u8::from(at == 7)).collect();
         folder.write("map.ppm", [b"P6 8 8 255\n".to_vec(), rgb].concat());
