@@ -212,7 +212,8 @@ fn light_is_what_the_model_of_gltf_reflects() {
 #[test]
 fn wrong_models_are_noticed() {
     let light = |shader: &Shader, model: &Model, directions| shader.light(model, directions);
-    let wrong: [(&str, fn(&mut Model)); 3] = [
+    type Change = fn(&mut Model);
+    let wrong: [(&str, Change); 3] = [
         ("another exponent of Fresnel's", |model| model.fresnel = 4),
         ("roughness for metalness", |model| std::mem::swap(&mut model.roughness, &mut model.metallic)),
         ("red for blue", |model| std::mem::swap(&mut model.base.x, &mut model.base.z)),
@@ -229,7 +230,7 @@ fn wrong_models_are_noticed() {
         let upright = normal.dot(half);
         let by = |squared_sine: f32| f64::from(upright * upright * squared + squared_sine);
         let ratio = by(normal.cross(half).length_squared()) / by((1.0 - upright * upright).max(0.0));
-        shader.light(model, [directions[0], directions[1], directions[2]]) * ratio * ratio
+        shader.light(model, directions) * ratio * ratio
     };
     let error = greatest_error(20_000, |_| {}, subtracted);
     assert!(error > 1e-3, "subtraction: {error:e}");
