@@ -84,7 +84,7 @@ impl EqualSteps {
     }
 }
 
-/// Returns the step near `guess`, of which all differences are multiples.
+/// Returns the step near `guess` that divides all differences.
 fn multiples(levels: &[f64], guess: f64) -> Option<f64> {
     let (mut step, mut places) = (guess, 0.0);
     for pair in levels.windows(2) {
