@@ -704,7 +704,10 @@ pub struct Material {
     pub emission: rt::Vec3<f32>,
     /// The part of the light from all around that arrives, by the material's map.
     pub occlusion: f32,
-    /// The square of alpha, the width of the facets' distribution.
+    /// The roughness in the footprint; its square alpha, the width of the facets' distribution; and the
+    /// square of alpha.
+    pub roughness: f32,
+    pub alpha: f32,
     pub squared_alpha: f32,
     /// The cosine between the normal and the view, at least a little, and its share in the part of facets
     /// that others hide.
@@ -722,12 +725,14 @@ impl Material {
         around: impl rt::Into<rt::Vec3<f32>>,
         emission: impl rt::Into<rt::Vec3<f32>>,
         occlusion: impl rt::Into<f32>,
+        roughness: impl rt::Into<f32>,
+        alpha: impl rt::Into<f32>,
         squared_alpha: impl rt::Into<f32>,
         upright: impl rt::Into<f32>,
         masking: impl rt::Into<f32>,
         again: impl rt::Into<f32>,
     ) -> Self {
-        Self { diffuse: rt::into(diffuse), transmitted: rt::into(transmitted), specular: rt::into(specular), around: rt::into(around), emission: rt::into(emission), occlusion: rt::into(occlusion), squared_alpha: rt::into(squared_alpha), upright: rt::into(upright), masking: rt::into(masking), again: rt::into(again) }
+        Self { diffuse: rt::into(diffuse), transmitted: rt::into(transmitted), specular: rt::into(specular), around: rt::into(around), emission: rt::into(emission), occlusion: rt::into(occlusion), roughness: rt::into(roughness), alpha: rt::into(alpha), squared_alpha: rt::into(squared_alpha), upright: rt::into(upright), masking: rt::into(masking), again: rt::into(again) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -2419,18 +2424,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn facet_reflection(
         &self,
         cosine_3: impl rt::Into<rt::Scalar<f32>>,
-        squared_alpha: impl rt::Into<rt::Scalar<f32>>,
+        alpha: impl rt::Into<rt::Scalar<f32>>,
+        roughness: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_facet_reflection(rt::into(cosine_3), rt::into(squared_alpha)))
+        rt::into(self.v_facet_reflection(rt::into(cosine_3), rt::into(alpha), rt::into(roughness)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_facet_reflection(
         &self,
         cosine_3: rt::Scalar<f32>,
-        squared_alpha: rt::Scalar<f32>,
+        alpha: rt::Scalar<f32>,
+        roughness: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let alpha = squared_alpha.sqrt();
-        let roughness = alpha.sqrt();
         let x_4 = (cosine_3 / (cosine_3 + (rt::Scalar(0.65f32) * alpha)));
         let a6_ = (rt::Scalar(0.1878f32) + (alpha * (rt::Scalar(-0.9742f32) + (alpha * (rt::Scalar(1.3709f32) + (alpha * rt::Scalar(-0.6017f32)))))));
         let a0_ = (rt::Scalar(1.0034f32) + (alpha * (rt::Scalar(0.0071f32) + (alpha * a6_))));
@@ -2448,7 +2453,24 @@ impl<'g> Resources<'g> {
         let slant = (rt::Scalar(1f32) - cosine_3.min(rt::Scalar(1f32)));
         let squared = (slant * slant);
         let grazing = (((squared * squared) * slant) * rest_3);
-        return <rt::Vec2<f32>>::from_scalars((all_1 - grazing), grazing);
+        return <rt::Vec2<f32>>::from_scalars(all_1, grazing);
+    }
+    pub(crate) fn reflected_by(
+        &self,
+        once: impl rt::Into<rt::Vec2<f32>>,
+        specular: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_reflected_by(rt::into(once), rt::into(specular)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_reflected_by(
+        &self,
+        once: rt::Vec2<f32>,
+        specular: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let least = <rt::Vec3<f32>>::from_scalars(once.y(), once.y(), once.y());
+        return (least + (specular * (once.x() - once.y()).max(rt::Scalar(0f32))));
     }
     pub(crate) fn shade_metallic_roughness_mirrored(
         &self,
@@ -2469,10 +2491,12 @@ impl<'g> Resources<'g> {
         params_4: rt::Vec4<f32>,
     ) -> Mirrored {
         let white = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
-        let _e10 = self.v_facet_reflection(rt::Scalar(material_4.upright), rt::Scalar(material_4.squared_alpha));
-        let part_9 = (((material_4.specular * _e10.x()) + (white * _e10.y())) * (white + (material_4.specular * rt::Scalar(material_4.again))));
-        let alpha_1 = rt::Scalar(material_4.squared_alpha).sqrt();
-        return <Mirrored>::new(part_9, alpha_1, <rt::Vec2<f32>>::from_scalars((rt::Scalar(1.4f32) * alpha_1), (rt::Scalar(5.6f32) * alpha_1)), rt::Scalar(0.25f32), (alpha_1 * alpha_1.sqrt()));
+        let _e11 = self.v_facet_reflection(rt::Scalar(material_4.upright), rt::Scalar(material_4.alpha), rt::Scalar(material_4.roughness));
+        let _e13 = self.v_reflected_by(_e11, material_4.specular);
+        let part_9 = (_e13 * (white + (material_4.specular * rt::Scalar(material_4.again))));
+        let alpha_2 = rt::Scalar(material_4.alpha);
+        let turn_4 = (alpha_2 * rt::Scalar(material_4.roughness));
+        return <Mirrored>::new(part_9, alpha_2, <rt::Vec2<f32>>::from_scalars((rt::Scalar(1.4f32) * alpha_2), (rt::Scalar(5.6f32) * alpha_2)), rt::Scalar(0.25f32), turn_4);
     }
     pub(crate) fn shade_mirrored_stage(
         &self,
@@ -3785,9 +3809,9 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(CELLS_HIGHEST)) {
             let _e13 = self.v_height_cell(cell_5, level_12);
             let most_4 = _e13.x().max(_e13.y()).max(_e13.z().max(_e13.w()));
-            let least = _e13.x().min(_e13.y()).min(_e13.z().min(_e13.w()));
+            let least_1 = _e13.x().min(_e13.y()).min(_e13.z().min(_e13.w()));
             let _e31 = rt::Scalar(self.surface_settings.jump);
-            if rt::Scalar::into_branch_condition((most_4 - least).elementwise_gt(_e31)) {
+            if rt::Scalar::into_branch_condition((most_4 - least_1).elementwise_gt(_e31)) {
                 return <rt::Vec4<f32>>::from_scalars(most_4, most_4, most_4, most_4);
             }
             return _e13;
@@ -3795,13 +3819,13 @@ impl<'g> Resources<'g> {
         let dual = <rt::Vec2<i32>>::from_scalars((cell_5.x() >> rt::Scalar(1u32)), (cell_5.y() >> rt::Scalar(1u32)));
         let _e41 = self.v_height_cell(dual, level_12);
         let most_5 = _e41.x().max(_e41.y()).max(_e41.z().max(_e41.w()));
-        let least_1 = _e41.x().min(_e41.y()).min(_e41.z().min(_e41.w()));
+        let least_2 = _e41.x().min(_e41.y()).min(_e41.z().min(_e41.w()));
         let right_1 = ((cell_5.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
         let lower = ((cell_5.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
         let _e72 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition((!_e72.elementwise_eq(CELLS_NEAREST))) {
             let _e81 = rt::Scalar(self.surface_settings.jump);
-            local_9 = (most_5 - least_1).elementwise_gt(_e81);
+            local_9 = (most_5 - least_2).elementwise_gt(_e81);
         } else {
             local_9 = rt::Scalar(true);
         }
@@ -4905,9 +4929,9 @@ impl<'g> Resources<'g> {
         let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
         let first_12 = ((cell_29.y().to_u32() * side_6) + cell_29.x().to_u32());
         let beside_4 = (first_12 + side_6).select((first_12 + rt::Scalar(1u32)), part_12.x().elementwise_gt(part_12.y()));
-        let least_2 = part_12.x().min(part_12.y());
+        let least_3 = part_12.x().min(part_12.y());
         let most_7 = part_12.x().max(part_12.y());
-        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_12, beside_4, ((first_12 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_2), least_2));
+        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_12, beside_4, ((first_12 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_3), least_3));
     }
     pub(crate) fn image_of_object(&self, number_3: impl rt::Into<rt::Scalar<u32>>) -> Image {
         rt::into(self.v_image_of_object(rt::into(number_3)))
@@ -6015,13 +6039,13 @@ impl<'g> Resources<'g> {
         let mut local_25: rt::Scalar<bool>;
         let mut local_26: rt::Scalar<bool>;
 
-        let least_3 = rt::Scalar(0u32).select((steps - above), steps.elementwise_gt(above));
+        let least_4 = rt::Scalar(0u32).select((steps - above), steps.elementwise_gt(above));
         let most_8 = below.min(steps);
-        j = (((((rt::Scalar(2u32) * steps) * below) + above) + below) / (rt::Scalar(2u32) * (above + below))).clamp(least_3, most_8);
+        j = (((((rt::Scalar(2u32) * steps) * below) + above) + below) / (rt::Scalar(2u32) * (above + below))).clamp(least_4, most_8);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = j;
-                if rt::Scalar::into_branch_condition(_e19.elementwise_gt(least_3)) {
+                if rt::Scalar::into_branch_condition(_e19.elementwise_gt(least_4)) {
                     let _e24 = j;
                     let _e30 = j;
                     local_25 = (((rt::Scalar(2u32) * _e24) - rt::Scalar(1u32)) * above).elementwise_gt((((rt::Scalar(2u32) * (steps - _e30)) + rt::Scalar(1u32)) * below));
@@ -6259,8 +6283,8 @@ impl<'g> Resources<'g> {
             return uv_9;
         }
         let _e29 = self.v_height_size(level_31.ceil().to_u32());
-        let least_4 = (rt::Vec2::splat_from_scalar(rt::Scalar(0.515625f32)) / _e29);
-        return uv_9.clamp(least_4, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - least_4).max(least_4));
+        let least_5 = (rt::Vec2::splat_from_scalar(rt::Scalar(0.515625f32)) / _e29);
+        return uv_9.clamp(least_5, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - least_5).max(least_5));
     }
     pub(crate) fn displaced_site(&self, grid_6: Tessellation, site_1: BaseSite) -> Corner {
         rt::into(self.v_displaced_site(grid_6, site_1))
@@ -7052,11 +7076,11 @@ impl<'g> Resources<'g> {
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let far_6 = <rt::Vec4<f32>>::from_scalars(normal_15.dot(a_12), normal_15.dot(b_12), normal_15.dot(c_7), normal_15.dot(d_2));
-        let least_5 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
+        let least_6 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
         let most_10 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
         let beyond_3 = (slack_4 * normal_15.length());
         let change_4 = normal_15.dot(along_11);
-        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_5), change_4, beyond_3);
+        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_6), change_4, beyond_3);
         let _e35 = self.v_where_positive(_e32, most_10, (rt::Scalar(0f32) - change_4), beyond_3);
         return _e35;
     }
@@ -7640,13 +7664,13 @@ impl<'g> Resources<'g> {
         let c_25 = (pixel_38.c.position - pixel_38.origin);
         let along_29 = (pixel_38.direction / rt::Vec3::splat_from_scalar(pixel_38.direction.dot(pixel_38.direction)));
         let places_1 = <rt::Vec3<f32>>::from_scalars(a_34.dot(along_29), b_34.dot(along_29), c_25.dot(along_29));
-        let least_6 = places_1.x().min(places_1.y()).min(places_1.z());
+        let least_7 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_12 = places_1.x().max(places_1.y()).max(places_1.z());
         let across_5 = normal_16.dot(pixel_38.direction);
         if rt::Scalar::into_branch_condition(across_5.elementwise_eq(rt::Scalar(0f32))) {
-            return least_6;
+            return least_7;
         }
-        return (normal_16.dot(a_34) / across_5).clamp(least_6, most_12);
+        return (normal_16.dot(a_34) / across_5).clamp(least_7, most_12);
     }
     pub(crate) fn triangle_weights(
         &self,
@@ -13493,10 +13517,10 @@ impl<'g> Resources<'g> {
         let mut local_91: rt::Scalar<bool>;
         let mut local_92: rt::Scalar<bool>;
 
-        let least_7 = (place_18.x().min(place_18.y()) - half);
+        let least_8 = (place_18.x().min(place_18.y()) - half);
         let most_15 = (place_18.x().max(place_18.y()) + half);
         if rt::Scalar::into_branch_condition(place_18.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_91 = least_7.elementwise_ge(rt::Scalar(0f32));
+            local_91 = least_8.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_91 = rt::Scalar(false);
         }
@@ -16117,8 +16141,8 @@ impl<'g> Resources<'g> {
         let none_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let transmitted = <rt::Vec3<f32>>::from_scalars(transmission, transmission, transmission);
         let _e25 = self.surface_settings.specular;
-        let specular = _e25.xyz();
-        return <Material>::new(diffuse, transmitted, specular, diffuse, none_2, rt::Scalar(1f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let specular_1 = _e25.xyz();
+        return <Material>::new(diffuse, transmitted, specular_1, diffuse, none_2, rt::Scalar(1f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shade_metallic_roughness_material(
         &self,
@@ -16143,39 +16167,53 @@ impl<'g> Resources<'g> {
         color_2: rt::Vec3<f32>,
         params_113: rt::Vec4<f32>,
     ) -> Material {
-        let mut squared_alpha_1: rt::Scalar<f32>;
+        let mut roughness_1: rt::Scalar<f32>;
+        let mut alpha_1: rt::Scalar<f32>;
+        let mut squared_alpha: rt::Scalar<f32>;
 
         let _e9 = self.v_occlusion_roughness_metalness(hit_61.uv, rt::Scalar(at_139.footprint));
         let _e12 = rt::Scalar(self.surface_settings.roughness);
-        let roughness_1 = (_e12 * _e9.y()).max(rt::Scalar(0.045f32));
-        let _e19 = rt::Scalar(self.surface_settings.metallic);
-        let metallic = (_e19 * _e9.z());
-        let _e24 = self.surface_settings.diffuse;
-        let base_6 = (_e24.xyz() * color_2);
-        let entering = (base_6 * (rt::Scalar(1f32) - metallic));
+        roughness_1 = (_e12 * _e9.y()).max(rt::Scalar(0.045f32));
+        let _e20 = rt::Scalar(self.surface_settings.metallic);
+        let metallic = (_e20 * _e9.z());
+        let _e25 = self.surface_settings.diffuse;
+        let base_6 = (_e25.xyz() * color_2);
         let transmission_1 = rt::Scalar(self.surface_settings.transmission);
-        let diffuse_1 = (entering * (rt::Scalar(1f32) - transmission_1));
-        let _e38 = self.surface_settings.specular;
-        let dielectric = _e38.xyz();
-        let specular_1 = (dielectric + ((base_6 - dielectric) * metallic));
-        let alpha_2 = (roughness_1 * roughness_1);
-        squared_alpha_1 = (alpha_2 * alpha_2);
+        let diffuse_1 = (base_6 * ((rt::Scalar(1f32) - metallic) * (rt::Scalar(1f32) - transmission_1)));
+        let transmitted_1 = (base_6 * ((rt::Scalar(1f32) - metallic) * transmission_1));
+        let _e43 = self.surface_settings.specular;
+        let dielectric = _e43.xyz();
+        let specular_2 = (dielectric + ((base_6 - dielectric).max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(-1f32), rt::Scalar(-1f32), rt::Scalar(-1f32))) * metallic));
+        let _e53 = roughness_1;
+        let _e54 = roughness_1;
+        alpha_1 = (_e53 * _e54);
+        let _e57 = alpha_1;
+        let _e58 = alpha_1;
+        squared_alpha = (_e57 * _e58);
         if rt::Scalar::into_branch_condition(mean_4.elementwise_lt(rt::Scalar(1f32))) {
-            let _e48 = squared_alpha_1;
-            squared_alpha_1 = (_e48 + ((rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_4)) / mean_4)).min(rt::Scalar(1f32));
+            let _e63 = squared_alpha;
+            squared_alpha = (_e63 + ((rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_4)) / mean_4)).min(rt::Scalar(1f32));
+            let _e72 = squared_alpha;
+            alpha_1 = _e72.sqrt();
+            let _e74 = alpha_1;
+            roughness_1 = _e74.sqrt();
         }
         let upright_4 = normal_22.dot(view_25).max(rt::Scalar(0.0001f32));
-        let _e61 = squared_alpha_1;
-        let _e65 = squared_alpha_1;
-        let masking = (((upright_4 * upright_4) * (rt::Scalar(1f32) - _e61)) + _e65).sqrt();
-        let _e68 = squared_alpha_1;
-        let _e69 = self.v_facet_reflection(upright_4, _e68);
-        let again = ((rt::Scalar(1f32) / (_e69.x() + _e69.y())) - rt::Scalar(1f32));
+        let aside_12 = (rt::Scalar(1f32) - (upright_4 * upright_4)).max(rt::Scalar(0f32));
+        let _e85 = squared_alpha;
+        let masking = ((upright_4 * upright_4) + (_e85 * aside_12)).sqrt();
+        let _e89 = alpha_1;
+        let _e90 = roughness_1;
+        let _e91 = self.v_facet_reflection(upright_4, _e89, _e90);
+        let again = ((rt::Scalar(1f32) / _e91.x()) - rt::Scalar(1f32)).max(rt::Scalar(0f32));
         let white_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
-        let reflected_1 = (((specular_1 * _e69.x()) + (white_1 * _e69.y())) * (white_1 + (specular_1 * again)));
-        let _e95 = self.v_emission_at(hit_61.uv, rt::Scalar(at_139.footprint));
-        let _e97 = squared_alpha_1;
-        return <Material>::new(diffuse_1, (entering * transmission_1), specular_1, ((diffuse_1 * (white_1 - reflected_1)) + reflected_1), _e95, _e9.x(), _e97, upright_4, masking, again);
+        let _e103 = self.v_reflected_by(_e91, specular_2);
+        let reflected_1 = (_e103 * (white_1 + (specular_2 * again)));
+        let _e117 = self.v_emission_at(hit_61.uv, rt::Scalar(at_139.footprint));
+        let _e119 = roughness_1;
+        let _e120 = alpha_1;
+        let _e121 = squared_alpha;
+        return <Material>::new(diffuse_1, transmitted_1, specular_2, (reflected_1 + (diffuse_1 * (white_1 - reflected_1).max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32))))), _e117, _e9.x(), _e119, _e120, _e121, upright_4, masking, again);
     }
     pub(crate) fn shade_material_stage(
         &self,
@@ -16367,8 +16405,8 @@ impl<'g> Resources<'g> {
             let _e42 = exponent_2;
             let _e43 = self.v_whole_power(lobe, _e42);
             let _e44 = dimmed;
-            let specular_2 = (material_11.specular * (_e43 * _e44));
-            return ((material_11.diffuse * cosine_7) + specular_2);
+            let specular_3 = (material_11.specular * (_e43 * _e44));
+            return ((material_11.diffuse * cosine_7) + specular_3);
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
@@ -16402,15 +16440,16 @@ impl<'g> Resources<'g> {
             let across_12 = normal_25.cross(sum_12);
             let a_42 = rt::Scalar(material_12.squared_alpha);
             let spread_1 = ((((along_49 * along_49) * a_42) + across_12.dot(across_12)) / squared_sum);
-            let shadowing = (((cosine_8 * cosine_8) * (rt::Scalar(1f32) - a_42)) + a_42).sqrt();
+            let shadowing = ((cosine_8 * cosine_8) + (a_42 * (rt::Scalar(1f32) - (cosine_8 * cosine_8)).max(rt::Scalar(0f32)))).sqrt();
             let visible_3 = ((cosine_8 * rt::Scalar(material_12.masking)) + (rt::Scalar(material_12.upright) * shadowing));
             let facets = ((rt::Scalar(0.5f32) * a_42) / ((spread_1 * spread_1) * visible_3));
             let rest_11 = (rt::Scalar(1f32) - (rt::Scalar(0.5f32) * squared_sum.sqrt())).max(rt::Scalar(0f32));
             let squared_rest = (rest_11 * rest_11);
             let white_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
-            let fresnel_1 = (material_12.specular + ((white_2 - material_12.specular) * ((squared_rest * squared_rest) * rest_11)));
-            let specular_3 = ((fresnel_1 * (white_2 + (material_12.specular * rt::Scalar(material_12.again)))) * facets);
-            return (((material_12.diffuse * (white_2 - fresnel_1)) + specular_3) * cosine_8);
+            let more_1 = (white_2 - material_12.specular).max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+            let fresnel_1 = (material_12.specular + (more_1 * ((squared_rest * squared_rest) * rest_11)));
+            let specular_4 = ((fresnel_1 * (white_2 + (material_12.specular * rt::Scalar(material_12.again)))) * facets);
+            return (((material_12.diffuse * (white_2 - fresnel_1)) + specular_4) * cosine_8);
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }

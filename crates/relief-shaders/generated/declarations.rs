@@ -2625,11 +2625,10 @@ const WIDTH = 0.65;"#,
         name: "facet_reflection",
         sampling: None,
         uses: &["WIDTH"],
-        text: r#"// For a view with that cosine, above 0: x, the factor of the colour along the normal, and y, the rest.
-// x + y is the part that facets reflect which reflect all light.
-fn facet_reflection(cosine: f32, squared_alpha: f32) -> vec2f {
-    let alpha = sqrt(squared_alpha);
-    let roughness = sqrt(alpha);
+        text: r#"// For a view with that cosine, above 0, and the square root of alpha as roughness: x, the part that
+// facets reflect if they reflect all light, and y, the part of it for facets that reflect no light
+// along the normal. All others lie between both.
+fn facet_reflection(cosine: f32, alpha: f32, roughness: f32) -> vec2f {
     let x = cosine / (cosine + WIDTH * alpha);
     let a6 = 0.1878 + alpha * (-0.9742 + alpha * (1.3709 + alpha * -0.6017));
     let a0 = 1.0034 + alpha * (0.0071 + alpha * a6);
@@ -2647,7 +2646,7 @@ fn facet_reflection(cosine: f32, squared_alpha: f32) -> vec2f {
     let slant = 1.0 - min(cosine, 1.0);
     let squared = slant * slant;
     let grazing = squared * squared * slant * rest;
-    return vec2f(all - grazing, grazing);
+    return vec2f(all, grazing);
 }"#,
     },
     Declaration {
@@ -9013,7 +9012,10 @@ struct Material {
     emission: vec3f,
     // The part of the light from all around that arrives, by the material's map.
     occlusion: f32,
-    // The square of alpha, the width of the facets' distribution.
+    // The roughness in the footprint; its square alpha, the width of the facets' distribution; and the
+    // square of alpha.
+    roughness: f32,
+    alpha: f32,
     squared_alpha: f32,
     // The cosine between the normal and the view, at least a little, and its share in the part of facets
     // that others hide.
@@ -12255,7 +12257,7 @@ const LOBE = 8.0;"#,
     let none = vec3f(0.0, 0.0, 0.0);
     let transmitted = vec3f(transmission, transmission, transmission);
     let specular = surface_settings.specular.xyz;
-    return Material(diffuse, transmitted, specular, diffuse, none, 1.0, 0.0, 0.0, 0.0, 0.0);
+    return Material(diffuse, transmitted, specular, diffuse, none, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
 }"#,
     },
     Declaration {
@@ -12351,9 +12353,20 @@ const LEAST_SQUARED_SUM = 0.000001;"#,
     },
     Declaration {
         module: "shade/metallic_roughness",
+        name: "reflected_by",
+        sampling: None,
+        uses: &[],
+        text: r#"// The part of the light from all around that facets of that colour reflect once.
+fn reflected_by(once: vec2f, specular: vec3f) -> vec3f {
+    let least = vec3f(once.y, once.y, once.y);
+    return least + specular * max(once.x - once.y, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shade/metallic_roughness",
         name: "shade_metallic_roughness_material",
         sampling: None,
-        uses: &["Entered", "Hit", "LEAST_COSINE", "LEAST_ROUGHNESS", "Material", "emission_at", "facet_reflection", "occlusion_roughness_metalness", "surface_settings"],
+        uses: &["Entered", "Hit", "LEAST_COSINE", "LEAST_ROUGHNESS", "Material", "emission_at", "facet_reflection", "occlusion_roughness_metalness", "reflected_by", "surface_settings"],
         text: r#"fn shade_metallic_roughness_material(
     at: Entered,
     hit: Hit,
@@ -12364,32 +12377,39 @@ const LEAST_SQUARED_SUM = 0.000001;"#,
     params: vec4f,
 ) -> Material {
     let maps = occlusion_roughness_metalness(hit.uv, at.footprint);
-    let roughness = max(surface_settings.roughness * maps.y, LEAST_ROUGHNESS);
+    var roughness = max(surface_settings.roughness * maps.y, LEAST_ROUGHNESS);
     let metallic = surface_settings.metallic * maps.z;
     let base = surface_settings.diffuse.xyz * color;
-    let entering = base * (1.0 - metallic);
     let transmission = surface_settings.transmission;
-    let diffuse = entering * (1.0 - transmission);
+    let diffuse = base * ((1.0 - metallic) * (1.0 - transmission));
+    let transmitted = base * ((1.0 - metallic) * transmission);
     let dielectric = surface_settings.specular.xyz;
-    let specular = dielectric + (base - dielectric) * metallic;
-    let alpha = roughness * roughness;
+    // Limits that are never reached, here and below: compilers would add products in another order.
+    let specular = dielectric + max(base - dielectric, vec3f(-1.0, -1.0, -1.0)) * metallic;
+    // No root is taken of a square: compilers leave out both.
+    var alpha = roughness * roughness;
     var squared_alpha = alpha * alpha;
     if (mean < 1.0) {
         squared_alpha = min(squared_alpha + 2.0 * (1.0 - mean) / mean, 1.0);
+        alpha = sqrt(squared_alpha);
+        roughness = sqrt(alpha);
     }
     let upright = max(dot(normal, view), LEAST_COSINE);
-    let masking = sqrt(upright * upright * (1.0 - squared_alpha) + squared_alpha);
-    let once = facet_reflection(upright, squared_alpha);
-    let again = 1.0 / (once.x + once.y) - 1.0;
+    let aside = max(1.0 - upright * upright, 0.0);
+    let masking = sqrt(upright * upright + squared_alpha * aside);
+    let once = facet_reflection(upright, alpha, roughness);
+    let again = max(1.0 / once.x - 1.0, 0.0);
     let white = vec3f(1.0, 1.0, 1.0);
-    let reflected = (specular * once.x + white * once.y) * (white + specular * again);
+    let reflected = reflected_by(once, specular) * (white + specular * again);
     return Material(
         diffuse,
-        entering * transmission,
+        transmitted,
         specular,
-        diffuse * (white - reflected) + reflected,
+        reflected + diffuse * max(white - reflected, vec3f(0.0, 0.0, 0.0)),
         emission_at(hit.uv, at.footprint),
         maps.x,
+        roughness,
+        alpha,
         squared_alpha,
         upright,
         masking,
@@ -12420,14 +12440,15 @@ const LEAST_SQUARED_SUM = 0.000001;"#,
         let across = cross(normal, sum);
         let a = material.squared_alpha;
         let spread = (along * along * a + dot(across, across)) / squared_sum;
-        let shadowing = sqrt(cosine * cosine * (1.0 - a) + a);
+        let shadowing = sqrt(cosine * cosine + a * max(1.0 - cosine * cosine, 0.0));
         let visible = cosine * material.masking + material.upright * shadowing;
         let facets = 0.5 * a / (spread * spread * visible);
         // The cosine between both directions and the half vector is half the length of the sum.
         let rest = max(1.0 - 0.5 * sqrt(squared_sum), 0.0);
         let squared_rest = rest * rest;
         let white = vec3f(1.0, 1.0, 1.0);
-        let fresnel = material.specular + (white - material.specular) * (squared_rest * squared_rest * rest);
+        let more = max(white - material.specular, vec3f(0.0, 0.0, 0.0));
+        let fresnel = material.specular + more * (squared_rest * squared_rest * rest);
         let specular = fresnel * (white + material.specular * material.again) * facets;
         return (material.diffuse * (white - fresnel) + specular) * cosine;
     }
@@ -12438,7 +12459,7 @@ const LEAST_SQUARED_SUM = 0.000001;"#,
         module: "shade/metallic_roughness",
         name: "shade_metallic_roughness_mirrored",
         sampling: None,
-        uses: &["Material", "Mirrored", "NARROW", "WIDE", "WIDE_PART", "facet_reflection"],
+        uses: &["Material", "Mirrored", "NARROW", "WIDE", "WIDE_PART", "facet_reflection", "reflected_by"],
         text: r#"fn shade_metallic_roughness_mirrored(
     material: Material,
     mean: f32,
@@ -12446,10 +12467,11 @@ const LEAST_SQUARED_SUM = 0.000001;"#,
     params: vec4f,
 ) -> Mirrored {
     let white = vec3f(1.0, 1.0, 1.0);
-    let once = facet_reflection(material.upright, material.squared_alpha);
-    let part = (material.specular * once.x + white * once.y) * (white + material.specular * material.again);
-    let alpha = sqrt(material.squared_alpha);
-    return Mirrored(part, alpha, vec2f(NARROW * alpha, WIDE * alpha), WIDE_PART, alpha * sqrt(alpha));
+    let once = facet_reflection(material.upright, material.alpha, material.roughness);
+    let part = reflected_by(once, material.specular) * (white + material.specular * material.again);
+    let alpha = material.alpha;
+    let turn = alpha * material.roughness;
+    return Mirrored(part, alpha, vec2f(NARROW * alpha, WIDE * alpha), WIDE_PART, turn);
 }"#,
     },
     Declaration {

@@ -404,6 +404,8 @@ pub struct Material {
     pub around: Vec3<F>,
     pub emission: Vec3<F>,
     pub occlusion: F,
+    pub roughness: F,
+    pub alpha: F,
     pub squared_alpha: F,
     pub upright: F,
     pub masking: F,
@@ -417,6 +419,8 @@ lanes! { fn sel_material(m: M, a: &Material, b: &Material) -> Material {
         around: Vec3 { x: sel(m, a.around.x, b.around.x), y: sel(m, a.around.y, b.around.y), z: sel(m, a.around.z, b.around.z) },
         emission: Vec3 { x: sel(m, a.emission.x, b.emission.x), y: sel(m, a.emission.y, b.emission.y), z: sel(m, a.emission.z, b.emission.z) },
         occlusion: sel(m, a.occlusion, b.occlusion),
+        roughness: sel(m, a.roughness, b.roughness),
+        alpha: sel(m, a.alpha, b.alpha),
         squared_alpha: sel(m, a.squared_alpha, b.squared_alpha),
         upright: sel(m, a.upright, b.upright),
         masking: sel(m, a.masking, b.masking),
@@ -431,6 +435,8 @@ lanes! { fn zero_material() -> Material {
         around: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
         emission: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
         occlusion: splat(0f32),
+        roughness: splat(0f32),
+        alpha: splat(0f32),
         squared_alpha: splat(0f32),
         upright: splat(0f32),
         masking: splat(0f32),
@@ -1521,34 +1527,38 @@ lanes! { fn shade_blinn_phong_mirrored(r: &Resources<'_>, material_a0: &Material
     let lean_20 = sqrt(add(splat((2.0f32 / ((r.surface_settings.shininess as f32) + 2.0f32))), mul(splat(2.0f32), max_with(sub(splat(1.0f32), mean_a1), splat(0.0f32)))));
     return Mirrored { part: Vec3 { x: part_4, y: part_4, z: part_4 }, lean: lean_20, lobes: Vec2 { x: mul(splat(2.0f32), lean_20), y: mul(splat(2.0f32), lean_20) }, second: splat(0.0f32), turn: splat(0.0f32), };
 } }
-lanes! { fn facet_reflection(r: &Resources<'_>, cosine_a0: F, squared_alpha_a1: F) -> Vec2<F> {
-    let alpha_2 = sqrt(squared_alpha_a1);
-    let roughness_3 = sqrt(alpha_2);
-    let x_7 = div(cosine_a0, add(cosine_a0, mul(splat(0.65f32), alpha_2)));
-    let a6_17 = add(splat(0.1878f32), mul(alpha_2, add(splat((-0.9742f32)), mul(alpha_2, add(splat(1.3709f32), mul(alpha_2, splat((-0.6017f32))))))));
-    let a0_23 = add(splat(1.0034f32), mul(alpha_2, add(splat(0.0071f32), mul(alpha_2, a6_17))));
-    let a1_36 = add(splat((-0.4137f32)), mul(alpha_2, add(splat((-0.4144f32)), mul(alpha_2, add(splat((-0.877f32)), mul(alpha_2, add(splat((-1.6058f32)), mul(alpha_2, splat(0.9124f32)))))))));
-    let a2_46 = add(splat(2.5855f32), mul(alpha_2, add(splat(0.3239f32), mul(alpha_2, add(splat(2.4708f32), mul(alpha_2, splat(0.7166f32)))))));
-    let a3_53 = add(splat((-8.9277f32)), mul(alpha_2, add(splat((-0.5518f32)), mul(alpha_2, splat((-3.0114f32))))));
-    let a4_57 = add(splat(11.8249f32), mul(alpha_2, splat(0.937f32)));
-    let all_68 = add(a0_23, mul(x_7, add(a1_36, mul(x_7, add(a2_46, mul(x_7, add(a3_53, mul(x_7, add(a4_57, mul(x_7, splat((-5.0796f32))))))))))));
-    let b5_75 = add(splat(3.4396f32), mul(roughness_3, add(splat((-0.7093f32)), mul(roughness_3, splat((-0.4004f32))))));
-    let b0_81 = add(splat(1.1487f32), mul(roughness_3, add(splat((-3.4586f32)), mul(roughness_3, b5_75))));
-    let b1_91 = add(splat((-0.6771f32)), mul(roughness_3, add(splat(5.7828f32), mul(roughness_3, add(splat((-8.8951f32)), mul(roughness_3, splat(4.2115f32)))))));
-    let b2_98 = add(splat(0.558f32), mul(roughness_3, add(splat((-7.0899f32)), mul(roughness_3, splat(4.2721f32)))));
-    let b3_102 = add(splat(0.1714f32), mul(roughness_3, splat(5.0718f32)));
-    let rest_111 = add(b0_81, mul(x_7, add(b1_91, mul(x_7, add(b2_98, mul(x_7, add(b3_102, mul(x_7, splat((-0.1958f32))))))))));
-    let slant_115 = sub(splat(1.0f32), min_with(cosine_a0, splat(1.0f32)));
-    let squared_116 = mul(slant_115, slant_115);
-    let grazing_119 = mul(mul(mul(squared_116, squared_116), slant_115), rest_111);
-    return Vec2 { x: sub(all_68, grazing_119), y: grazing_119 };
+lanes! { fn facet_reflection(r: &Resources<'_>, cosine_a0: F, alpha_a1: F, roughness_a2: F) -> Vec2<F> {
+    let x_6 = div(cosine_a0, add(cosine_a0, mul(splat(0.65f32), alpha_a1)));
+    let a6_16 = add(splat(0.1878f32), mul(alpha_a1, add(splat((-0.9742f32)), mul(alpha_a1, add(splat(1.3709f32), mul(alpha_a1, splat((-0.6017f32))))))));
+    let a0_22 = add(splat(1.0034f32), mul(alpha_a1, add(splat(0.0071f32), mul(alpha_a1, a6_16))));
+    let a1_35 = add(splat((-0.4137f32)), mul(alpha_a1, add(splat((-0.4144f32)), mul(alpha_a1, add(splat((-0.877f32)), mul(alpha_a1, add(splat((-1.6058f32)), mul(alpha_a1, splat(0.9124f32)))))))));
+    let a2_45 = add(splat(2.5855f32), mul(alpha_a1, add(splat(0.3239f32), mul(alpha_a1, add(splat(2.4708f32), mul(alpha_a1, splat(0.7166f32)))))));
+    let a3_52 = add(splat((-8.9277f32)), mul(alpha_a1, add(splat((-0.5518f32)), mul(alpha_a1, splat((-3.0114f32))))));
+    let a4_56 = add(splat(11.8249f32), mul(alpha_a1, splat(0.937f32)));
+    let all_67 = add(a0_22, mul(x_6, add(a1_35, mul(x_6, add(a2_45, mul(x_6, add(a3_52, mul(x_6, add(a4_56, mul(x_6, splat((-5.0796f32))))))))))));
+    let b5_74 = add(splat(3.4396f32), mul(roughness_a2, add(splat((-0.7093f32)), mul(roughness_a2, splat((-0.4004f32))))));
+    let b0_80 = add(splat(1.1487f32), mul(roughness_a2, add(splat((-3.4586f32)), mul(roughness_a2, b5_74))));
+    let b1_90 = add(splat((-0.6771f32)), mul(roughness_a2, add(splat(5.7828f32), mul(roughness_a2, add(splat((-8.8951f32)), mul(roughness_a2, splat(4.2115f32)))))));
+    let b2_97 = add(splat(0.558f32), mul(roughness_a2, add(splat((-7.0899f32)), mul(roughness_a2, splat(4.2721f32)))));
+    let b3_101 = add(splat(0.1714f32), mul(roughness_a2, splat(5.0718f32)));
+    let rest_110 = add(b0_80, mul(x_6, add(b1_90, mul(x_6, add(b2_97, mul(x_6, add(b3_101, mul(x_6, splat((-0.1958f32))))))))));
+    let slant_114 = sub(splat(1.0f32), min_with(cosine_a0, splat(1.0f32)));
+    let squared_115 = mul(slant_114, slant_114);
+    let grazing_118 = mul(mul(mul(squared_115, squared_115), slant_114), rest_110);
+    return Vec2 { x: all_67, y: grazing_118 };
+} }
+lanes! { fn reflected_by(r: &Resources<'_>, once_a0: Vec2<F>, specular_a1: Vec3<F>) -> Vec3<F> {
+    let least_5 = Vec3 { x: once_a0.y, y: once_a0.y, z: once_a0.y };
+    let e_10 = max_with(sub(once_a0.x, once_a0.y), splat(0.0f32));
+    return Vec3 { x: add(least_5.x, mul(specular_a1.x, e_10)), y: add(least_5.y, mul(specular_a1.y, e_10)), z: add(least_5.z, mul(specular_a1.z, e_10)) };
 } }
 lanes! { fn shade_metallic_roughness_mirrored(r: &Resources<'_>, material_a0: &Material, mean_a1: F, cosine_a2: F, params_a3: Vec4<f32>) -> Mirrored {
     let white_7 = Vec3 { x: 1.0f32, y: 1.0f32, z: 1.0f32 };
-    let once_10 = facet_reflection(r, material_a0.upright, material_a0.squared_alpha);
-    let part_21 = Vec3 { x: mul(add(mul(material_a0.specular.x, once_10.x), mul(splat(white_7.x), once_10.y)), add(splat(white_7.x), mul(material_a0.specular.x, material_a0.again))), y: mul(add(mul(material_a0.specular.y, once_10.x), mul(splat(white_7.y), once_10.y)), add(splat(white_7.y), mul(material_a0.specular.y, material_a0.again))), z: mul(add(mul(material_a0.specular.z, once_10.x), mul(splat(white_7.z), once_10.y)), add(splat(white_7.z), mul(material_a0.specular.z, material_a0.again))) };
-    let alpha_23 = sqrt(material_a0.squared_alpha);
-    return Mirrored { part: part_21, lean: alpha_23, lobes: Vec2 { x: mul(splat(1.4f32), alpha_23), y: mul(splat(5.6f32), alpha_23) }, second: splat(0.25f32), turn: mul(alpha_23, sqrt(alpha_23)), };
+    let once_11 = facet_reflection(r, material_a0.upright, material_a0.alpha, material_a0.roughness);
+    let e_13 = reflected_by(r, once_11, Vec3 { x: material_a0.specular.x, y: material_a0.specular.y, z: material_a0.specular.z });
+    let part_18 = Vec3 { x: mul(e_13.x, add(splat(white_7.x), mul(material_a0.specular.x, material_a0.again))), y: mul(e_13.y, add(splat(white_7.y), mul(material_a0.specular.y, material_a0.again))), z: mul(e_13.z, add(splat(white_7.z), mul(material_a0.specular.z, material_a0.again))) };
+    let turn_21 = mul(material_a0.alpha, material_a0.roughness);
+    return Mirrored { part: part_18, lean: material_a0.alpha, lobes: Vec2 { x: mul(splat(1.4f32), material_a0.alpha), y: mul(splat(5.6f32), material_a0.alpha) }, second: splat(0.25f32), turn: turn_21, };
 } }
 lanes! { fn shade_mirrored_stage(r: &Resources<'_>, material_a0: &Material, mean_a1: F, cosine_a2: F) -> Mirrored {
     match r.surface_settings.choices[7].number {
@@ -6168,38 +6178,56 @@ lanes! { fn shade_blinn_phong_material(r: &Resources<'_>, at_a0: &Entered, hit_a
     let diffuse_17 = Vec3 { x: mul(mul(splat(r.surface_settings.diffuse.x), color_a5.x), splat(e_16)), y: mul(mul(splat(r.surface_settings.diffuse.y), color_a5.y), splat(e_16)), z: mul(mul(splat(r.surface_settings.diffuse.z), color_a5.z), splat(e_16)) };
     let none_21 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
     let transmitted_22 = Vec3 { x: r.surface_settings.transmission, y: r.surface_settings.transmission, z: r.surface_settings.transmission };
-    return Material { diffuse: diffuse_17, transmitted: Vec3 { x: splat(transmitted_22.x), y: splat(transmitted_22.y), z: splat(transmitted_22.z) }, specular: Vec3 { x: splat(r.surface_settings.specular.x), y: splat(r.surface_settings.specular.y), z: splat(r.surface_settings.specular.z) }, around: diffuse_17, emission: Vec3 { x: splat(none_21.x), y: splat(none_21.y), z: splat(none_21.z) }, occlusion: splat(1.0f32), squared_alpha: splat(0.0f32), upright: splat(0.0f32), masking: splat(0.0f32), again: splat(0.0f32), };
+    return Material { diffuse: diffuse_17, transmitted: Vec3 { x: splat(transmitted_22.x), y: splat(transmitted_22.y), z: splat(transmitted_22.z) }, specular: Vec3 { x: splat(r.surface_settings.specular.x), y: splat(r.surface_settings.specular.y), z: splat(r.surface_settings.specular.z) }, around: diffuse_17, emission: Vec3 { x: splat(none_21.x), y: splat(none_21.y), z: splat(none_21.z) }, occlusion: splat(1.0f32), roughness: splat(0.0f32), alpha: splat(0.0f32), squared_alpha: splat(0.0f32), upright: splat(0.0f32), masking: splat(0.0f32), again: splat(0.0f32), };
 } }
 lanes! { fn shade_metallic_roughness_material(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, mean_a3: F, view_a4: Vec3<F>, color_a5: Vec3<F>, params_a6: Vec4<f32>) -> Material {
     let mut ex = within;
     let mut ret: Material = zero_material();
-    let mut squared_alpha_v0: F = splat(0f32);
+    let mut roughness_v0: F = splat(0f32);
+    let mut alpha_v1: F = splat(0f32);
+    let mut squared_alpha_v2: F = splat(0f32);
     let maps_9 = occlusion_roughness_metalness(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.footprint);
-    let roughness_16 = max_with(mul(splat(r.surface_settings.roughness), maps_9.y), splat(0.045f32));
-    let metallic_21 = mul(splat(r.surface_settings.metallic), maps_9.z);
-    let base_26 = Vec3 { x: mul(splat(r.surface_settings.diffuse.x), color_a5.x), y: mul(splat(r.surface_settings.diffuse.y), color_a5.y), z: mul(splat(r.surface_settings.diffuse.z), color_a5.z) };
-    let e_28 = sub(splat(1.0f32), metallic_21);
-    let entering_29 = Vec3 { x: mul(base_26.x, e_28), y: mul(base_26.y, e_28), z: mul(base_26.z, e_28) };
-    let e_34 = (1.0f32 - r.surface_settings.transmission);
-    let diffuse_35 = Vec3 { x: mul(entering_29.x, splat(e_34)), y: mul(entering_29.y, splat(e_34)), z: mul(entering_29.z, splat(e_34)) };
-    let specular_42 = Vec3 { x: add(splat(r.surface_settings.specular.x), mul(sub(base_26.x, splat(r.surface_settings.specular.x)), metallic_21)), y: add(splat(r.surface_settings.specular.y), mul(sub(base_26.y, splat(r.surface_settings.specular.y)), metallic_21)), z: add(splat(r.surface_settings.specular.z), mul(sub(base_26.z, splat(r.surface_settings.specular.z)), metallic_21)) };
-    let alpha_43 = mul(roughness_16, roughness_16);
-    squared_alpha_v0 = mul(alpha_43, alpha_43);
-    let c1 = lt(mean_a3, splat(1.0f32));
-    let e_48 = squared_alpha_v0;
-    squared_alpha_v0 = sel(c1, min_with(add(e_48, div(mul(splat(2.0f32), sub(splat(1.0f32), mean_a3)), mean_a3)), splat(1.0f32)), squared_alpha_v0);
-    let upright_59 = max_with(add(add(add(mul(normal_a2.x, view_a4.x), mul(normal_a2.y, view_a4.y)), mul(normal_a2.z, view_a4.z)), splat(0.0f32)), splat(0.0001f32));
-    let e_61 = squared_alpha_v0;
-    let e_65 = squared_alpha_v0;
-    let masking_67 = sqrt(add(mul(mul(upright_59, upright_59), sub(splat(1.0f32), e_61)), e_65));
-    let e_68 = squared_alpha_v0;
-    let once_69 = facet_reflection(r, upright_59, e_68);
-    let again_76 = sub(div(splat(1.0f32), add(once_69.x, once_69.y)), splat(1.0f32));
-    let white_80 = Vec3 { x: 1.0f32, y: 1.0f32, z: 1.0f32 };
-    let reflected_88 = Vec3 { x: mul(add(mul(specular_42.x, once_69.x), mul(splat(white_80.x), once_69.y)), add(splat(white_80.x), mul(specular_42.x, again_76))), y: mul(add(mul(specular_42.y, once_69.x), mul(splat(white_80.y), once_69.y)), add(splat(white_80.y), mul(specular_42.y, again_76))), z: mul(add(mul(specular_42.z, once_69.x), mul(splat(white_80.z), once_69.y)), add(splat(white_80.z), mul(specular_42.z, again_76))) };
-    let e_95 = emission_at(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.footprint);
-    let e_97 = squared_alpha_v0;
-    return Material { diffuse: diffuse_35, transmitted: Vec3 { x: mul(entering_29.x, splat(r.surface_settings.transmission)), y: mul(entering_29.y, splat(r.surface_settings.transmission)), z: mul(entering_29.z, splat(r.surface_settings.transmission)) }, specular: specular_42, around: Vec3 { x: add(mul(diffuse_35.x, sub(splat(white_80.x), reflected_88.x)), reflected_88.x), y: add(mul(diffuse_35.y, sub(splat(white_80.y), reflected_88.y)), reflected_88.y), z: add(mul(diffuse_35.z, sub(splat(white_80.z), reflected_88.z)), reflected_88.z) }, emission: e_95, occlusion: maps_9.x, squared_alpha: e_97, upright: upright_59, masking: masking_67, again: again_76, };
+    roughness_v0 = max_with(mul(splat(r.surface_settings.roughness), maps_9.y), splat(0.045f32));
+    let metallic_22 = mul(splat(r.surface_settings.metallic), maps_9.z);
+    let base_27 = Vec3 { x: mul(splat(r.surface_settings.diffuse.x), color_a5.x), y: mul(splat(r.surface_settings.diffuse.y), color_a5.y), z: mul(splat(r.surface_settings.diffuse.z), color_a5.z) };
+    let e_35 = mul(sub(splat(1.0f32), metallic_22), splat((1.0f32 - r.surface_settings.transmission)));
+    let diffuse_36 = Vec3 { x: mul(base_27.x, e_35), y: mul(base_27.y, e_35), z: mul(base_27.z, e_35) };
+    let e_39 = mul(sub(splat(1.0f32), metallic_22), splat(r.surface_settings.transmission));
+    let transmitted_40 = Vec3 { x: mul(base_27.x, e_39), y: mul(base_27.y, e_39), z: mul(base_27.z, e_39) };
+    let specular_52 = Vec3 { x: add(splat(r.surface_settings.specular.x), mul(max_with(sub(base_27.x, splat(r.surface_settings.specular.x)), splat((-1.0f32))), metallic_22)), y: add(splat(r.surface_settings.specular.y), mul(max_with(sub(base_27.y, splat(r.surface_settings.specular.y)), splat((-1.0f32))), metallic_22)), z: add(splat(r.surface_settings.specular.z), mul(max_with(sub(base_27.z, splat(r.surface_settings.specular.z)), splat((-1.0f32))), metallic_22)) };
+    let e_53 = roughness_v0;
+    let e_54 = roughness_v0;
+    alpha_v1 = mul(e_53, e_54);
+    let e_57 = alpha_v1;
+    let e_58 = alpha_v1;
+    squared_alpha_v2 = mul(e_57, e_58);
+    let (b1, c2) = (ex, lt(mean_a3, splat(1.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_63 = squared_alpha_v2;
+        squared_alpha_v2 = sel(ex, min_with(add(e_63, div(mul(splat(2.0f32), sub(splat(1.0f32), mean_a3)), mean_a3)), splat(1.0f32)), squared_alpha_v2);
+        let e_72 = squared_alpha_v2;
+        alpha_v1 = sel(ex, sqrt(e_72), alpha_v1);
+        let e_74 = alpha_v1;
+        roughness_v0 = sel(ex, sqrt(e_74), roughness_v0);
+    }
+    ex = b1;
+    let upright_78 = max_with(add(add(add(mul(normal_a2.x, view_a4.x), mul(normal_a2.y, view_a4.y)), mul(normal_a2.z, view_a4.z)), splat(0.0f32)), splat(0.0001f32));
+    let aside_83 = max_with(sub(splat(1.0f32), mul(upright_78, upright_78)), splat(0.0f32));
+    let e_85 = squared_alpha_v2;
+    let masking_88 = sqrt(add(mul(upright_78, upright_78), mul(e_85, aside_83)));
+    let e_89 = alpha_v1;
+    let e_90 = roughness_v0;
+    let once_91 = facet_reflection(r, upright_78, e_89, e_90);
+    let again_98 = max_with(sub(div(splat(1.0f32), once_91.x), splat(1.0f32)), splat(0.0f32));
+    let white_102 = Vec3 { x: 1.0f32, y: 1.0f32, z: 1.0f32 };
+    let e_103 = reflected_by(r, once_91, specular_52);
+    let reflected_106 = Vec3 { x: mul(e_103.x, add(splat(white_102.x), mul(specular_52.x, again_98))), y: mul(e_103.y, add(splat(white_102.y), mul(specular_52.y, again_98))), z: mul(e_103.z, add(splat(white_102.z), mul(specular_52.z, again_98))) };
+    let e_117 = emission_at(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.footprint);
+    let e_119 = roughness_v0;
+    let e_120 = alpha_v1;
+    let e_121 = squared_alpha_v2;
+    return Material { diffuse: diffuse_36, transmitted: transmitted_40, specular: specular_52, around: Vec3 { x: add(reflected_106.x, mul(diffuse_36.x, max_with(sub(splat(white_102.x), reflected_106.x), splat(0.0f32)))), y: add(reflected_106.y, mul(diffuse_36.y, max_with(sub(splat(white_102.y), reflected_106.y), splat(0.0f32)))), z: add(reflected_106.z, mul(diffuse_36.z, max_with(sub(splat(white_102.z), reflected_106.z), splat(0.0f32)))) }, emission: e_117, occlusion: maps_9.x, roughness: e_119, alpha: e_120, squared_alpha: e_121, upright: upright_78, masking: masking_88, again: again_98, };
 } }
 lanes! { fn shade_material_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, mean_a3: F, view_a4: Vec3<F>, color_a5: Vec3<F>) -> Material {
     let mut ex = within;
@@ -6336,16 +6364,17 @@ lanes! { fn shade_metallic_roughness_light(r: &Resources<'_>, within: M, materia
         let along_13 = add(add(add(mul(normal_a1.x, sum_9.x), mul(normal_a1.y, sum_9.y)), mul(normal_a1.z, sum_9.z)), splat(0.0f32));
         let across_14 = Vec3 { x: sub(mul(normal_a1.y, sum_9.z), mul(normal_a1.z, sum_9.y)), y: sub(mul(normal_a1.z, sum_9.x), mul(normal_a1.x, sum_9.z)), z: sub(mul(normal_a1.x, sum_9.y), mul(normal_a1.y, sum_9.x)) };
         let spread_20 = div(add(mul(mul(along_13, along_13), material_a0.squared_alpha), add(add(add(mul(across_14.x, across_14.x), mul(across_14.y, across_14.y)), mul(across_14.z, across_14.z)), splat(0.0f32))), squared_sum_12);
-        let shadowing_26 = sqrt(add(mul(mul(cosine_a3, cosine_a3), sub(splat(1.0f32), material_a0.squared_alpha)), material_a0.squared_alpha));
-        let visible_31 = add(mul(cosine_a3, material_a0.masking), mul(material_a0.upright, shadowing_26));
-        let facets_36 = div(mul(splat(0.5f32), material_a0.squared_alpha), mul(mul(spread_20, spread_20), visible_31));
-        let rest_43 = max_with(sub(splat(1.0f32), mul(splat(0.5f32), sqrt(squared_sum_12))), splat(0.0f32));
-        let squared_rest_44 = mul(rest_43, rest_43);
-        let white_48 = Vec3 { x: 1.0f32, y: 1.0f32, z: 1.0f32 };
-        let e_53 = mul(mul(squared_rest_44, squared_rest_44), rest_43);
-        let fresnel_55 = Vec3 { x: add(material_a0.specular.x, mul(sub(splat(white_48.x), material_a0.specular.x), e_53)), y: add(material_a0.specular.y, mul(sub(splat(white_48.y), material_a0.specular.y), e_53)), z: add(material_a0.specular.z, mul(sub(splat(white_48.z), material_a0.specular.z), e_53)) };
-        let specular_61 = Vec3 { x: mul(mul(fresnel_55.x, add(splat(white_48.x), mul(material_a0.specular.x, material_a0.again))), facets_36), y: mul(mul(fresnel_55.y, add(splat(white_48.y), mul(material_a0.specular.y, material_a0.again))), facets_36), z: mul(mul(fresnel_55.z, add(splat(white_48.z), mul(material_a0.specular.z, material_a0.again))), facets_36) };
-        ret = Vec3 { x: mul(add(mul(material_a0.diffuse.x, sub(splat(white_48.x), fresnel_55.x)), specular_61.x), cosine_a3), y: mul(add(mul(material_a0.diffuse.y, sub(splat(white_48.y), fresnel_55.y)), specular_61.y), cosine_a3), z: mul(add(mul(material_a0.diffuse.z, sub(splat(white_48.z), fresnel_55.z)), specular_61.z), cosine_a3) };
+        let shadowing_29 = sqrt(add(mul(cosine_a3, cosine_a3), mul(material_a0.squared_alpha, max_with(sub(splat(1.0f32), mul(cosine_a3, cosine_a3)), splat(0.0f32)))));
+        let visible_34 = add(mul(cosine_a3, material_a0.masking), mul(material_a0.upright, shadowing_29));
+        let facets_39 = div(mul(splat(0.5f32), material_a0.squared_alpha), mul(mul(spread_20, spread_20), visible_34));
+        let rest_46 = max_with(sub(splat(1.0f32), mul(splat(0.5f32), sqrt(squared_sum_12))), splat(0.0f32));
+        let squared_rest_47 = mul(rest_46, rest_46);
+        let white_51 = Vec3 { x: 1.0f32, y: 1.0f32, z: 1.0f32 };
+        let more_58 = Vec3 { x: max_with(sub(splat(white_51.x), material_a0.specular.x), splat(0.0f32)), y: max_with(sub(splat(white_51.y), material_a0.specular.y), splat(0.0f32)), z: max_with(sub(splat(white_51.z), material_a0.specular.z), splat(0.0f32)) };
+        let e_61 = mul(mul(squared_rest_47, squared_rest_47), rest_46);
+        let fresnel_63 = Vec3 { x: add(material_a0.specular.x, mul(more_58.x, e_61)), y: add(material_a0.specular.y, mul(more_58.y, e_61)), z: add(material_a0.specular.z, mul(more_58.z, e_61)) };
+        let specular_69 = Vec3 { x: mul(mul(fresnel_63.x, add(splat(white_51.x), mul(material_a0.specular.x, material_a0.again))), facets_39), y: mul(mul(fresnel_63.y, add(splat(white_51.y), mul(material_a0.specular.y, material_a0.again))), facets_39), z: mul(mul(fresnel_63.z, add(splat(white_51.z), mul(material_a0.specular.z, material_a0.again))), facets_39) };
+        ret = Vec3 { x: mul(add(mul(material_a0.diffuse.x, sub(splat(white_51.x), fresnel_63.x)), specular_69.x), cosine_a3), y: mul(add(mul(material_a0.diffuse.y, sub(splat(white_51.y), fresnel_63.y)), specular_69.y), cosine_a3), z: mul(add(mul(material_a0.diffuse.z, sub(splat(white_51.z), fresnel_63.z)), specular_69.z), cosine_a3) };
         ex = no_lane();
     }
     ex = and_not(b1, c2);
