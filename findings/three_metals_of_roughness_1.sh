@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
 # three.js 0.187.0 darkens metals of roughness 1 by a tenth.
 #
-# What one expects: since its standard material makes up for the light that facets reflect more than once, a white metal
-# of any roughness gives back all light. The factor is 1 + F0 (1 / E - 1), where E is the part that facets reflect once.
-# What happens: E is read from a table of 16 x 16 texels, whose centres are at odd 32nds of the roughness. Beyond the
-# last one, at 31/32, the table is clamped. E falls fast there: seen along the normal, the table has the value for 0.97
-# at roughness 1, so a white metal gives back 0.89 of the light in place of 1. At 31/32 and below the table is right to 2 %.
+# What one expects: since its standard material makes up for the light that facets reflect more than once, a
+# white metal of any roughness gives back all light. The factor is 1 + F0 (1 / E - 1), where E is the part
+# that facets reflect once. What happens: E is read from a table of 16 x 16 texels, whose centres are at odd
+# 32nds of the roughness. Beyond the last one, at 31/32, the table is clamped. E falls fast there: seen
+# along the normal, the table has the value for 0.97 at roughness 1, so a white metal gives back 0.89 of the
+# light in place of 1. At 31/32 and below the table is right to 2 %.
 #
-# Shown by the table itself, read as its texture is (linear, clamped to the edge), beside the integral of facets after
-# Trowbridge and Reitz with Smith's hidden part. Needs Node and npm. Fails where it is no longer so.
+# Shown by the table itself, read as its texture is (linear, clamped to the edge), beside the integral of
+# facets after Trowbridge and Reitz with Smith's hidden part. Needs Node and npm. Fails where it is no
+# longer so.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -32,8 +32,7 @@
 use rayon::prelude::*;
 use relief_core::{Cancelled, EqualSteps, HeightMap, Watch, Wrap};
 
-use crate::spectrum::{Border, LineTransform};
-use crate::transpose::transpose;
+use crate::spectrum::{Border, LineTransform, change_waves};
 
 /// Default number of rounds.
 pub const ROUNDS: u32 = 150;
@@ -224,17 +223,8 @@ impl Smoothing {
 
     fn solve(&self, plane: &mut [f64], turned: &mut [f64], watch: &Watch) -> Result<(), Cancelled> {
         let Self { transforms, bends: [along_u, along_v] } = self;
-        let [width, height] = [along_u.len(), along_v.len()];
-        transforms[0].lines(plane, false, &watch.piece(0.0, 0.25))?;
-        transpose(plane, width, turned);
-        transforms[1].lines(turned, false, &watch.piece(0.25, 0.5))?;
-        turned.par_chunks_mut(height).zip(along_u).for_each(|(column, u)| {
-            for (wave, v) in column.iter_mut().zip(along_v) {
-                *wave *= NEARNESS / ((u + v).powi(2) + NEARNESS);
-            }
-        });
-        transforms[1].lines(turned, true, &watch.piece(0.5, 0.75))?;
-        transpose(turned, height, plane);
-        transforms[0].lines(plane, true, &watch.piece(0.75, 1.0))
+        change_waves(transforms, plane, turned, watch, |[i, j], wave| {
+            *wave *= NEARNESS / ((along_u[i] + along_v[j]).powi(2) + NEARNESS);
+        })
     }
 }

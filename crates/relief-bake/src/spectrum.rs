@@ -8,6 +8,8 @@ use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use relief_core::{Cancelled, Watch};
 
+use crate::transpose::transpose;
+
 /// Lines that a thread transforms together.
 const LINES: usize = 16;
 
@@ -34,6 +36,26 @@ struct LineBuffers {
     line: Vec<f64>,
     spectrum: Vec<Complex<f64>>,
     scratch: Vec<Complex<f64>>,
+}
+
+/// Changes every wave of a plane. `change` gets the wave's numbers along the lines and across them. The
+/// other plane is scratch of the same size.
+pub(crate) fn change_waves(
+    [along, across]: &[LineTransform; 2],
+    plane: &mut [f64],
+    turned: &mut [f64],
+    watch: &Watch,
+    change: impl Fn([usize; 2], &mut f64) + Sync,
+) -> Result<(), Cancelled> {
+    along.lines(plane, false, &watch.piece(0.0, 0.25))?;
+    transpose(plane, along.length, turned);
+    across.lines(turned, false, &watch.piece(0.25, 0.5))?;
+    turned.par_chunks_mut(across.length).enumerate().for_each(|(i, column)| {
+        column.iter_mut().enumerate().for_each(|(j, wave)| change([i, j], wave));
+    });
+    across.lines(turned, true, &watch.piece(0.5, 0.75))?;
+    transpose(turned, across.length, plane);
+    along.lines(plane, true, &watch.piece(0.75, 1.0))
 }
 
 impl LineTransform {

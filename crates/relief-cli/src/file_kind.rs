@@ -26,10 +26,6 @@ pub enum FileKind {
 /// Bytes at the start of a file that decide its kind: a scene's first tables.
 const START_BYTES: u64 = 1 << 16;
 
-/// Endings of height maps, for names that stand for several files.
-const ENDINGS_OF_MAPS: [&str; 13] =
-    ["png", "jpg", "jpeg", "exr", "tif", "tiff", "hdr", "pgm", "ppm", "pnm", "raw", "r16", "bin"];
-
 /// Name of a depth object's description.
 const OBJECT: &str = "object.toml";
 
@@ -65,11 +61,10 @@ impl FileKind {
     }
 
     fn by_name(path: &Path) -> Self {
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        match ending {
-            Some(ending) if ENDINGS_OF_MAPS.contains(&ending.as_str()) => FileKind::HeightMap,
-            _ if path.file_name().is_some_and(|name| name == OBJECT) => FileKind::Object,
-            _ => FileKind::Scene,
+        match Format::by_name(path) {
+            Some(_) => FileKind::HeightMap,
+            None if path.file_name().is_some_and(|name| name == OBJECT) => FileKind::Object,
+            None => FileKind::Scene,
         }
     }
 

@@ -1,6 +1,7 @@
 //! Readers for values of flags: points, sizes, ranges and settings.
 
 use std::fmt::Display;
+use std::path::PathBuf;
 use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
@@ -84,6 +85,18 @@ pub fn setting(text: &str) -> Result<(String, f64), String> {
     Ok((key.to_owned(), value))
 }
 
+/// Reads the file of a map whose factor is the value `name` of a material. A number is one only if there
+/// is such a file.
+pub fn map_file(text: &str, name: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    if text.parse::<f32>().is_ok() && !path.exists() {
+        return Err(format!(
+            "it takes a file; for one value: --material {name}={text}, which multiplies the map"
+        ));
+    }
+    Ok(path)
+}
+
 /// Reads a value of a material, such as `base=R,G,B`, `roughness=N` or `shininess=N`.
 pub fn material(text: &str) -> Result<MaterialSpec, String> {
     let form =
@@ -147,6 +160,8 @@ mod tests {
         assert_eq!(material("shininess=7"), Ok(MaterialSpec { shininess, ..MaterialSpec::default() }));
         let diffuse = Some([1.0, 0.5, 0.0]);
         assert_eq!(material("diffuse = 1, 0.5,0"), Ok(MaterialSpec { diffuse, ..MaterialSpec::default() }));
+        assert!(map_file("0.25", "roughness").is_err_and(|error| error.contains("roughness=0.25")));
+        assert_eq!(map_file("0.25.png", "roughness"), Ok(PathBuf::from("0.25.png")));
         let roughness = Some(0.25);
         assert_eq!(material("roughness=0.25"), Ok(MaterialSpec { roughness, ..MaterialSpec::default() }));
         assert!(

@@ -472,7 +472,10 @@ mod tests {
     fn a_cancelled_build_ends() {
         let map = rough(600, 700, Wrap::Repeat);
         let cancel = AtomicBool::new(false);
-        let tell = |_: &str, part: f32| cancel.store(part > 0.5, Ordering::Relaxed);
+        // Once it is cancelled it stays so, whichever thread tells next.
+        let tell = |_: &str, part: f32| {
+            cancel.fetch_or(part > 0.5, Ordering::Relaxed);
+        };
         assert_eq!(MaxPyramid::watched(&map, &Watch::new(&tell, &cancel)), Err(Cancelled));
         assert_eq!(MinPyramid::watched(&map, &Watch::none()), Ok(MinPyramid::new(&map)));
     }

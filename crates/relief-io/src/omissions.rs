@@ -128,6 +128,9 @@ omissions! {
     LEFT_TEXTURES: "left-textures", "folders of textures",
         "files that have no name of a texture, or that another file replaces",
         "they are not read";
+    IDLE_FACTOR: "idle-factor", "material maps",
+        "a factor on a map that is 0 everywhere",
+        "the product is 0: a map of its own replaces the channel";
     ORIENTATION_IN_GLTF: "orientation-in-gltf", "meshes",
         "a picture of a glTF with an orientation",
         "it is read as it is stored, as viewers of glTF do";

@@ -151,7 +151,8 @@ impl MaterialMaps {
     pub const BYTES_PER_TEXEL: u64 = 32 + 43;
 
     /// Combines pictures, in the order of [`MaterialMap::ALL`]. Later ones replace channels of earlier
-    /// ones, so a map of its own goes before a packed one. `wrap` continues smaller pictures beyond their edges.
+    /// ones, so a map of its own goes before a packed one. `wrap` continues smaller pictures beyond their
+    /// edges.
     ///
     /// # Errors
     ///

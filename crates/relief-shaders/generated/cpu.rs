@@ -2725,11 +2725,11 @@ impl<'g> Resources<'g> {
         let mut light: rt::Vec3<f32>;
 
         let mean_9 = normal_4.length();
-        let n_10 = normal_4.normalize();
-        let cosine_10 = n_10.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let n_11 = normal_4.normalize();
+        let cosine_10 = n_11.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let _e12 = self.v_shade_mirrored_stage(material_6, mean_9, cosine_10);
-        let reflected = ((n_10 * (rt::Scalar(2f32) * cosine_10)) - view_3);
-        let axis_4 = (reflected + ((n_10 - reflected) * rt::Scalar(_e12.turn)));
+        let reflected = ((n_11 * (rt::Scalar(2f32) * cosine_10)) - view_3);
+        let axis_4 = (reflected + ((n_11 - reflected) * rt::Scalar(_e12.turn)));
         let _e23 = self.v_environment_in_lobe(axis_4, _e12.lobes.x());
         light = _e23;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e12.second).elementwise_gt(rt::Scalar(0f32))) {
@@ -2742,14 +2742,14 @@ impl<'g> Resources<'g> {
         light = (_e37 * _e12.part);
         let enters = (<rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32)) - _e12.part);
         let _e46 = light;
-        let _e47 = self.v_environment_on(n_10);
+        let _e47 = self.v_environment_on(n_11);
         light = (_e46 + ((_e47 * material_6.diffuse) * enters));
         let _e54 = rt::Scalar(self.surface_settings.transmission);
         if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0f32))) {
             let _e59 = rt::Scalar(self.surface_settings.ior);
             let eta_1 = (rt::Scalar(1f32) / _e59);
             let _e63 = self.v_cosine_inside(cosine_10);
-            let refracted = ((n_10 * ((eta_1 * cosine_10) - _e63)) - (view_3 * eta_1));
+            let refracted = ((n_11 * ((eta_1 * cosine_10) - _e63)) - (view_3 * eta_1));
             let _e72 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta_1) * rt::Scalar(_e12.lean)));
             let _e73 = light;
             light = (_e73 + (_e72 * (material_6.transmitted * enters)));
@@ -3275,14 +3275,14 @@ impl<'g> Resources<'g> {
         let limited = parts_4.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_27 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_26 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
-        let t_35 = place_26.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let place_27 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
+        let t_35 = place_27.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_1.cross(third_1).dot(normal_27) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_14 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_26 - (along * t_35)).length(), volume);
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_27 - (along * t_35)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -4094,15 +4094,15 @@ impl<'g> Resources<'g> {
         sweep_1: Sweep,
         number_1: rt::Scalar<i32>,
     ) -> SweptPoint {
-        let n_11 = sweep_1.parts.x();
+        let n_12 = sweep_1.parts.x();
         let m_4 = sweep_1.parts.y();
         let apex_1 = sweep_1.apex;
-        if rt::Scalar::into_branch_condition(number_1.elementwise_le(n_11)) {
-            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_1, n_11);
-            let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_11));
-            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_11, sides);
+        if rt::Scalar::into_branch_condition(number_1.elementwise_le(n_12)) {
+            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_1, n_12);
+            let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_12));
+            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_12, sides);
         }
-        let k_44 = (number_1 - n_11);
+        let k_44 = (number_1 - n_12);
         let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_44, m_4);
         let x_6 = ((apex_1.x() * (m_4 - k_44)) + (sweep_1.end.x() * k_44));
         let y_2 = ((apex_1.y() * (m_4 - k_44)) + (sweep_1.end.y() * k_44));
@@ -4806,39 +4806,55 @@ impl<'g> Resources<'g> {
         let folded_1 = (((i_1 % period_1) + period_1) % period_1);
         return ((period_1 - rt::Scalar(1i32)) - folded_1).select(folded_1, folded_1.elementwise_lt(n_3));
     }
-    pub(crate) fn color_of_texels(
+    pub(crate) fn color_texels_around(
         &self,
         place_4: impl rt::Into<rt::Vec2<f32>>,
-        level_24: impl rt::Into<rt::Scalar<u32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_of_texels(rt::into(place_4), rt::into(level_24)))
+        n_4: impl rt::Into<rt::Vec2<i32>>,
+    ) -> Around {
+        rt::into(self.v_color_texels_around(rt::into(place_4), rt::into(n_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_color_of_texels(
+    #[inline(always)]
+    fn v_color_texels_around(
         &self,
         place_4: rt::Vec2<f32>,
+        n_4: rt::Vec2<i32>,
+    ) -> Around {
+        let point_25 = ((place_4 * n_4.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_25);
+        let i_4 = _e8.to_i32();
+        let u_1 = rt::Scalar(self.surface_settings.color_wrap_u);
+        let v_3 = rt::Scalar(self.surface_settings.color_wrap_v);
+        let _e18 = self.v_color_index(i_4.x(), n_4.x(), u_1);
+        let _e23 = self.v_color_index((i_4.x() + rt::Scalar(1i32)), n_4.x(), u_1);
+        let _e27 = self.v_color_index(i_4.y(), n_4.y(), v_3);
+        let _e32 = self.v_color_index((i_4.y() + rt::Scalar(1i32)), n_4.y(), v_3);
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e18, _e23), <rt::Vec2<i32>>::from_scalars(_e27, _e32), (point_25 - _e8));
+    }
+    pub(crate) fn color_of_texels(
+        &self,
+        place_5: impl rt::Into<rt::Vec2<f32>>,
+        level_24: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_color_of_texels(rt::into(place_5), rt::into(level_24)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_color_of_texels(
+        &self,
+        place_5: rt::Vec2<f32>,
         level_24: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_24);
-        let point_25 = ((place_4 * _e5.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e12 = self.v_cell_of(point_25);
-        let i_4 = _e12.to_i32();
-        let _e18 = rt::Scalar(self.surface_settings.color_wrap_u);
-        let _e19 = self.v_color_index(i_4.x(), _e5.x(), _e18);
-        let _e26 = rt::Scalar(self.surface_settings.color_wrap_u);
-        let _e27 = self.v_color_index((i_4.x() + rt::Scalar(1i32)), _e5.x(), _e26);
-        let _e32 = rt::Scalar(self.surface_settings.color_wrap_v);
-        let _e33 = self.v_color_index(i_4.y(), _e5.y(), _e32);
-        let _e40 = rt::Scalar(self.surface_settings.color_wrap_v);
-        let _e41 = self.v_color_index((i_4.y() + rt::Scalar(1i32)), _e5.y(), _e40);
+        let _e6 = self.v_color_texels_around(place_5, _e5);
         let k_45 = level_24.to_i32();
-        let _e45 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e33), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e48 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e27, _e33), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e51 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e41), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e54 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e27, _e41), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e56 = self.v_bilinear(_e45, _e48, _e51, _e54, (point_25 - _e12));
-        return _e56;
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
+        return _e37;
     }
     pub(crate) fn color_place(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_color_place(rt::into(uv_3)))
@@ -4848,13 +4864,13 @@ impl<'g> Resources<'g> {
     fn v_color_place(&self, uv_3: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e4 = self.surface_settings.color_u.x();
         let _e10 = self.surface_settings.color_u.y();
-        let u_1 = ((_e4 * uv_3.x()) + (_e10 * uv_3.y()));
+        let u_2 = ((_e4 * uv_3.x()) + (_e10 * uv_3.y()));
         let _e17 = self.surface_settings.color_v.x();
         let _e23 = self.surface_settings.color_v.y();
-        let v_3 = ((_e17 * uv_3.x()) + (_e23 * uv_3.y()));
+        let v_4 = ((_e17 * uv_3.x()) + (_e23 * uv_3.y()));
         let _e30 = self.surface_settings.color_u.z();
         let _e35 = self.surface_settings.color_v.z();
-        return <rt::Vec2<f32>>::from_scalars((u_1 + _e30), (v_3 + _e35));
+        return <rt::Vec2<f32>>::from_scalars((u_2 + _e30), (v_4 + _e35));
     }
     pub(crate) fn color_at(
         &self,
@@ -4874,13 +4890,13 @@ impl<'g> Resources<'g> {
         let _e3 = self.v_color_of_texels(_e2, level_25);
         return _e3;
     }
-    pub(crate) fn object_texel(&self, place_5: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_object_texel(rt::into(place_5)))
+    pub(crate) fn object_texel(&self, place_6: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_object_texel(rt::into(place_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_texel(&self, place_5: rt::Vec2<i32>) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_5, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+    fn v_object_texel(&self, place_6: rt::Vec2<i32>) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_6, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4;
     }
     pub(crate) fn frames_around(&self, toward: impl rt::Into<rt::Vec3<f32>>) -> Frames {
@@ -4923,9 +4939,9 @@ impl<'g> Resources<'g> {
         let _e81 = z;
         let _e82 = x_1;
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
-        let place_27 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
-        let cell_29 = place_27.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
-        let part_12 = (place_27 - cell_29);
+        let place_28 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
+        let cell_29 = place_28.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
+        let part_12 = (place_28 - cell_29);
         let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
         let first_12 = ((cell_29.y().to_u32() * side_6) + cell_29.x().to_u32());
         let beside_4 = (first_12 + side_6).select((first_12 + rt::Scalar(1u32)), part_12.x().elementwise_gt(part_12.y()));
@@ -5307,28 +5323,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_texel(
         &self,
         path_13: Path,
-        place_6: impl rt::Into<rt::Vec2<i32>>,
+        place_7: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
         level_26: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_13, rt::into(place_6), rt::into(layer_1), rt::into(level_26)))
+        rt::into(self.v_search_texel(path_13, rt::into(place_7), rt::into(layer_1), rt::into(level_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_texel(
         &self,
         path_13: Path,
-        place_6: rt::Vec2<i32>,
+        place_7: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
         level_26: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_13.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_6, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_26));
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_7, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_26));
             let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_6, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_26));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_7, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_26));
         let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -5563,21 +5579,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_texel(
         &self,
-        place_7: impl rt::Into<rt::Vec2<i32>>,
+        place_8: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
         level_27: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_7), rt::into(layer_2), rt::into(level_27)))
+        rt::into(self.v_detail_texel(rt::into(place_8), rt::into(layer_2), rt::into(level_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_texel(
         &self,
-        place_7: rt::Vec2<i32>,
+        place_8: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
         level_27: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_7, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_27));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_8, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_27));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -5612,18 +5628,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn one_of(
         &self,
         numbers: impl rt::Into<rt::Vec3<u32>>,
-        place_8: impl rt::Into<rt::Scalar<u32>>,
+        place_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_8)))
+        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_one_of(
         &self,
         numbers: rt::Vec3<u32>,
-        place_8: rt::Scalar<u32>,
+        place_9: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return numbers.z().select(numbers.y(), place_8.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_8.elementwise_eq(rt::Scalar(0u32)));
+        return numbers.z().select(numbers.y(), place_9.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_9.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn dice_border(
         &self,
@@ -5687,30 +5703,30 @@ impl<'g> Resources<'g> {
         slope: rt::Scalar<u32>,
         offset_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let mut n_4: rt::Scalar<u32>;
+        let mut n_5: rt::Scalar<u32>;
         let mut m_2: rt::Scalar<u32>;
         let mut a_10: rt::Scalar<u32>;
         let mut b_10: rt::Scalar<u32>;
         let mut sum_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        n_4 = count_2;
+        n_5 = count_2;
         m_2 = by;
         a_10 = slope;
         b_10 = offset_1;
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = n_4;
+                let _e10 = n_5;
                 if rt::Scalar::into_branch_condition(_e10.elementwise_gt(rt::Scalar(0u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = sum_2;
-                    let _e14 = n_4;
-                    let _e15 = n_4;
+                    let _e14 = n_5;
+                    let _e15 = n_5;
                     let _e21 = a_10;
                     let _e22 = m_2;
-                    let _e26 = n_4;
+                    let _e26 = n_5;
                     let _e27 = b_10;
                     let _e28 = m_2;
                     sum_2 = ((_e13 + (((_e14 * (_e15 - rt::Scalar(1u32))) / rt::Scalar(2u32)) * (_e21 / _e22))) + (_e26 * (_e27 / _e28)));
@@ -5721,11 +5737,11 @@ impl<'g> Resources<'g> {
                     let _e36 = m_2;
                     b_10 = (_e35 % _e36);
                     let _e38 = a_10;
-                    let _e39 = n_4;
+                    let _e39 = n_5;
                     let _e41 = b_10;
                     let last_6 = ((_e38 * _e39) + _e41);
                     let _e43 = m_2;
-                    n_4 = (last_6 / _e43);
+                    n_5 = (last_6 / _e43);
                     let _e45 = m_2;
                     b_10 = (last_6 % _e45);
                     let swapped = m_2;
@@ -5883,38 +5899,38 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_dice_share(rows_9, row_3, rows_9.parts.y());
         return _e4;
     }
-    pub(crate) fn dice_point(&self, rows_10: DiceRows, place_9: DicePlace) -> DicePoint {
-        rt::into(self.v_dice_point(rows_10, place_9))
+    pub(crate) fn dice_point(&self, rows_10: DiceRows, place_10: DicePlace) -> DicePoint {
+        rt::into(self.v_dice_point(rows_10, place_10))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_point(&self, rows_10: DiceRows, place_9: DicePlace) -> DicePoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_9.row).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_dice_point(&self, rows_10: DiceRows, place_10: DicePlace) -> DicePoint {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_10.row).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = self.v_dice_border(rows_10, rt::Scalar(0u32), rt::Scalar(0u32));
             return _e7;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_9.row).elementwise_eq(rt::Scalar(rows_10.count))) {
-            let _e13 = self.v_dice_border(rows_10, rt::Scalar(1u32), rt::Scalar(place_9.at));
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_10.row).elementwise_eq(rt::Scalar(rows_10.count))) {
+            let _e13 = self.v_dice_border(rows_10, rt::Scalar(1u32), rt::Scalar(place_10.at));
             return _e13;
         }
-        let _e15 = self.v_dice_row_parts(rows_10, rt::Scalar(place_9.row));
-        let _e19 = self.v_dice_share(rows_10, rt::Scalar(place_9.row), rows_10.parts.x());
-        let _e23 = self.v_dice_share(rows_10, rt::Scalar(place_9.row), rows_10.parts.z());
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_9.at).elementwise_eq(rt::Scalar(0u32))) {
+        let _e15 = self.v_dice_row_parts(rows_10, rt::Scalar(place_10.row));
+        let _e19 = self.v_dice_share(rows_10, rt::Scalar(place_10.row), rows_10.parts.x());
+        let _e23 = self.v_dice_share(rows_10, rt::Scalar(place_10.row), rows_10.parts.z());
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_10.at).elementwise_eq(rt::Scalar(0u32))) {
             let _e28 = self.v_dice_border(rows_10, rt::Scalar(0u32), _e19);
             return _e28;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_9.at).elementwise_eq(_e15)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_10.at).elementwise_eq(_e15)) {
             let _e32 = self.v_dice_border(rows_10, rt::Scalar(2u32), _e23);
             return _e32;
         }
-        let on_short = (((_e15 - rt::Scalar(place_9.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_10.parts.x().to_f32()));
-        let on_other = ((rt::Scalar(place_9.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_10.parts.z().to_f32()));
+        let on_short = (((_e15 - rt::Scalar(place_10.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_10.parts.x().to_f32()));
+        let on_other = ((rt::Scalar(place_10.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_10.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
         let x_8 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(0u32)));
         let y_5 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(2u32)));
-        let _e88 = self.v_dice_points_before(rows_10, rt::Scalar(place_9.row));
-        let number_25 = ((_e88 + rt::Scalar(place_9.at)) - rt::Scalar(1u32));
+        let _e88 = self.v_dice_points_before(rows_10, rt::Scalar(place_10.row));
+        let number_25 = ((_e88 + rt::Scalar(place_10.at)) - rt::Scalar(1u32));
         return <DicePoint>::new(INSIDE, number_25, <rt::Vec3<f32>>::from_scalars(x_8, y_5, z_2));
     }
     pub(crate) fn dice_triangles_before(
@@ -6375,49 +6391,40 @@ impl<'g> Resources<'g> {
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_28 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_5 = place_28.floor();
+        let place_29 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_5 = place_29.floor();
         let _e13 = self.v_search_texel_between(path_17, uv_11, below_5.to_i32());
         let lower_1 = _e13.x();
         let _e21 = self.v_search_texel_between(path_17, uv_11, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_28 - below_5)));
+        return (lower_1 + ((upper - lower_1) * (place_29 - below_5)));
     }
     pub(crate) fn material_of_texels(
         &self,
-        place_10: impl rt::Into<rt::Vec2<f32>>,
+        place_11: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
         level_32: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_material_of_texels(rt::into(place_10), rt::into(layer_5), rt::into(level_32)))
+        rt::into(self.v_material_of_texels(rt::into(place_11), rt::into(layer_5), rt::into(level_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_material_of_texels(
         &self,
-        place_10: rt::Vec2<f32>,
+        place_11: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
         level_32: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.material_size;
         let _e6 = self.v_level_texels(_e5, level_32);
-        let point_27 = ((place_10 * _e6.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e13 = self.v_cell_of(point_27);
-        let i_6 = _e13.to_i32();
-        let _e19 = rt::Scalar(self.surface_settings.color_wrap_u);
-        let _e20 = self.v_color_index(i_6.x(), _e6.x(), _e19);
-        let _e27 = rt::Scalar(self.surface_settings.color_wrap_u);
-        let _e28 = self.v_color_index((i_6.x() + rt::Scalar(1i32)), _e6.x(), _e27);
-        let _e33 = rt::Scalar(self.surface_settings.color_wrap_v);
-        let _e34 = self.v_color_index(i_6.y(), _e6.y(), _e33);
-        let _e41 = rt::Scalar(self.surface_settings.color_wrap_v);
-        let _e42 = self.v_color_index((i_6.y() + rt::Scalar(1i32)), _e6.y(), _e41);
+        let _e7 = self.v_color_texels_around(place_11, _e6);
         let k_47 = level_32.to_i32();
-        let _e46 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e20, _e34), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
-        let _e49 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e28, _e34), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
-        let _e52 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e20, _e42), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
-        let _e55 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e28, _e42), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
-        let _e57 = self.v_bilinear(_e46, _e49, _e52, _e55, (point_27 - _e13));
-        return _e57;
+        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
+        return _e38;
     }
     pub(crate) fn material_at(
         &self,
@@ -6577,8 +6584,8 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_20);
         let _e5 = self.v_plane_distance(pixel_20, _e2);
-        let point_28 = (pixel_20.origin + (pixel_20.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_20, _e2, point_28);
+        let point_27 = (pixel_20.origin + (pixel_20.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_20, _e2, point_27);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
@@ -6600,7 +6607,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_30;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_28, uv_38, tangent_1, bitangent, normal_29, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_27, uv_38, tangent_1, bitangent, normal_29, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -6712,9 +6719,9 @@ impl<'g> Resources<'g> {
         let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
         let uv_39 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_25, along_7);
-        let point_29 = (pixel_25.origin + (along_7 * _e17));
+        let point_28 = (pixel_25.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_25, along_7);
-        let _e21 = self.v_frame_at(pixel_25, third_2, point_29, uv_39, _e20);
+        let _e21 = self.v_frame_at(pixel_25, third_2, point_28, uv_39, _e20);
         at_32 = _e21;
         rt::Scalar(at_32.segments) = rt::Scalar(0u32);
         let _e25 = at_32;
@@ -6724,11 +6731,11 @@ impl<'g> Resources<'g> {
         &self,
         along_8: impl rt::Into<rt::Vec3<f32>>,
         p: impl rt::Into<rt::Vec3<f32>>,
-        n_5: impl rt::Into<rt::Vec3<f32>>,
+        n_6: impl rt::Into<rt::Vec3<f32>>,
         q: impl rt::Into<rt::Vec3<f32>>,
         m_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_way_weight(rt::into(along_8), rt::into(p), rt::into(n_5), rt::into(q), rt::into(m_3)))
+        rt::into(self.v_way_weight(rt::into(along_8), rt::into(p), rt::into(n_6), rt::into(q), rt::into(m_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6736,13 +6743,13 @@ impl<'g> Resources<'g> {
         &self,
         along_8: rt::Vec3<f32>,
         p: rt::Vec3<f32>,
-        n_5: rt::Vec3<f32>,
+        n_6: rt::Vec3<f32>,
         q: rt::Vec3<f32>,
         m_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let most_9 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let middle_11 = (p.cross(m_3).min(most_9) + n_5.cross(q).min(most_9));
-        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_5.cross(m_3))).min(most_9);
+        let middle_11 = (p.cross(m_3).min(most_9) + n_6.cross(q).min(most_9));
+        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_6.cross(m_3))).min(most_9);
     }
     pub(crate) fn way_of(
         &self,
@@ -6870,28 +6877,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn root_behind(
         &self,
         c_6: impl rt::Into<rt::Vec3<f32>>,
-        place_11: impl rt::Into<rt::Scalar<f32>>,
+        place_12: impl rt::Into<rt::Scalar<f32>>,
         end: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_root_behind(rt::into(c_6), rt::into(place_11), rt::into(end)))
+        rt::into(self.v_root_behind(rt::into(c_6), rt::into(place_12), rt::into(end)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_root_behind(
         &self,
         c_6: rt::Vec3<f32>,
-        place_11: rt::Scalar<f32>,
+        place_12: rt::Scalar<f32>,
         end: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut first: rt::Scalar<f32>;
 
         let _e3 = self.v_both_roots(c_6);
         first = end;
-        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_11)) {
+        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_12)) {
             let _e7 = first;
             first = _e7.min(_e3.x());
         }
-        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_11)) {
+        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_12)) {
             let _e12 = first;
             first = _e12.min(_e3.y());
         }
@@ -7163,16 +7170,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn shell_point_from(
         &self,
         prism_9: Prism,
-        place_12: impl rt::Into<rt::Vec3<f32>>,
+        place_13: impl rt::Into<rt::Vec3<f32>>,
         from_point: ShellPoint,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_from(prism_9, rt::into(place_12), from_point))
+        rt::into(self.v_shell_point_from(prism_9, rt::into(place_13), from_point))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_point_from(
         &self,
         prism_9: Prism,
-        place_12: rt::Vec3<f32>,
+        place_13: rt::Vec3<f32>,
         from_point: ShellPoint,
     ) -> ShellPoint {
         let mut w_1: rt::Vec3<f32>;
@@ -7207,7 +7214,7 @@ impl<'g> Resources<'g> {
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_4 = ((place_12 - base_1) - (normal_31 * offset_7));
+                    let rest_4 = ((place_13 - base_1) - (normal_31 * offset_7));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
@@ -7243,20 +7250,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn shell_point(
         &self,
         prism_10: Prism,
-        place_13: impl rt::Into<rt::Vec3<f32>>,
+        place_14: impl rt::Into<rt::Vec3<f32>>,
         height_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_10, rt::into(place_13), rt::into(height_2)))
+        rt::into(self.v_shell_point(prism_10, rt::into(place_14), rt::into(height_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point(
         &self,
         prism_10: Prism,
-        place_13: rt::Vec3<f32>,
+        place_14: rt::Vec3<f32>,
         height_2: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let _e8 = self.v_shell_point_from(prism_10, place_13, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
+        let _e8 = self.v_shell_point_from(prism_10, place_14, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
         return _e8;
     }
     pub(crate) fn surface_prism_enter(
@@ -7727,8 +7734,8 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
-        let point_30 = (pixel_40.origin + (pixel_40.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_30);
+        let point_29 = (pixel_40.origin + (pixel_40.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_29);
         let uv_41 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_3 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
@@ -7744,7 +7751,7 @@ impl<'g> Resources<'g> {
         }
         let _e79 = local_39;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_30, uv_41, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_41, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -7765,8 +7772,8 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_41);
         let _e5 = self.v_triangle_distance(pixel_41, _e2);
-        let point_31 = (pixel_41.origin + (pixel_41.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_41, _e2, point_31);
+        let point_30 = (pixel_41.origin + (pixel_41.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_41, _e2, point_30);
         let uv_42 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
         let tangent_4 = (((pixel_41.a.tangent * _e8.x()) + (pixel_41.b.tangent * _e8.y())) + (pixel_41.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_41.a.bitangent * _e8.x()) + (pixel_41.b.bitangent * _e8.y())) + (pixel_41.c.bitangent * _e8.z()));
@@ -7800,7 +7807,7 @@ impl<'g> Resources<'g> {
         }
         let _e122 = local_42;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_31 - (raw_ * height_m)), uv_42, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_42, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -8188,36 +8195,36 @@ impl<'g> Resources<'g> {
         let mut part_4: rt::Vec2<f32>;
 
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_32 = ((uv_18 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_32);
+        let point_31 = ((uv_18 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_31);
         let _e11 = self.v_sloped_cell(_e9.to_i32());
         let cell_30 = _e11.to_f32();
-        part_4 = (point_32 - cell_30);
+        part_4 = (point_31 - cell_30);
         let _e17 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e17.elementwise_eq(WRAP_CLAMP)) {
             let _e20 = part_4;
             part_4 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
         }
-        let i_7 = cell_30.to_i32();
-        let _e30 = self.v_height_cell(i_7, rt::Scalar(0u32));
+        let i_6 = cell_30.to_i32();
+        let _e30 = self.v_height_cell(i_6, rt::Scalar(0u32));
         let _e31 = part_4;
         let _e32 = self.v_cell_slopes(_e30, _e31);
-        let _e37 = self.v_sloped_cell((i_7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e37 = self.v_sloped_cell((i_6 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e39 = self.v_height_cell(_e37, rt::Scalar(0u32));
         let _e40 = part_4;
         let _e41 = self.v_cell_slopes(_e39, _e40);
         let before_u = _e41.x();
-        let _e47 = self.v_sloped_cell((i_7 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e47 = self.v_sloped_cell((i_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e49 = self.v_height_cell(_e47, rt::Scalar(0u32));
         let _e50 = part_4;
         let _e51 = self.v_cell_slopes(_e49, _e50);
         let behind_u = _e51.x();
-        let _e57 = self.v_sloped_cell((i_7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e57 = self.v_sloped_cell((i_6 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e59 = self.v_height_cell(_e57, rt::Scalar(0u32));
         let _e60 = part_4;
         let _e61 = self.v_cell_slopes(_e59, _e60);
         let before_v = _e61.y();
-        let _e67 = self.v_sloped_cell((i_7 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e67 = self.v_sloped_cell((i_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e69 = self.v_height_cell(_e67, rt::Scalar(0u32));
         let _e70 = part_4;
         let _e71 = self.v_cell_slopes(_e69, _e70);
@@ -8258,23 +8265,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn texels_apart(
         &self,
-        place_14: impl rt::Into<rt::Scalar<f32>>,
+        place_15: impl rt::Into<rt::Scalar<f32>>,
         side_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_texels_apart(rt::into(place_14), rt::into(side_3)))
+        rt::into(self.v_texels_apart(rt::into(place_15), rt::into(side_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_texels_apart(
         &self,
-        place_14: rt::Scalar<f32>,
+        place_15: rt::Scalar<f32>,
         side_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e4.elementwise_ne(WRAP_CLAMP)) {
             return rt::Scalar(2f32);
         }
-        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_14).max(rt::Scalar(0f32))) - ((place_14 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
+        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_15).max(rt::Scalar(0f32))) - ((place_15 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
     }
     pub(crate) fn normal_from_height(
         &self,
@@ -8972,8 +8979,8 @@ impl<'g> Resources<'g> {
         let a_36 = (pixel_54.a.position + (pixel_54.a.normal * step_m));
         let b_36 = (pixel_54.b.position + (pixel_54.b.normal * step_m));
         let c_26 = (pixel_54.c.position + (pixel_54.c.normal * step_m));
-        let n_12 = (b_36 - a_36).cross((c_26 - a_36));
-        let t_37 = (n_12.dot((a_36 - pixel_54.origin)) / n_12.dot(pixel_54.direction));
+        let n_13 = (b_36 - a_36).cross((c_26 - a_36));
+        let t_37 = (n_13.dot((a_36 - pixel_54.origin)) / n_13.dot(pixel_54.direction));
         let lead = (far_2 - (t_37 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
             local_50 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
@@ -8984,7 +8991,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_36, b_36, c_26, n_12, (pixel_54.origin + (pixel_54.direction * t_37)));
+        let _e68 = self.v_weights_of(a_36, b_36, c_26, n_13, (pixel_54.origin + (pixel_54.direction * t_37)));
         let aside_4 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_54.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
@@ -9182,18 +9189,18 @@ impl<'g> Resources<'g> {
         let origin_6 = (pixel_57.origin + (along_38 * _e30));
         let _e33 = self.v_depth_in_image(_e4, origin_6);
         let bend_6 = (deepens / _e33);
-        let u_2 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
-        let v_4 = ((_e4.v.xyz().dot(origin_6) + _e4.v.w()) / _e33);
+        let u_3 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
+        let v_5 = ((_e4.v.xyz().dot(origin_6) + _e4.v.w()) / _e33);
         let h_6 = ((_e4.height.xyz().dot(origin_6) + _e4.height.w()) / _e33);
-        let du_1 = ((_e4.u.xyz().dot(along_38) - (u_2 * deepens)) / _e33);
-        let dv_1 = ((_e4.v.xyz().dot(along_38) - (v_4 * deepens)) / _e33);
+        let du_1 = ((_e4.u.xyz().dot(along_38) - (u_3 * deepens)) / _e33);
+        let dv_1 = ((_e4.v.xyz().dot(along_38) - (v_5 * deepens)) / _e33);
         let dh_1 = ((_e4.height.xyz().dot(along_38) - (h_6 * deepens)) / _e33);
         let _e74 = self.v_beyond_image(_e4);
         let _e85 = interval_6;
-        let _e86 = self.v_within_bounds(u_2, du_1, (rt::Scalar(0f32) - _e74.x()), (rt::Scalar(1f32) + _e74.x()), _e85);
+        let _e86 = self.v_within_bounds(u_3, du_1, (rt::Scalar(0f32) - _e74.x()), (rt::Scalar(1f32) + _e74.x()), _e85);
         interval_6 = _e86;
         let _e93 = interval_6;
-        let _e94 = self.v_within_bounds(v_4, dv_1, (rt::Scalar(0f32) - _e74.y()), (rt::Scalar(1f32) + _e74.y()), _e93);
+        let _e94 = self.v_within_bounds(v_5, dv_1, (rt::Scalar(0f32) - _e74.y()), (rt::Scalar(1f32) + _e74.y()), _e93);
         interval_6 = _e94;
         let _e97 = interval_6;
         let _e98 = self.v_within_bounds(h_6, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
@@ -9210,7 +9217,7 @@ impl<'g> Resources<'g> {
         let _e135 = interval_6.y();
         let _e140 = self.v_metric_of_image(_e4, (_e33 / nearer));
         let _e143 = begin_2;
-        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_2 + (du_1 * start_6)), (v_4 + (dv_1 * start_6))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_6) / change_5), k_13.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_6 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_3 + (du_1 * start_6)), (v_5 + (dv_1 * start_6))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_6) / change_5), k_13.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_6 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
     }
     pub(crate) fn surface_object_segment(
         &self,
@@ -9274,12 +9281,12 @@ impl<'g> Resources<'g> {
         let mut local_56: rt::Scalar<bool>;
 
         let _e2 = self.v_depth_in_image(image_9, point_13);
-        let u_3 = ((image_9.u.xyz().dot(point_13) + image_9.u.w()) / _e2);
-        let v_5 = ((image_9.v.xyz().dot(point_13) + image_9.v.w()) / _e2);
+        let u_4 = ((image_9.u.xyz().dot(point_13) + image_9.u.w()) / _e2);
+        let v_6 = ((image_9.v.xyz().dot(point_13) + image_9.v.w()) / _e2);
         let h_7 = ((image_9.height.xyz().dot(point_13) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
-        let beside_5 = ((u_3 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_5 - rt::Scalar(0.5f32)).abs() - _e24.y()));
-        let uv_44 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_3, v_5)));
+        let beside_5 = ((u_4 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_6 - rt::Scalar(0.5f32)).abs() - _e24.y()));
+        let uv_44 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_4, v_6)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
         let at_149 = (((uv_44 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
@@ -9581,23 +9588,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn weights_at_offset(
         &self,
         prism_11: Prism,
-        place_15: impl rt::Into<rt::Vec3<f32>>,
+        place_16: impl rt::Into<rt::Vec3<f32>>,
         offset_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_15), rt::into(offset_5)))
+        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_16), rt::into(offset_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weights_at_offset(
         &self,
         prism_11: Prism,
-        place_15: rt::Vec3<f32>,
+        place_16: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let corner_5 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
         let a_38 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
         let b_38 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_6 = (place_15 - corner_5);
+        let rest_6 = (place_16 - corner_5);
         let across_7 = a_38.cross(b_38);
         let square_2 = across_7.dot(across_7);
         if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
@@ -9610,27 +9617,27 @@ impl<'g> Resources<'g> {
     pub(crate) fn shell_point_near(
         &self,
         prism_12: Prism,
-        place_16: impl rt::Into<rt::Vec3<f32>>,
+        place_17: impl rt::Into<rt::Vec3<f32>>,
         height_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_16), rt::into(height_6)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_17), rt::into(height_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point_near(
         &self,
         prism_12: Prism,
-        place_16: rt::Vec3<f32>,
+        place_17: rt::Vec3<f32>,
         height_6: rt::Scalar<f32>,
     ) -> ShellPoint {
         let low_4 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
         let offset_8 = (low_4 + ((_e10 - low_4).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_6));
-        let _e16 = self.v_weights_at_offset(prism_12, place_16, offset_8);
+        let _e16 = self.v_weights_at_offset(prism_12, place_17, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
-        let _e20 = self.v_weights_at_offset(prism_12, place_16, (offset_8 + _e18));
+        let _e20 = self.v_weights_at_offset(prism_12, place_17, (offset_8 + _e18));
         let near_8 = <ShellPoint>::new(_e20, height_6);
-        let _e22 = self.v_shell_point_from(prism_12, place_16, near_8);
+        let _e22 = self.v_shell_point_from(prism_12, place_17, near_8);
         let moved = (_e22.weights - near_8.weights).abs();
         let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_6).abs()));
         if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
@@ -9642,10 +9649,10 @@ impl<'g> Resources<'g> {
         &self,
         pixel_64: PixelIn,
         prism_13: Prism,
-        place_17: impl rt::Into<rt::Vec3<f32>>,
+        place_18: impl rt::Into<rt::Vec3<f32>>,
         height_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_64, prism_13, rt::into(place_17), rt::into(height_7)))
+        rt::into(self.v_point_of_way(pixel_64, prism_13, rt::into(place_18), rt::into(height_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9653,14 +9660,14 @@ impl<'g> Resources<'g> {
         &self,
         pixel_64: PixelIn,
         prism_13: Prism,
-        place_17: rt::Vec3<f32>,
+        place_18: rt::Vec3<f32>,
         height_7: rt::Scalar<f32>,
     ) -> ShellPoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_17, height_7);
+            let _e8 = self.v_shell_point_near(prism_13, place_18, height_7);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_13, place_17, height_7);
+        let _e9 = self.v_shell_point(prism_13, place_18, height_7);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
@@ -9724,15 +9731,15 @@ impl<'g> Resources<'g> {
                         t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_10.t) - most_13), (rt::Scalar(hit_10.t) + most_13));
                     }
                     let _e75 = t_15;
-                    let place_29 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    let place_30 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_29, _e84);
+                        let _e85 = self.v_shell_point_near(_e8, place_30, _e84);
                         point_16 = _e85;
                     } else {
                         let _e86 = point_16;
-                        let _e87 = self.v_shell_point_from(_e8, place_29, _e86);
+                        let _e87 = self.v_shell_point_from(_e8, place_30, _e86);
                         point_16 = _e87;
                     }
                 }
@@ -11089,20 +11096,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn image_of(
         &self,
         cell_18: impl rt::Into<rt::Scalar<i32>>,
-        n_6: impl rt::Into<rt::Scalar<i32>>,
+        n_7: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_18), rt::into(n_6)))
+        rt::into(self.v_image_of(rt::into(cell_18), rt::into(n_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_image_of(
         &self,
         cell_18: rt::Scalar<i32>,
-        n_6: rt::Scalar<i32>,
+        n_7: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
         let mut local_67: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_18.elementwise_ge(rt::Scalar(0i32))) {
-            local_67 = cell_18.elementwise_lt(n_6);
+            local_67 = cell_18.elementwise_lt(n_7);
         } else {
             local_67 = rt::Scalar(false);
         }
@@ -11112,15 +11119,15 @@ impl<'g> Resources<'g> {
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_18.clamp(rt::Scalar(0i32), (n_6 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_18.clamp(rt::Scalar(0i32), (n_7 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_18 % n_6) + n_6) % n_6), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_18 % n_7) + n_7) % n_7), rt::Scalar(0i32));
         }
-        let period_2 = (rt::Scalar(2i32) * n_6);
+        let period_2 = (rt::Scalar(2i32) * n_7);
         let folded_2 = (((cell_18 % period_2) + period_2) % period_2);
-        if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_6)) {
+        if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_7)) {
             return <rt::Vec2<i32>>::from_scalars(folded_2, rt::Scalar(0i32));
         }
         if rt::Scalar::into_branch_condition(folded_2.elementwise_eq((period_2 - rt::Scalar(1i32)))) {
@@ -11548,17 +11555,17 @@ impl<'g> Resources<'g> {
         &self,
         cell_22: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
-        n_7: impl rt::Into<rt::Scalar<i32>>,
+        n_8: impl rt::Into<rt::Scalar<i32>>,
         level_35: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_7), rt::into(level_35)))
+        rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_8), rt::into(level_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
         cell_22: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
-        n_7: rt::Scalar<i32>,
+        n_8: rt::Scalar<i32>,
         level_35: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_71: rt::Scalar<bool>;
@@ -11567,11 +11574,11 @@ impl<'g> Resources<'g> {
         let side_7 = (rt::Scalar(1i32) << level_35);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
             let low_5 = (cell_22 - (image_10.x() - first_18));
-            return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_7.min((n_7 - first_18))));
+            return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_7.min((n_8 - first_18))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
             let high_1 = ((cell_22 + (image_10.x() - first_18)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_1 - side_7.min(((n_7 - rt::Scalar(1i32)) - first_18))), high_1);
+            return <rt::Vec2<i32>>::from_scalars((high_1 - side_7.min(((n_8 - rt::Scalar(1i32)) - first_18))), high_1);
         }
         if rt::Scalar::into_branch_condition(level_35.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
@@ -11581,7 +11588,7 @@ impl<'g> Resources<'g> {
         }
         let _e43 = local_71;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_7, cell_22.elementwise_ge(n_7)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_22.elementwise_ge(n_7)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_8, cell_22.elementwise_ge(n_8)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_22.elementwise_ge(n_8)));
         }
         return <rt::Vec2<i32>>::from_scalars(cell_22, (cell_22 + rt::Scalar(1i32)));
     }
@@ -11670,10 +11677,10 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_23.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_30 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let place_31 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_36;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_30.x() >> above_level), (place_30.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_31.x() >> above_level), (place_31.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
@@ -11736,7 +11743,7 @@ impl<'g> Resources<'g> {
                         cost_14 = (_e160 + _e162);
                         let _e165 = level_36;
                         let _e168 = level_36;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_30.x() >> _e165), (place_30.y() >> _e168));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_31.x() >> _e165), (place_31.y() >> _e168));
                         let _e172 = level_36;
                         let _e178 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
@@ -11779,7 +11786,7 @@ impl<'g> Resources<'g> {
                     }
                     let _e267 = level_36;
                     let _e272 = level_36;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_30.x() >> (_e267 + rt::Scalar(1u32))), (place_30.y() >> (_e272 + rt::Scalar(1u32))));
+                    parent = <rt::Vec2<i32>>::from_scalars((place_31.x() >> (_e267 + rt::Scalar(1u32))), (place_31.y() >> (_e272 + rt::Scalar(1u32))));
                     let _e277 = t_28;
                     t_28 = _e277.max(end_11);
                 }
@@ -11792,23 +11799,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn texel_extent(
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
-        n_8: impl rt::Into<rt::Scalar<i32>>,
+        n_9: impl rt::Into<rt::Scalar<i32>>,
         level_37: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_8), rt::into(level_37)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_9), rt::into(level_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
-        n_8: rt::Scalar<i32>,
+        n_9: rt::Scalar<i32>,
         level_37: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_75: rt::Scalar<bool>;
 
-        let _e3 = self.v_wrap_index(texel_2, n_8);
+        let _e3 = self.v_wrap_index(texel_2, n_9);
         let first_19 = ((_e3 >> level_37) << level_37);
-        let last_11 = (first_19 + (rt::Scalar(1i32) << level_37)).min(n_8);
+        let last_11 = (first_19 + (rt::Scalar(1i32) << level_37)).min(n_9);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_75 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -11821,9 +11828,9 @@ impl<'g> Resources<'g> {
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
-            let period_3 = (rt::Scalar(2i32) * n_8);
+            let period_3 = (rt::Scalar(2i32) * n_9);
             let folded_3 = (((texel_2 % period_3) + period_3) % period_3);
-            if rt::Scalar::into_branch_condition(folded_3.elementwise_lt(n_8)) {
+            if rt::Scalar::into_branch_condition(folded_3.elementwise_lt(n_9)) {
                 return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_19), ((texel_2 - _e3) + last_11));
             }
             return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_11) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_19) + rt::Scalar(1i32)));
@@ -11891,18 +11898,18 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_31 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_32 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
                     let _e59 = level_38;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_31, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_32, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
                         let _e70 = level_38;
                         let _e73 = level_38;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_31.x() >> _e70), (place_31.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_32.x() >> _e70), (place_32.y() >> _e73));
                         let _e76 = cost_15;
                         let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
@@ -13194,21 +13201,21 @@ impl<'g> Resources<'g> {
         sweep_5: Sweep,
         column_1: rt::Scalar<i32>,
     ) -> rt::Scalar<i32> {
-        let n_13 = sweep_5.parts.x();
+        let n_14 = sweep_5.parts.x();
         let m_6 = sweep_5.parts.y();
         let doubled = ((rt::Scalar(2i32) * column_1) - rt::Scalar(1i32));
         if rt::Scalar::into_branch_condition(column_1.elementwise_le(rt::Scalar(0i32))) {
             return rt::Scalar(0i32);
         }
         if rt::Scalar::into_branch_condition(column_1.elementwise_gt(sweep_5.end.x())) {
-            return ((n_13 + m_6) + rt::Scalar(1i32));
+            return ((n_14 + m_6) + rt::Scalar(1i32));
         }
         if rt::Scalar::into_branch_condition(doubled.elementwise_le((rt::Scalar(2i32) * sweep_5.apex.x()))) {
-            let _e29 = self.v_quotient_up((n_13 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
+            let _e29 = self.v_quotient_up((n_14 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
             return _e29;
         }
         let _e43 = self.v_quotient_up((m_6 * (doubled - (rt::Scalar(2i32) * sweep_5.apex.x()))), (rt::Scalar(2i32) * (sweep_5.end.x() - sweep_5.apex.x())));
-        return (n_13 + _e43);
+        return (n_14 + _e43);
     }
     pub(crate) fn footprint_m(&self, at_85: Entered) -> f32 {
         rt::into(self.v_footprint_m(at_85))
@@ -13502,24 +13509,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn holds_filter(
         &self,
         view_12: LightView,
-        place_18: impl rt::Into<rt::Vec3<f32>>,
+        place_19: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_12, rt::into(place_18), rt::into(half)))
+        rt::into(self.v_holds_filter(view_12, rt::into(place_19), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_holds_filter(
         &self,
         view_12: LightView,
-        place_18: rt::Vec3<f32>,
+        place_19: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut local_91: rt::Scalar<bool>;
         let mut local_92: rt::Scalar<bool>;
 
-        let least_8 = (place_18.x().min(place_18.y()) - half);
-        let most_15 = (place_18.x().max(place_18.y()) + half);
-        if rt::Scalar::into_branch_condition(place_18.z().elementwise_gt(rt::Scalar(0f32))) {
+        let least_8 = (place_19.x().min(place_19.y()) - half);
+        let most_15 = (place_19.x().max(place_19.y()) + half);
+        if rt::Scalar::into_branch_condition(place_19.z().elementwise_gt(rt::Scalar(0f32))) {
             local_91 = least_8.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_91 = rt::Scalar(false);
@@ -13778,19 +13785,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_texel(
         &self,
-        place_19: impl rt::Into<rt::Vec2<i32>>,
+        place_20: impl rt::Into<rt::Vec2<i32>>,
         view_15: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_19), rt::into(view_15)))
+        rt::into(self.v_light_texel(rt::into(place_20), rt::into(view_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_texel(
         &self,
-        place_19: rt::Vec2<i32>,
+        place_20: rt::Vec2<i32>,
         view_15: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_19, rt::Scalar::into_inner(view_15), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_20, rt::Scalar::into_inner(view_15), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
@@ -13825,11 +13832,11 @@ impl<'g> Resources<'g> {
                     let _e24 = column_2;
                     let wide_2 = (at_91.high.x().min((_e18 + rt::Scalar(1f32))) - at_91.low.x().max(_e24));
                     let _e27 = column_2;
-                    let place_32 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_31, at_91.point, at_91.normal, (place_32 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let place_33 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_31, at_91.point, at_91.normal, (place_33 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_10 = _e35.clamp(rt::Scalar(at_91.least_depth), rt::Scalar(at_91.most_depth));
                     let key = (rt::Scalar(view_31.near) / (rt::Scalar(view_31.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_32.to_i32(), rt::Scalar(at_91.number).to_i32());
+                    let _e48 = self.v_light_texel(place_33.to_i32(), rt::Scalar(at_91.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -13847,11 +13854,11 @@ impl<'g> Resources<'g> {
         number_15: impl rt::Into<rt::Scalar<u32>>,
         at_92: Entered,
         normal_19: impl rt::Into<rt::Vec3<f32>>,
-        place_20: impl rt::Into<rt::Vec3<f32>>,
+        place_21: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_15), at_92, rt::into(normal_19), rt::into(place_20), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_15), at_92, rt::into(normal_19), rt::into(place_21), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
@@ -13859,7 +13866,7 @@ impl<'g> Resources<'g> {
         number_15: rt::Scalar<u32>,
         at_92: Entered,
         normal_19: rt::Vec3<f32>,
-        place_20: rt::Vec3<f32>,
+        place_21: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
@@ -13867,14 +13874,14 @@ impl<'g> Resources<'g> {
         let mut row_7: rt::Scalar<f32>;
 
         let view_32 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
-        let texel_m = (rt::Scalar(view_32.texel_m) * rt::Scalar(1f32).select(place_20.z(), rt::Scalar(view_32.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let texel_m = (rt::Scalar(view_32.texel_m) * rt::Scalar(1f32).select(place_21.z(), rt::Scalar(view_32.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_92);
-        let point_33 = (at_92.point + (normal_19 * (bias * texel_m.max(_e19))));
+        let point_32 = (at_92.point + (normal_19 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
-        let low_10 = (place_20.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let low_10 = (place_21.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_14 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_32.size).to_f32(), rt::Scalar(view_32.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_15, point_33, normal_19, low_10, high_4, (place_20.z() - reach_1), (place_20.z() + reach_1));
+        let in_view = <InView>::new(number_15, point_32, normal_19, low_10, high_4, (place_21.z() - reach_1), (place_21.z() + reach_1));
         row_7 = low_10.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -14000,16 +14007,16 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return ((middle_9 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
     }
-    pub(crate) fn means_of_one(&self, n_9: impl rt::Into<rt::Vec3<f32>>) -> Normals {
-        rt::into(self.v_means_of_one(rt::into(n_9)))
+    pub(crate) fn means_of_one(&self, n_10: impl rt::Into<rt::Vec3<f32>>) -> Normals {
+        rt::into(self.v_means_of_one(rt::into(n_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_means_of_one(&self, n_9: rt::Vec3<f32>) -> Normals {
-        let upright = n_9.z().max(rt::Scalar(0.05f32));
-        let slope_11 = (<rt::Vec2<f32>>::from_scalars((-n_9.x()), (-n_9.y())) / rt::Vec2::splat_from_scalar(upright));
+    fn v_means_of_one(&self, n_10: rt::Vec3<f32>) -> Normals {
+        let upright = n_10.z().max(rt::Scalar(0.05f32));
+        let slope_11 = (<rt::Vec2<f32>>::from_scalars((-n_10.x()), (-n_10.y())) / rt::Vec2::splat_from_scalar(upright));
         let square_3 = ((slope_11 * slope_11) * upright);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_9, slope_11.x()), <rt::Vec4<f32>>::from_scalars(square_3.x(), ((slope_11.x() * slope_11.y()) * upright), square_3.y(), slope_11.y()));
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_10, slope_11.x()), <rt::Vec4<f32>>::from_scalars(square_3.x(), ((slope_11.x() * slope_11.y()) * upright), square_3.y(), slope_11.y()));
     }
     pub(crate) fn no_table(&self) -> SeenTable {
         rt::into(self.v_no_table())
@@ -14448,9 +14455,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seed_of(&self, hit_29: Hit) -> rt::Scalar<u32> {
-        let place_33 = ((hit_29.uv - hit_29.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_33.y());
-        let _e12 = self.v_mixed((place_33.x() ^ _e10));
+        let place_34 = ((hit_29.uv - hit_29.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_34.y());
+        let _e12 = self.v_mixed((place_34.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn point_of_disc(
@@ -14476,11 +14483,11 @@ impl<'g> Resources<'g> {
         let ring = ((k_31.to_f32() + _e9) / count_7.to_f32());
         let _e16 = self.v_unit_of(seed_4);
         let _e18 = self.v_turned_1(((k_31.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_34 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let place_35 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_5 = light_8.direction.cross(right_6);
-        let toward_10 = ((light_8.direction + (right_6 * place_34.x())) + (up_5 * place_34.y()));
+        let toward_10 = ((light_8.direction + (right_6 * place_35.x())) + (up_5 * place_35.y()));
         let along_43 = toward_10.length();
         return <Toward>::new((toward_10 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
@@ -14575,21 +14582,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_21: impl rt::Into<rt::Vec2<i32>>,
+        place_22: impl rt::Into<rt::Vec2<i32>>,
         layer_9: impl rt::Into<rt::Scalar<i32>>,
         level_42: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_21), rt::into(layer_9), rt::into(level_42)))
+        rt::into(self.v_shadow_texel(rt::into(place_22), rt::into(layer_9), rt::into(level_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel(
         &self,
-        place_21: rt::Vec2<i32>,
+        place_22: rt::Vec2<i32>,
         layer_9: rt::Scalar<i32>,
         level_42: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_21, rt::Scalar::into_inner(layer_9), 0i32, rt::Scalar::into_inner(level_42));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_22, rt::Scalar::into_inner(layer_9), 0i32, rt::Scalar::into_inner(level_42));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -14960,9 +14967,9 @@ impl<'g> Resources<'g> {
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_rise_of_mask(uv_34);
-        let place_35 = ((uv_34 - image_12.corner) / image_12.extent);
-        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_35.x())).normalize();
-        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_35.y())).normalize();
+        let place_36 = ((uv_34 - image_12.corner) / image_12.extent);
+        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_36.x())).normalize();
+        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_36.y())).normalize();
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_4 * _e3.x())) - (along_v_4 * _e3.y()));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
@@ -15497,8 +15504,8 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_42));
-        let point_34 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_48.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_126, weights_8.xyz(), point_34, hit_48.uv);
+        let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_48.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_126, weights_8.xyz(), point_33, hit_48.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
@@ -15868,17 +15875,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_bumps(
         &self,
-        place_22: impl rt::Into<rt::Vec2<f32>>,
+        place_23: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
         params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_22), rt::into(time), rt::into(seed_5), rt::into(params_108)))
+        rt::into(self.v_procedure_bumps(rt::into(place_23), rt::into(time), rt::into(seed_5), rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_bumps(
         &self,
-        place_22: rt::Vec2<f32>,
+        place_23: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
         params_108: rt::Vec4<f32>,
@@ -15886,7 +15893,7 @@ impl<'g> Resources<'g> {
         let mut height_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_155 = (place_22 * params_108.x());
+        let at_155 = (place_23 * params_108.x());
         let own_1 = at_155.floor();
         'naga_break: loop {
             'naga_continue: {
@@ -15923,17 +15930,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_fbm(
         &self,
-        place_23: impl rt::Into<rt::Vec2<f32>>,
+        place_24: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
         params_109: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_23), rt::into(time_1), rt::into(seed_6), rt::into(params_109)))
+        rt::into(self.v_procedure_fbm(rt::into(place_24), rt::into(time_1), rt::into(seed_6), rt::into(params_109)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_fbm(
         &self,
-        place_23: rt::Vec2<f32>,
+        place_24: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
         params_109: rt::Vec4<f32>,
@@ -15960,7 +15967,7 @@ impl<'g> Resources<'g> {
                     let _e25 = count_9;
                     let _e27 = count_9;
                     let _e28 = octave;
-                    let _e30 = self.v_gradient_noise((place_23 * _e25), _e27, turns_3, (seed_6 + _e28));
+                    let _e30 = self.v_gradient_noise((place_24 * _e25), _e27, turns_3, (seed_6 + _e28));
                     height_11 = (_e23 + (_e24 * _e30));
                     let _e33 = sum_4;
                     let _e34 = strength;
@@ -15980,17 +15987,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_waves(
         &self,
-        place_24: impl rt::Into<rt::Vec2<f32>>,
+        place_25: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
         params_110: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_24), rt::into(time_2), rt::into(seed_7), rt::into(params_110)))
+        rt::into(self.v_procedure_waves(rt::into(place_25), rt::into(time_2), rt::into(seed_7), rt::into(params_110)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_waves(
         &self,
-        place_24: rt::Vec2<f32>,
+        place_25: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
         params_110: rt::Vec4<f32>,
@@ -16019,7 +16026,7 @@ impl<'g> Resources<'g> {
                     let pace_1 = ((rt::Scalar(2f32) * (length / params_110.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
-                    let _e72 = self.v_sine_of(((((along_48 * place_24.x()) + (across_11 * place_24.y())) - (pace_1 * time_2)) + _e63));
+                    let _e72 = self.v_sine_of(((((along_48 * place_25.x()) + (across_11 * place_25.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
                     let _e77 = height_12;
                     height_12 = (_e77 + ((crest + (params_110.w() * ((crest * crest) - crest))) / length));
@@ -16037,34 +16044,34 @@ impl<'g> Resources<'g> {
     pub(crate) fn procedure_height(
         &self,
         number_20: impl rt::Into<rt::Scalar<u32>>,
-        place_25: impl rt::Into<rt::Vec2<f32>>,
+        place_26: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
         params_111: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_25), rt::into(time_3), rt::into(seed_8), rt::into(params_111)))
+        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_26), rt::into(time_3), rt::into(seed_8), rt::into(params_111)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_procedure_height(
         &self,
         number_20: rt::Scalar<u32>,
-        place_25: rt::Vec2<f32>,
+        place_26: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
         params_111: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         match rt::Scalar::into_inner(number_20) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_25, time_3, seed_8, params_111);
+                let _e5 = self.v_procedure_waves(place_26, time_3, seed_8, params_111);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_25, time_3, seed_8, params_111);
+                let _e6 = self.v_procedure_fbm(place_26, time_3, seed_8, params_111);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_25, time_3, seed_8, params_111);
+                let _e7 = self.v_procedure_bumps(place_26, time_3, seed_8, params_111);
                 return _e7;
             }
         }
@@ -16933,14 +16940,14 @@ impl<'g> Resources<'g> {
     ) -> SweptColumn {
         let mut local_104: rt::Scalar<bool>;
 
-        let n_14 = sweep_8.parts.x();
+        let n_15 = sweep_8.parts.x();
         let m_8 = sweep_8.parts.y();
         let _e7 = self.v_first_of_top(sweep_8, column_5);
         let _e10 = self.v_first_of_top(sweep_8, (column_5 + rt::Scalar(1i32)));
-        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_14);
-        let top_11 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_14)), is_behind);
+        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_15);
+        let top_11 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_15)), is_behind);
         let from_top = _e7.max(rt::Scalar(1i32));
-        let of_top_1 = (_e10.min((n_14 + m_8)) - from_top);
+        let of_top_1 = (_e10.min((n_15 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
             local_104 = column_5.elementwise_ge(sweep_8.end.x());
         } else {

@@ -3502,26 +3502,38 @@ fn color_place(uv: vec2f) -> vec2f {
     },
     Declaration {
         module: "shared/height",
-        name: "color_of_texels",
+        name: "color_texels_around",
         sampling: None,
-        uses: &["bilinear", "cell_of", "color_index", "color_map", "level_texels", "surface_settings"],
-        text: r#"// A level of the colour map at coordinates of its own, by its texels.
-fn color_of_texels(place: vec2f, level: u32) -> vec4f {
-    let n = level_texels(surface_settings.color_size, level);
+        uses: &["Around", "cell_of", "color_index", "surface_settings"],
+        text: r#"// The four texels around a place of a map of that size with the colour map's wrap.
+fn color_texels_around(place: vec2f, n: vec2i) -> Around {
     let point = place * vec2f(n) - vec2f(0.5, 0.5);
     let cell = cell_of(point);
     let i = vec2i(cell);
-    let i0 = color_index(i.x, n.x, surface_settings.color_wrap_u);
-    let i1 = color_index(i.x + 1, n.x, surface_settings.color_wrap_u);
-    let j0 = color_index(i.y, n.y, surface_settings.color_wrap_v);
-    let j1 = color_index(i.y + 1, n.y, surface_settings.color_wrap_v);
+    let u = surface_settings.color_wrap_u;
+    let v = surface_settings.color_wrap_v;
+    return Around(
+        vec2i(color_index(i.x, n.x, u), color_index(i.x + 1, n.x, u)),
+        vec2i(color_index(i.y, n.y, v), color_index(i.y + 1, n.y, v)),
+        point - cell,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "color_of_texels",
+        sampling: None,
+        uses: &["bilinear", "color_map", "color_texels_around", "level_texels", "surface_settings"],
+        text: r#"// A level of the colour map at coordinates of its own, by its texels.
+fn color_of_texels(place: vec2f, level: u32) -> vec4f {
+    let at = color_texels_around(place, level_texels(surface_settings.color_size, level));
     let k = i32(level);
     return bilinear(
-        textureLoad(color_map, vec2i(i0, j0), k),
-        textureLoad(color_map, vec2i(i1, j0), k),
-        textureLoad(color_map, vec2i(i0, j1), k),
-        textureLoad(color_map, vec2i(i1, j1), k),
-        point - cell,
+        textureLoad(color_map, vec2i(at.columns.x, at.rows.x), k),
+        textureLoad(color_map, vec2i(at.columns.y, at.rows.x), k),
+        textureLoad(color_map, vec2i(at.columns.x, at.rows.y), k),
+        textureLoad(color_map, vec2i(at.columns.y, at.rows.y), k),
+        at.part,
     );
 }"#,
     },
@@ -3555,25 +3567,18 @@ fn color_at(uv: vec2f, level: u32) -> vec4f {
         module: "shared/height",
         name: "material_of_texels",
         sampling: None,
-        uses: &["bilinear", "cell_of", "color_index", "level_texels", "material_map", "surface_settings"],
+        uses: &["bilinear", "color_texels_around", "level_texels", "material_map", "surface_settings"],
         text: r#"// A layer of a level of the material map at coordinates of the colour map, by its texels. It has the
 // colour map's wrap.
 fn material_of_texels(place: vec2f, layer: i32, level: u32) -> vec4f {
-    let n = level_texels(surface_settings.material_size, level);
-    let point = place * vec2f(n) - vec2f(0.5, 0.5);
-    let cell = cell_of(point);
-    let i = vec2i(cell);
-    let i0 = color_index(i.x, n.x, surface_settings.color_wrap_u);
-    let i1 = color_index(i.x + 1, n.x, surface_settings.color_wrap_u);
-    let j0 = color_index(i.y, n.y, surface_settings.color_wrap_v);
-    let j1 = color_index(i.y + 1, n.y, surface_settings.color_wrap_v);
+    let at = color_texels_around(place, level_texels(surface_settings.material_size, level));
     let k = i32(level);
     return bilinear(
-        textureLoad(material_map, vec2i(i0, j0), layer, k),
-        textureLoad(material_map, vec2i(i1, j0), layer, k),
-        textureLoad(material_map, vec2i(i0, j1), layer, k),
-        textureLoad(material_map, vec2i(i1, j1), layer, k),
-        point - cell,
+        textureLoad(material_map, vec2i(at.columns.x, at.rows.x), layer, k),
+        textureLoad(material_map, vec2i(at.columns.y, at.rows.x), layer, k),
+        textureLoad(material_map, vec2i(at.columns.x, at.rows.y), layer, k),
+        textureLoad(material_map, vec2i(at.columns.y, at.rows.y), layer, k),
+        at.part,
     );
 }"#,
     },

@@ -2647,41 +2647,39 @@ lanes! { fn color_index(r: &Resources<'_>, i_a0: I, n_a1: I, wrap_a2: u32) -> I 
     let folded_18 = rem_i(add_i(rem_i(i_a0, period_15), period_15), period_15);
     return sel_i(lt_i(folded_18, n_a1), folded_18, sub_i(sub_i(period_15, splat_i(1i32)), folded_18));
 } }
+lanes! { fn color_texels_around(r: &Resources<'_>, place_a0: Vec2<F>, n_a1: Vec2<I>) -> Around {
+    let point_7 = Vec2 { x: sub(mul(place_a0.x, f_of_i(n_a1.x)), splat(0.5f32)), y: sub(mul(place_a0.y, f_of_i(n_a1.y)), splat(0.5f32)) };
+    let cell_8 = cell_of(r, point_7);
+    let i_9 = Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) };
+    let e_18 = color_index(r, i_9.x, n_a1.x, r.surface_settings.color_wrap_u);
+    let e_23 = color_index(r, add_i(i_9.x, splat_i(1i32)), n_a1.x, r.surface_settings.color_wrap_u);
+    let e_27 = color_index(r, i_9.y, n_a1.y, r.surface_settings.color_wrap_v);
+    let e_32 = color_index(r, add_i(i_9.y, splat_i(1i32)), n_a1.y, r.surface_settings.color_wrap_v);
+    return Around { columns: Vec2 { x: e_18, y: e_23 }, rows: Vec2 { x: e_27, y: e_32 }, part: Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) }, };
+} }
 lanes! { fn color_of_texels_ll(r: &Resources<'_>, within: M, place_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let n_5 = level_texels(r, r.surface_settings.color_size, level_a1);
-    let point_11 = Vec2 { x: sub(mul(place_a0.x, f_of_i(n_5.x)), splat(0.5f32)), y: sub(mul(place_a0.y, f_of_i(n_5.y)), splat(0.5f32)) };
-    let cell_12 = cell_of(r, point_11);
-    let i_13 = Vec2 { x: i_of_small(cell_12.x), y: i_of_small(cell_12.y) };
-    let i0_19 = color_index(r, i_13.x, n_5.x, r.surface_settings.color_wrap_u);
-    let i1_27 = color_index(r, add_i(i_13.x, splat_i(1i32)), n_5.x, r.surface_settings.color_wrap_u);
-    let j0_33 = color_index(r, i_13.y, n_5.y, r.surface_settings.color_wrap_v);
-    let j1_41 = color_index(r, add_i(i_13.y, splat_i(1i32)), n_5.y, r.surface_settings.color_wrap_v);
-    let k_42 = i_of_u(level_a1);
-    let e_45 = color_texel_of_each(&r.color_map, ex, i0_19, j0_33, splat_i(0i32), k_42);
-    let e_48 = color_texel_of_each(&r.color_map, ex, i1_27, j0_33, splat_i(0i32), k_42);
-    let e_51 = color_texel_of_each(&r.color_map, ex, i0_19, j1_41, splat_i(0i32), k_42);
-    let e_54 = color_texel_of_each(&r.color_map, ex, i1_27, j1_41, splat_i(0i32), k_42);
-    let e_56 = bilinear(r, e_45, e_48, e_51, e_54, Vec2 { x: sub(point_11.x, cell_12.x), y: sub(point_11.y, cell_12.y) });
-    return e_56;
+    let e_5 = level_texels(r, r.surface_settings.color_size, level_a1);
+    let at_6 = color_texels_around(r, place_a0, e_5);
+    let k_7 = i_of_u(level_a1);
+    let e_14 = color_texel_of_each(&r.color_map, ex, at_6.columns.x, at_6.rows.x, splat_i(0i32), k_7);
+    let e_21 = color_texel_of_each(&r.color_map, ex, at_6.columns.y, at_6.rows.x, splat_i(0i32), k_7);
+    let e_28 = color_texel_of_each(&r.color_map, ex, at_6.columns.x, at_6.rows.y, splat_i(0i32), k_7);
+    let e_35 = color_texel_of_each(&r.color_map, ex, at_6.columns.y, at_6.rows.y, splat_i(0i32), k_7);
+    let e_37 = bilinear(r, e_14, e_21, e_28, e_35, Vec2 { x: at_6.part.x, y: at_6.part.y });
+    return e_37;
 } }
 lanes! { fn color_of_texels_ls(r: &Resources<'_>, place_a0: Vec2<F>, level_a1: u32) -> Vec4<F> {
-    let n_5 = level_texels(r, r.surface_settings.color_size, splat_u(level_a1));
-    let point_11 = Vec2 { x: sub(mul(place_a0.x, f_of_i(n_5.x)), splat(0.5f32)), y: sub(mul(place_a0.y, f_of_i(n_5.y)), splat(0.5f32)) };
-    let cell_12 = cell_of(r, point_11);
-    let i_13 = Vec2 { x: i_of_small(cell_12.x), y: i_of_small(cell_12.y) };
-    let i0_19 = color_index(r, i_13.x, n_5.x, r.surface_settings.color_wrap_u);
-    let i1_27 = color_index(r, add_i(i_13.x, splat_i(1i32)), n_5.x, r.surface_settings.color_wrap_u);
-    let j0_33 = color_index(r, i_13.y, n_5.y, r.surface_settings.color_wrap_v);
-    let j1_41 = color_index(r, add_i(i_13.y, splat_i(1i32)), n_5.y, r.surface_settings.color_wrap_v);
-    let k_42 = (level_a1 as i32);
-    let e_45 = color_texel(&r.color_map, i0_19, j0_33, 0i32, k_42);
-    let e_48 = color_texel(&r.color_map, i1_27, j0_33, 0i32, k_42);
-    let e_51 = color_texel(&r.color_map, i0_19, j1_41, 0i32, k_42);
-    let e_54 = color_texel(&r.color_map, i1_27, j1_41, 0i32, k_42);
-    let e_56 = bilinear(r, e_45, e_48, e_51, e_54, Vec2 { x: sub(point_11.x, cell_12.x), y: sub(point_11.y, cell_12.y) });
-    return e_56;
+    let e_5 = level_texels(r, r.surface_settings.color_size, splat_u(level_a1));
+    let at_6 = color_texels_around(r, place_a0, e_5);
+    let k_7 = (level_a1 as i32);
+    let e_14 = color_texel(&r.color_map, at_6.columns.x, at_6.rows.x, 0i32, k_7);
+    let e_21 = color_texel(&r.color_map, at_6.columns.y, at_6.rows.x, 0i32, k_7);
+    let e_28 = color_texel(&r.color_map, at_6.columns.x, at_6.rows.y, 0i32, k_7);
+    let e_35 = color_texel(&r.color_map, at_6.columns.y, at_6.rows.y, 0i32, k_7);
+    let e_37 = bilinear(r, e_14, e_21, e_28, e_35, Vec2 { x: at_6.part.x, y: at_6.part.y });
+    return e_37;
 } }
 lanes! { fn color_place(r: &Resources<'_>, uv_a0: Vec2<F>) -> Vec2<F> {
     let u_13 = add(mul(splat(r.surface_settings.color_u.x), uv_a0.x), mul(splat(r.surface_settings.color_u.y), uv_a0.y));
@@ -3100,21 +3098,15 @@ lanes! { fn detail_texel_between(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, l
 lanes! { fn material_of_texels(r: &Resources<'_>, within: M, place_a0: Vec2<F>, layer_a1: i32, level_a2: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let n_6 = level_texels(r, r.surface_settings.material_size, level_a2);
-    let point_12 = Vec2 { x: sub(mul(place_a0.x, f_of_i(n_6.x)), splat(0.5f32)), y: sub(mul(place_a0.y, f_of_i(n_6.y)), splat(0.5f32)) };
-    let cell_13 = cell_of(r, point_12);
-    let i_14 = Vec2 { x: i_of_small(cell_13.x), y: i_of_small(cell_13.y) };
-    let i0_20 = color_index(r, i_14.x, n_6.x, r.surface_settings.color_wrap_u);
-    let i1_28 = color_index(r, add_i(i_14.x, splat_i(1i32)), n_6.x, r.surface_settings.color_wrap_u);
-    let j0_34 = color_index(r, i_14.y, n_6.y, r.surface_settings.color_wrap_v);
-    let j1_42 = color_index(r, add_i(i_14.y, splat_i(1i32)), n_6.y, r.surface_settings.color_wrap_v);
-    let k_43 = i_of_u(level_a2);
-    let e_46 = color_texel_of_each(&r.material_map, ex, i0_20, j0_34, splat_i(layer_a1), k_43);
-    let e_49 = color_texel_of_each(&r.material_map, ex, i1_28, j0_34, splat_i(layer_a1), k_43);
-    let e_52 = color_texel_of_each(&r.material_map, ex, i0_20, j1_42, splat_i(layer_a1), k_43);
-    let e_55 = color_texel_of_each(&r.material_map, ex, i1_28, j1_42, splat_i(layer_a1), k_43);
-    let e_57 = bilinear(r, e_46, e_49, e_52, e_55, Vec2 { x: sub(point_12.x, cell_13.x), y: sub(point_12.y, cell_13.y) });
-    return e_57;
+    let e_6 = level_texels(r, r.surface_settings.material_size, level_a2);
+    let at_7 = color_texels_around(r, place_a0, e_6);
+    let k_8 = i_of_u(level_a2);
+    let e_15 = color_texel_of_each(&r.material_map, ex, at_7.columns.x, at_7.rows.x, splat_i(layer_a1), k_8);
+    let e_22 = color_texel_of_each(&r.material_map, ex, at_7.columns.y, at_7.rows.x, splat_i(layer_a1), k_8);
+    let e_29 = color_texel_of_each(&r.material_map, ex, at_7.columns.x, at_7.rows.y, splat_i(layer_a1), k_8);
+    let e_36 = color_texel_of_each(&r.material_map, ex, at_7.columns.y, at_7.rows.y, splat_i(layer_a1), k_8);
+    let e_38 = bilinear(r, e_15, e_22, e_29, e_36, Vec2 { x: at_7.part.x, y: at_7.part.y });
+    return e_38;
 } }
 lanes! { fn material_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1: i32, level_a2: U) -> Vec4<F> {
     let mut ex = within;

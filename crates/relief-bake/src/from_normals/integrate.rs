@@ -5,8 +5,7 @@ use relief_core::{HeightMap, HeightMapError, Watch, Wrap};
 
 use super::error::{FromNormalsError, check_steepest};
 use crate::kind::normal::Axes;
-use crate::spectrum::{Border, LineTransform};
-use crate::transpose::transpose;
+use crate::spectrum::{Border, LineTransform, change_waves};
 
 /// Settings for reading and integrating normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,21 +116,12 @@ impl Waves {
         watch: &Watch,
     ) -> Result<(), FromNormalsError> {
         let Self { transforms, eigenvalues: [along_u, along_v], damping } = self;
-        let [width, height] = [along_u.len(), along_v.len()];
-        transforms[0].lines(plane, false, &watch.piece(0.0, 0.25))?;
-        transpose(plane, width, turned);
-        transforms[1].lines(turned, false, &watch.piece(0.25, 0.5))?;
-        turned.par_chunks_mut(height).zip(along_u).for_each(|(column, u)| {
-            for (wave, v) in column.iter_mut().zip(along_v) {
-                let seen = u.seen + v.seen;
-                // These waves are not seen: the least that fits is 0.
-                *wave =
-                    if seen > 0.0 { *wave / (seen + damping.powi(2) * (u.damped + v.damped)) } else { 0.0 };
-            }
-        });
-        transforms[1].lines(turned, true, &watch.piece(0.5, 0.75))?;
-        transpose(turned, height, plane);
-        transforms[0].lines(plane, true, &watch.piece(0.75, 1.0))?;
+        change_waves(transforms, plane, turned, watch, |[i, j], wave| {
+            let (u, v) = (&along_u[i], &along_v[j]);
+            let seen = u.seen + v.seen;
+            // These waves are not seen: the least that fits is 0.
+            *wave = if seen > 0.0 { *wave / (seen + damping.powi(2) * (u.damped + v.damped)) } else { 0.0 };
+        })?;
         Ok(())
     }
 }

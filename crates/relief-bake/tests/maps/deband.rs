@@ -143,7 +143,9 @@ fn bad_settings_are_refused_and_work_is_cancelled() {
     let many = Debanding { step: 0.1, rounds: u32::MAX };
     assert_eq!(deband(&map, &many, &Watch::none()), Err(DebandError::TooManyRounds(u32::MAX)));
     let cancel = AtomicBool::new(false);
-    let tell = |_: &str, part: f32| cancel.store(part > 0.5, Ordering::Relaxed);
+    let tell = |_: &str, part: f32| {
+        cancel.fetch_or(part > 0.5, Ordering::Relaxed);
+    };
     let cancelled = deband(&map, &Debanding::of_step(0.1), &Watch::new(&tell, &cancel));
     assert_eq!(cancelled, Err(DebandError::Cancelled(Cancelled)));
 }

@@ -18,10 +18,22 @@ pub struct MaterialArguments {
     #[arg(long, value_name = "N", help_heading = "Maps and mesh", hide_short_help = true)]
     udim: Option<u32>,
     /// Roughness map, 0 smooth to 1 rough, in its first channel [default: none]
-    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "FILE",
+        value_parser = |text: &str| values::map_file(text, "roughness"),
+        help_heading = "Maps and mesh",
+        hide_short_help = true
+    )]
     roughness: Option<PathBuf>,
     /// Metalness map, 1 for metal, in its first channel [default: none]
-    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "FILE",
+        value_parser = |text: &str| values::map_file(text, "metallic"),
+        help_heading = "Maps and mesh",
+        hide_short_help = true
+    )]
     metallic: Option<PathBuf>,
     /// Occlusion map for the light from all around, 1 for open, in its first channel [default: none]
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", hide_short_help = true)]

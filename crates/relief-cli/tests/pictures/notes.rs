@@ -185,6 +185,11 @@ const FEEDS: &[Feed] = &[
         folder.write("Stones_Unknown.pgm", "P2 2 1 255 51 255");
         "render . --size 8x8 --backend cpu -o out.jpg"
     }),
+    ("idle-factor", |folder| {
+        folder.write("map.pgm", "P2 2 1 255 51 255");
+        folder.write("black.pgm", "P2 2 1 255 0 0");
+        "render --height map.pgm --metallic black.pgm --material metallic=1 --size 8x8 --backend cpu -o out.jpg"
+    }),
     ("orientation-in-gltf", |folder| {
         let line = painted(folder, "", "", "");
         let turned = b"eXIfII*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0";

@@ -163,7 +163,7 @@ pub fn keys() -> Vec<Key> {
             "orm",
             Form::Text,
             "",
-            "file of occlusion, roughness and metalness in red, green and blue; maps of their own replace them",
+            "file of occlusion, roughness and metalness in red, green and blue; single maps replace channels",
         ),
         surface(
             "mask-map",

@@ -71,9 +71,9 @@ impl SceneSpec {
     ///
     /// # Errors
     ///
-    /// When there is no height map, the names in a folder of textures are unclear, a value is out of range, a method is not available, a file
-    /// cannot be read, or maps and picture need more than `max_memory`. The last is detected before
-    /// that memory is allocated.
+    /// When there is no height map, the names in a folder of textures are unclear, a value is out of
+    /// range, a method is not available, a file cannot be read, or maps and picture need more than
+    /// `max_memory`. The last is detected before that memory is allocated.
     pub fn load(&self) -> Result<Scene, SceneError> {
         self.check_surfaces()?;
         let (spec, mut notes) = self.with_texture_sets()?;

@@ -344,6 +344,8 @@ impl SurfaceSpec {
             surface = surface.with_normal_map(&map);
         }
         if let Some(material_maps) = maps.material(self, surface.height_map().wrap())? {
+            let (path, remarks) = self.remarks_on_factors(&material_maps);
+            maps.remark(path, remarks);
             surface = surface.with_material_maps(material_maps);
         }
         Ok(surface)

@@ -4,11 +4,12 @@ use super::error::{ValueError, ValueProblem};
 use super::keys::numbers;
 use super::surface_spec::SurfaceSpec;
 use crate::material::{Material, MaterialError, ShadingModel};
-use crate::material_maps::MaterialMap;
+use crate::material_maps::{MaterialMap, MaterialMaps};
 use glam::Vec3;
+use relief_io::{Remark, omissions};
 use relief_shaders::{Entry, SHADE, STAGES, Selection};
 use serde::Deserialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Description of a material. Missing values come from
 /// [`Material::default`](crate::material::Material::default), except that a colour map is
@@ -116,6 +117,21 @@ impl SurfaceSpec {
     /// Returns the key of the first material map.
     fn material_map(&self) -> Option<&'static str> {
         self.material_files().into_iter().find_map(|(key, file)| file.as_ref().map(|_| key))
+    }
+
+    /// Returns remarks on given values that change nothing, as their map is 0 everywhere, and the first
+    /// file of the maps.
+    pub(super) fn remarks_on_factors(&self, maps: &MaterialMaps) -> (&Path, Vec<Remark>) {
+        let spec = self.material.clone().unwrap_or_default();
+        let factors = [("roughness", spec.roughness, 1), ("metallic", spec.metallic, 2)];
+        let idle = factors.into_iter().filter_map(|(name, factor, part)| {
+            let value = factor.filter(|factor| *factor > 0.0)?;
+            let is_zero = maps.texels().iter().all(|texel| texel[part] == 0.0);
+            let what = "changes nothing: it multiplies a map that is 0 everywhere";
+            is_zero.then(|| Remark::new(&omissions::IDLE_FACTOR, format!("{name} {value} {what}")))
+        });
+        let path = self.material_files().into_iter().find_map(|(_, file)| file.as_deref());
+        (path.unwrap_or(Path::new("")), idle.collect())
     }
 
     /// Returns the shading model that the values of the material and its maps ask for. `None` if

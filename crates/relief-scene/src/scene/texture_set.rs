@@ -70,7 +70,7 @@ impl SurfaceSpec {
                 }
             }
         }
-        notes.push(Remark::new(&omissions::TEXTURE_SET, said(&set, &taken)).of(folder));
+        notes.push(Remark::new(&omissions::TEXTURE_SET, said(&set, &taken, &mut spec)).of(folder));
         notes.extend(
             said_left(&set, &left).map(|text| Remark::new(&omissions::LEFT_TEXTURES, text).of(folder)),
         );
@@ -105,11 +105,35 @@ fn file_name(path: &Path) -> String {
 }
 
 /// Returns what was taken from a set, as a sentence.
-fn said(set: &TextureSet, taken: &[&FoundTexture]) -> String {
-    let each: Vec<String> =
-        taken.iter().map(|texture| format!("{} from {}", texture.role, file_name(&texture.path))).collect();
+fn said(set: &TextureSet, taken: &[&FoundTexture], spec: &mut SurfaceSpec) -> String {
+    let from = |texture: &&FoundTexture| {
+        format!("{} from {}", given_by(texture.role, spec), file_name(&texture.path))
+    };
+    let each: Vec<String> = taken.iter().map(from).collect();
     let what = if each.is_empty() { "nothing".to_owned() } else { each.join(", ") };
     format!("the textures {}: {what}", set.name)
+}
+
+/// Returns what a texture gives, in words: of a packed one, the channels that no map of its own
+/// replaces.
+fn given_by(role: TextureRole, spec: &mut SurfaceSpec) -> String {
+    let channels = role.channels();
+    let mut is_replaced = |channel: TextureRole| {
+        let same = match channel {
+            TextureRole::Roughness | TextureRole::Glossiness => {
+                [TextureRole::Roughness, TextureRole::Glossiness]
+            }
+            other => [other; 2],
+        };
+        same.into_iter().filter_map(key_of).any(|key| key(spec).is_some())
+    };
+    let kept = channels.iter().map(|(_, channel)| *channel).filter(|channel| !is_replaced(*channel));
+    let kept: Vec<&str> = kept.map(TextureRole::name).collect();
+    match kept.len() {
+        count if count == channels.len() => role.to_string(),
+        0 => "nothing (other maps replace its channels)".to_owned(),
+        _ => kept.join(" and "),
+    }
 }
 
 /// Returns what was left of a set, as a sentence. `None` if nothing was.

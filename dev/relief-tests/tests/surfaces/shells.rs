@@ -234,7 +234,9 @@ fn shells_that_are_cancelled_leave_no_file() {
     let folder = tempfile::tempdir().expect("a folder");
     for end in [0.0, 0.5, 1.0] {
         let cancel = AtomicBool::new(end == 0.0);
-        let tell = |_: &str, part: f32| cancel.store(part >= end - 0.25, Ordering::Relaxed);
+        let tell = |_: &str, part: f32| {
+            cancel.fetch_or(part >= end - 0.25, Ordering::Relaxed);
+        };
         let written = write_shells(&folder.path().join("shells.glb"), &shells, &Watch::new(&tell, &cancel));
         let problem = written.map_err(|error| error.problem);
         assert!(matches!(problem, Err(WriteProblem::Cancelled(_))), "{end}: {problem:?}");

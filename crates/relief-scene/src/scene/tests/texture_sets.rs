@@ -48,6 +48,8 @@ fn given_maps_go_before_those_of_a_set() {
     assert_eq!(surface.height_map().texels(), [1.0]);
     let packed = 30.0 / 255.0;
     assert_eq!(surface.material_maps().expect("maps").texels()[0][..3], [packed, 20.0 / 255.0, 1.0]);
+    let taken = |scene: &Scene| scene.notes()[0].remark.text.clone();
+    assert!(taken(&scene).ends_with(": roughness from Wall_Roughness.pgm, occlusion from Wall_ORM.pgm"));
     // Blinn-Phong reads none of them.
     let scene = loaded(&names, "material = { shininess = 3 }").expect("a scene");
     assert!(scene.surfaces()[0].material_maps().is_none());
