@@ -100,6 +100,8 @@ enum Command {
     /// Compare methods by the error of their hits, their cost and their pictures, as a page and as
     /// figures
     Compare(Box<commands::compare::Arguments>),
+    /// Draw how a method finds its hit: every turn of its loops along one ray
+    Explain(Box<commands::explain::Arguments>),
     /// Time frames of methods, part by part
     Bench(Box<commands::bench::Arguments>),
     /// Export a method as a shader for other programs (WGSL, GLSL, HLSL, MSL or SPIR-V), and its
@@ -162,6 +164,7 @@ impl Command {
             Command::Capture(arguments) => arguments.files(),
             Command::Slices(arguments) => arguments.files(),
             Command::Compare(arguments) => arguments.files(),
+            Command::Explain(arguments) => arguments.files(),
             Command::Bench(arguments) => arguments.files(),
             Command::Shader(_) | Command::Methods(_) | Command::Completions(_) | Command::Man(_) => {
                 Files::default()
@@ -180,6 +183,7 @@ impl Command {
             Command::Capture(arguments) => arguments.json,
             Command::Slices(arguments) => arguments.json,
             Command::Compare(arguments) => arguments.json,
+            Command::Explain(arguments) => arguments.json,
             Command::Bench(arguments) => arguments.json,
             Command::Shader(arguments) => arguments.json,
             Command::Methods(arguments) => arguments.json,
@@ -198,6 +202,7 @@ impl Command {
             Command::Capture(arguments) => commands::capture::run(arguments),
             Command::Slices(arguments) => commands::slices::run(arguments),
             Command::Compare(arguments) => commands::compare::run(arguments),
+            Command::Explain(arguments) => commands::explain::run(arguments),
             Command::Bench(arguments) => commands::bench::run(arguments),
             Command::Shader(arguments) => commands::shader::run(arguments),
             Command::Methods(arguments) => commands::methods::run(arguments),

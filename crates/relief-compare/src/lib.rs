@@ -33,6 +33,8 @@ mod comparison;
 mod contender;
 mod csv;
 mod error;
+pub mod explain;
+pub mod figure;
 mod page;
 pub mod picture;
 pub mod rays;

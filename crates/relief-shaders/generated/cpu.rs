@@ -1685,7 +1685,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_quadratic(
+    pub(super) fn v_quadratic(
         &self,
         c: rt::Vec3<f32>,
         s: rt::Scalar<f32>,
@@ -1697,7 +1697,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_across_roots(&self, ray: Across) -> rt::Vec3<f32> {
+    pub(super) fn v_across_roots(&self, ray: Across) -> rt::Vec3<f32> {
         return <rt::Vec3<f32>>::from_scalars((rt::Scalar(ray.sine) * rt::Scalar(ray.sine)), (((rt::Scalar(-2f32) * rt::Scalar(ray.mixed)) * rt::Scalar(ray.sine)) - ((rt::Scalar(4f32) * rt::Scalar(ray.across)) * rt::Scalar(ray.descent))), ((rt::Scalar(ray.mixed) * rt::Scalar(ray.mixed)) - ((rt::Scalar(4f32) * rt::Scalar(ray.across)) * rt::Scalar(ray.along))));
     }
     pub(crate) fn across_discriminant(
@@ -1709,7 +1709,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_across_discriminant(
+    pub(super) fn v_across_discriminant(
         &self,
         ray_1: Across,
         t: rt::Scalar<f32>,
@@ -1727,7 +1727,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_across_depth(
+    pub(super) fn v_across_depth(
         &self,
         ray_2: Across,
         t_1: rt::Scalar<f32>,
@@ -1752,7 +1752,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_traced_scale_m(&self) -> rt::Scalar<f32> {
+    pub(super) fn v_traced_scale_m(&self) -> rt::Scalar<f32> {
         let _e2 = rt::Scalar(self.surface_settings.scale_m);
         return _e2.max(rt::Scalar(0.000000001f32));
     }
@@ -1765,7 +1765,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_climb(
+    pub(super) fn v_climb(
         &self,
         at: Entered,
         direction: rt::Vec3<f32>,
@@ -1787,7 +1787,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_quadric_slope(
+    pub(super) fn v_quadric_slope(
         &self,
         quadric: rt::Vec3<f32>,
         duv: rt::Vec2<f32>,
@@ -1803,7 +1803,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_quadric_at(
+    pub(super) fn v_quadric_at(
         &self,
         quadric_1: rt::Vec3<f32>,
         duv_1: rt::Vec2<f32>,
@@ -1819,7 +1819,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_across_of(
+    pub(super) fn v_across_of(
         &self,
         at_1: Entered,
         direction_1: rt::Vec3<f32>,
@@ -1848,7 +1848,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_reached(
+    pub(super) fn v_reached(
         &self,
         ray_3: Across,
         depth: rt::Scalar<f32>,
@@ -1876,7 +1876,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_bent_descent(rt::into(depth_1), rt::into(descent), rt::into(bend)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_bent_descent(
+    pub(super) fn v_bent_descent(
         &self,
         depth_1: rt::Scalar<f32>,
         descent: rt::Scalar<f32>,
@@ -1912,7 +1912,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_down_across(
+    pub(super) fn v_down_across(
         &self,
         ray_4: Across,
         depth_2: rt::Scalar<f32>,
@@ -1931,7 +1931,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_down_along(
+    pub(super) fn v_down_along(
         &self,
         ray_5: Across,
         depth_3: rt::Scalar<f32>,
@@ -1948,7 +1948,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_first_root(rt::into(c_1), rt::into(span)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_root(
+    pub(super) fn v_first_root(
         &self,
         c_1: rt::Vec3<f32>,
         span: rt::Scalar<f32>,
@@ -1994,7 +1994,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_jumps_below(
+    pub(super) fn v_jumps_below(
         &self,
         ray_6: Across,
         depth_4: rt::Scalar<f32>,
@@ -2020,7 +2020,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_across_span(at_2, ray_7, rt::into(eye)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_across_span(
+    pub(super) fn v_across_span(
         &self,
         at_2: Entered,
         ray_7: Across,
@@ -2088,7 +2088,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_add_sample(
+    pub(super) fn v_add_sample(
         &self,
         sum: rt::Vec4<f32>,
         color: rt::Vec4<f32>,
@@ -2105,7 +2105,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_tangent_space(
+    pub(super) fn v_from_tangent_space(
         &self,
         at_3: Entered,
         n: rt::Vec3<f32>,
@@ -2119,7 +2119,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
         return point.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1073741800f32), rt::Scalar(-1073741800f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1073741800f32), rt::Scalar(1073741800f32)));
     }
     pub(crate) fn wrap_index(
@@ -2130,7 +2130,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_wrap_index(rt::into(i), rt::into(n_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_wrap_index(
+    pub(super) fn v_wrap_index(
         &self,
         i: rt::Scalar<i32>,
         n_1: rt::Scalar<i32>,
@@ -2167,7 +2167,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_texels_around(
+    pub(super) fn v_texels_around(
         &self,
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
@@ -2190,7 +2190,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_level_texels(
+    pub(super) fn v_level_texels(
         &self,
         finest: rt::Vec2<u32>,
         level: rt::Scalar<u32>,
@@ -2202,7 +2202,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_height_texels(&self, level_1: rt::Scalar<u32>) -> rt::Vec2<i32> {
+    pub(super) fn v_height_texels(&self, level_1: rt::Scalar<u32>) -> rt::Vec2<i32> {
         let _e3 = self.surface_settings.height_size;
         let _e4 = self.v_level_texels(_e3, level_1);
         return _e4;
@@ -2219,7 +2219,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_bilinear(
+    pub(super) fn v_bilinear(
         &self,
         h00_: rt::Vec4<f32>,
         h10_: rt::Vec4<f32>,
@@ -2240,7 +2240,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_decoded(
+    pub(super) fn v_decoded(
         &self,
         texel: rt::Vec4<f32>,
         map: MapSettings,
@@ -2260,7 +2260,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ambient_texel(
+    pub(super) fn v_ambient_texel(
         &self,
         place: rt::Vec2<i32>,
         layer: rt::Scalar<i32>,
@@ -2280,7 +2280,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ambient_texel_between(
+    pub(super) fn v_ambient_texel_between(
         &self,
         uv_1: rt::Vec2<f32>,
         level_3: rt::Scalar<u32>,
@@ -2310,7 +2310,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ambient_bent_normal(
+    pub(super) fn v_ambient_bent_normal(
         &self,
         at_4: Entered,
         hit: Hit,
@@ -2337,7 +2337,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ambient_bounce(
+    pub(super) fn v_ambient_bounce(
         &self,
         at_5: Entered,
         hit_1: Hit,
@@ -2363,7 +2363,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ambient_constant(
+    pub(super) fn v_ambient_constant(
         &self,
         at_6: Entered,
         hit_2: Hit,
@@ -2380,7 +2380,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_cosine_inside(&self, cosine: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_cosine_inside(&self, cosine: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.ior);
         let eta = (rt::Scalar(1f32) / _e3);
         return (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine * cosine)))).max(rt::Scalar(0f32)).sqrt();
@@ -2390,7 +2390,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_fresnel(&self, cosine_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_fresnel(&self, cosine_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let ior = rt::Scalar(self.surface_settings.ior);
         let _e4 = self.v_cosine_inside(cosine_1);
         let across_1 = ((cosine_1 - (ior * _e4)) / (cosine_1 + (ior * _e4)).max(rt::Scalar(0.000001f32)));
@@ -2409,7 +2409,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_blinn_phong_mirrored(
+    pub(super) fn v_shade_blinn_phong_mirrored(
         &self,
         material_3: Material,
         mean: rt::Scalar<f32>,
@@ -2430,7 +2430,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_facet_reflection(rt::into(cosine_3), rt::into(alpha), rt::into(roughness)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_facet_reflection(
+    pub(super) fn v_facet_reflection(
         &self,
         cosine_3: rt::Scalar<f32>,
         alpha: rt::Scalar<f32>,
@@ -2464,7 +2464,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_reflected_by(
+    pub(super) fn v_reflected_by(
         &self,
         once: rt::Vec2<f32>,
         specular: rt::Vec3<f32>,
@@ -2483,7 +2483,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_metallic_roughness_mirrored(
+    pub(super) fn v_shade_metallic_roughness_mirrored(
         &self,
         material_4: Material,
         mean_1: rt::Scalar<f32>,
@@ -2508,7 +2508,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_mirrored_stage(
+    pub(super) fn v_shade_mirrored_stage(
         &self,
         material_5: Material,
         mean_2: rt::Scalar<f32>,
@@ -2536,7 +2536,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_levels_of(rt::into(footprint), rt::into(count)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_levels_of(
+    pub(super) fn v_levels_of(
         &self,
         footprint: rt::Scalar<f32>,
         count: rt::Scalar<u32>,
@@ -2589,7 +2589,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_face_place(rt::into(d)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_face_place(&self, d: rt::Vec3<f32>) -> FacePlace {
+    pub(super) fn v_face_place(&self, d: rt::Vec3<f32>) -> FacePlace {
         let mut local_7: rt::Scalar<bool>;
 
         let size = d.abs();
@@ -2626,7 +2626,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_environment_texel(
+    pub(super) fn v_environment_texel(
         &self,
         place_1: rt::Vec2<i32>,
         face: rt::Scalar<i32>,
@@ -2646,7 +2646,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_environment_of_level(
+    pub(super) fn v_environment_of_level(
         &self,
         direction_2: rt::Vec3<f32>,
         level_6: rt::Scalar<u32>,
@@ -2675,7 +2675,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_environment_in_lobe(
+    pub(super) fn v_environment_in_lobe(
         &self,
         direction_3: rt::Vec3<f32>,
         deviation: rt::Scalar<f32>,
@@ -2696,7 +2696,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_environment_on(&self, normal_3: rt::Vec3<f32>) -> rt::Vec3<f32> {
+    pub(super) fn v_environment_on(&self, normal_3: rt::Vec3<f32>) -> rt::Vec3<f32> {
         let _e3 = rt::Scalar(self.surface_settings.environment_levels);
         let _e6 = self.v_environment_of_level(normal_3, (_e3 - rt::Scalar(1u32)));
         return _e6;
@@ -2713,7 +2713,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_ambient_environment(at_7, hit_3, rt::into(normal_4), rt::into(view_3), material_6, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_ambient_environment(
+    pub(super) fn v_ambient_environment(
         &self,
         at_7: Entered,
         hit_3: Hit,
@@ -2766,7 +2766,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_hemisphere_grade(
+    pub(super) fn v_hemisphere_grade(
         &self,
         normal_5: rt::Vec3<f32>,
         ground: rt::Scalar<f32>,
@@ -2786,7 +2786,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ambient_hemisphere(
+    pub(super) fn v_ambient_hemisphere(
         &self,
         at_8: Entered,
         hit_4: Hit,
@@ -2812,7 +2812,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ambient_occlusion(
+    pub(super) fn v_ambient_occlusion(
         &self,
         at_9: Entered,
         hit_5: Hit,
@@ -2838,7 +2838,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ambient_sky(
+    pub(super) fn v_ambient_sky(
         &self,
         at_10: Entered,
         hit_6: Hit,
@@ -2866,7 +2866,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_ambient_stage(at_11, hit_7, rt::into(normal_9), rt::into(view_7), material_10))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_ambient_stage(
+    pub(super) fn v_ambient_stage(
         &self,
         at_11: Entered,
         hit_7: Hit,
@@ -2922,7 +2922,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_toward_image(
+    pub(super) fn v_toward_image(
         &self,
         image: Image,
         point_1: rt::Vec3<f32>,
@@ -2937,7 +2937,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_eighth_turn(&self, tangent: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_eighth_turn(&self, tangent: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let s_1 = (tangent * tangent);
         let series = (rt::Scalar(0.999866f32) + (s_1 * (rt::Scalar(-0.3302995f32) + (s_1 * (rt::Scalar(0.180141f32) + (s_1 * (rt::Scalar(-0.085133f32) + (s_1 * rt::Scalar(0.0208351f32)))))))));
         return ((tangent * series) * rt::Scalar(0.15915494f32));
@@ -2946,7 +2946,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_turn_of(rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
         let mut turn: rt::Scalar<f32>;
 
         let x_5 = v.x().abs();
@@ -2981,7 +2981,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_in_image(
+    pub(super) fn v_depth_in_image(
         &self,
         image_1: Image,
         point_2: rt::Vec3<f32>,
@@ -2997,7 +2997,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_in_image(
+    pub(super) fn v_place_in_image(
         &self,
         image_2: Image,
         point_3: rt::Vec3<f32>,
@@ -3013,7 +3013,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_tangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
+    pub(super) fn v_tangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
         let across_2 = (image_3.u.xyz() - (rt::Scalar(0.5f32) * image_3.depth.xyz()));
         return (across_2 / rt::Vec3::splat_from_scalar((across_2.dot(across_2) * image_3.extent.x())));
     }
@@ -3027,7 +3027,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_stretch_in_image(
+    pub(super) fn v_stretch_in_image(
         &self,
         image_4: Image,
         point_4: rt::Vec3<f32>,
@@ -3047,7 +3047,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_height_size(&self, level_7: rt::Scalar<u32>) -> rt::Vec2<f32> {
+    pub(super) fn v_height_size(&self, level_7: rt::Scalar<u32>) -> rt::Vec2<f32> {
         let _e1 = self.v_height_texels(level_7);
         return _e1.to_f32();
     }
@@ -3060,7 +3060,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_wrapped_cell(
+    pub(super) fn v_wrapped_cell(
         &self,
         cell: rt::Vec2<i32>,
         level_8: rt::Scalar<u32>,
@@ -3086,7 +3086,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_height_cell(
+    pub(super) fn v_height_cell(
         &self,
         cell_1: rt::Vec2<i32>,
         level_9: rt::Scalar<u32>,
@@ -3103,7 +3103,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_height_at(
+    pub(super) fn v_height_at(
         &self,
         uv_2: rt::Vec2<f32>,
         level_10: rt::Scalar<u32>,
@@ -3127,7 +3127,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_angle_to_image(image_5, rt::into(point_5), rt::into(view_8), rt::into(asked)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_angle_to_image(
+    pub(super) fn v_angle_to_image(
         &self,
         image_5: Image,
         point_5: rt::Vec3<f32>,
@@ -3162,7 +3162,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_around_three(
+    pub(super) fn v_around_three(
         &self,
         place_2: rt::Scalar<u32>,
         on: rt::Scalar<u32>,
@@ -3178,7 +3178,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_axis_of(
+    pub(super) fn v_axis_of(
         &self,
         at_12: rt::Vec3<i32>,
         axis: rt::Scalar<u32>,
@@ -3190,7 +3190,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_direction(&self, pixel: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    pub(super) fn v_pixel_direction(&self, pixel: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
@@ -3205,7 +3205,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_background_at(
+    pub(super) fn v_background_at(
         &self,
         point_6: rt::Vec2<f32>,
         rows: rt::Scalar<f32>,
@@ -3227,7 +3227,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_base_height(&self) -> rt::Scalar<f32> {
+    pub(super) fn v_base_height(&self) -> rt::Scalar<f32> {
         let _e2 = rt::Scalar(self.surface_settings.bias_m);
         let _e5 = self.v_traced_scale_m();
         return ((rt::Scalar(0f32) - _e2) / _e5);
@@ -3241,7 +3241,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_lift_of(
+    pub(super) fn v_lift_of(
         &self,
         lift: rt::Vec3<f32>,
         w: rt::Vec3<f32>,
@@ -3258,7 +3258,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_way_point(prism, rt::into(along), way, rt::into(offset)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_point(
+    pub(super) fn v_way_point(
         &self,
         prism: Prism,
         along: rt::Vec3<f32>,
@@ -3294,7 +3294,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_before_turn(prism_1, rt::into(along_1), way_1, rt::into(chord)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_before_turn(
+    pub(super) fn v_before_turn(
         &self,
         prism_1: Prism,
         along_1: rt::Vec3<f32>,
@@ -3352,7 +3352,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_path_uv(
+    pub(super) fn v_path_uv(
         &self,
         path: Path,
         t_4: rt::Scalar<f32>,
@@ -3368,7 +3368,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_path_height(
+    pub(super) fn v_path_height(
         &self,
         path_1: Path,
         t_5: rt::Scalar<f32>,
@@ -3384,7 +3384,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_path_slope(
+    pub(super) fn v_path_slope(
         &self,
         path_2: Path,
         t_6: rt::Scalar<f32>,
@@ -3400,7 +3400,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_beginning_at(
+    pub(super) fn v_beginning_at(
         &self,
         path_3: Path,
         t_7: rt::Scalar<f32>,
@@ -3414,7 +3414,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_bent_exit(rt::into(h)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_bent_exit(&self, h: rt::Vec3<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_bent_exit(&self, h: rt::Vec3<f32>) -> rt::Scalar<f32> {
         let mut exit: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let floor_1 = (h.x() + rt::Scalar(0.000001f32));
@@ -3455,7 +3455,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_corner_value(
+    pub(super) fn v_corner_value(
         &self,
         number: rt::Scalar<u32>,
         a_1: rt::Vec3<f32>,
@@ -3476,7 +3476,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ordered(
+    pub(super) fn v_ordered(
         &self,
         pixel_1: PixelIn,
         place_3: rt::Scalar<u32>,
@@ -3502,7 +3502,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_uv_of(
+    pub(super) fn v_uv_of(
         &self,
         pixel_2: PixelIn,
         weights: rt::Vec3<f32>,
@@ -3525,7 +3525,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_beside_chord(
+    pub(super) fn v_beside_chord(
         &self,
         pixel_3: PixelIn,
         a_2: ShellPoint,
@@ -3555,7 +3555,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_beside_way(
+    pub(super) fn v_beside_way(
         &self,
         pixel_4: PixelIn,
         a_3: WayPoint,
@@ -3577,7 +3577,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_between(&self, a_4: ShellPoint, b_4: ShellPoint) -> ShellPoint {
+    pub(super) fn v_between(&self, a_4: ShellPoint, b_4: ShellPoint) -> ShellPoint {
         return <ShellPoint>::new((rt::Scalar(0.5f32) * (a_4.weights + b_4.weights)), (rt::Scalar(0.5f32) * (rt::Scalar(a_4.height) + rt::Scalar(b_4.height))));
     }
     pub(crate) fn beyond_image(&self, image_6: Image) -> rt::Vec2<f32> {
@@ -3585,7 +3585,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_beyond_image(&self, image_6: Image) -> rt::Vec2<f32> {
+    pub(super) fn v_beyond_image(&self, image_6: Image) -> rt::Vec2<f32> {
         let _e6 = self.v_height_size(rt::Scalar(0u32));
         return (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / (image_6.extent * _e6));
     }
@@ -3594,7 +3594,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_bitangent_of_image(&self, image_7: Image) -> rt::Vec3<f32> {
+    pub(super) fn v_bitangent_of_image(&self, image_7: Image) -> rt::Vec3<f32> {
         let along_22 = (image_7.v.xyz() - (rt::Scalar(0.5f32) * image_7.depth.xyz()));
         return (along_22 / rt::Vec3::splat_from_scalar((along_22.dot(along_22) * image_7.extent.y())));
     }
@@ -3603,7 +3603,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mixed(&self, seed: rt::Scalar<u32>) -> rt::Scalar<u32> {
+    pub(super) fn v_mixed(&self, seed: rt::Scalar<u32>) -> rt::Scalar<u32> {
         let mut x: rt::Scalar<u32>;
 
         x = (seed ^ (seed >> rt::Scalar(16u32)));
@@ -3628,7 +3628,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_bits_of_point(
+    pub(super) fn v_bits_of_point(
         &self,
         point_7: rt::Vec2<f32>,
         count_1: rt::Scalar<f32>,
@@ -3644,7 +3644,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_both_roots(rt::into(c_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_both_roots(&self, c_3: rt::Vec3<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_both_roots(&self, c_3: rt::Vec3<f32>) -> rt::Vec2<f32> {
         let mut roots: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
 
         let discriminant_2 = ((c_3.y() * c_3.y()) - ((rt::Scalar(4f32) * c_3.z()) * c_3.x()));
@@ -3670,7 +3670,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_path_gap(
+    pub(super) fn v_path_gap(
         &self,
         path_4: Path,
         t_8: rt::Scalar<f32>,
@@ -3691,7 +3691,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_bracket_between(
+    pub(super) fn v_bracket_between(
         &self,
         path_5: Path,
         near: rt::Scalar<f32>,
@@ -3725,7 +3725,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_cell_after(
+    pub(super) fn v_cell_after(
         &self,
         grid: Grid,
         cell_2: rt::Vec2<f32>,
@@ -3750,7 +3750,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_gap_to(
+    pub(super) fn v_gap_to(
         &self,
         path_6: Path,
         grid_1: Grid,
@@ -3776,7 +3776,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_none_cell(
+    pub(super) fn v_object_none_cell(
         &self,
         cell_4: rt::Vec2<i32>,
         level_11: rt::Scalar<u32>,
@@ -3793,7 +3793,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_cell_of_images(rt::into(cell_5), rt::into(level_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_cell_of_images(
+    pub(super) fn v_cell_of_images(
         &self,
         cell_5: rt::Vec2<i32>,
         level_12: rt::Scalar<u32>,
@@ -3851,7 +3851,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_depth_cell(
+    pub(super) fn v_object_depth_cell(
         &self,
         cell_6: rt::Vec2<i32>,
         level_13: rt::Scalar<u32>,
@@ -3869,7 +3869,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_cell_of_mask(
+    pub(super) fn v_cell_of_mask(
         &self,
         cell_7: rt::Vec2<i32>,
         level_14: rt::Scalar<u32>,
@@ -3887,7 +3887,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_hull_cell(
+    pub(super) fn v_object_hull_cell(
         &self,
         cell_8: rt::Vec2<i32>,
         level_15: rt::Scalar<u32>,
@@ -3906,7 +3906,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_blend_cell(
+    pub(super) fn v_object_blend_cell(
         &self,
         cell_9: rt::Vec2<i32>,
         level_16: rt::Scalar<u32>,
@@ -3924,7 +3924,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_cell_stage(
+    pub(super) fn v_object_cell_stage(
         &self,
         cell_10: rt::Vec2<i32>,
         level_17: rt::Scalar<u32>,
@@ -3958,7 +3958,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_whole_cell(&self, cell_11: rt::Vec2<f32>) -> rt::Vec2<i32> {
+    pub(super) fn v_whole_cell(&self, cell_11: rt::Vec2<f32>) -> rt::Vec2<i32> {
         return cell_11.to_i32();
     }
     pub(crate) fn cell_gap(
@@ -3972,7 +3972,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_cell_gap(
+    pub(super) fn v_cell_gap(
         &self,
         path_7: Path,
         grid_2: Grid,
@@ -3993,7 +3993,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_cell_leave(
+    pub(super) fn v_cell_leave(
         &self,
         grid_3: Grid,
         cell_13: rt::Vec2<f32>,
@@ -4012,7 +4012,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_cell_next(
+    pub(super) fn v_cell_next(
         &self,
         grid_4: Grid,
         cell_14: rt::Vec2<f32>,
@@ -4038,7 +4038,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_cell_slopes(
+    pub(super) fn v_cell_slopes(
         &self,
         h_2: rt::Vec4<f32>,
         part_2: rt::Vec2<f32>,
@@ -4060,7 +4060,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_swept_border(
+    pub(super) fn v_swept_border(
         &self,
         sweep: Sweep,
         start: rt::Scalar<u32>,
@@ -4089,7 +4089,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_top_point(
+    pub(super) fn v_top_point(
         &self,
         sweep_1: Sweep,
         number_1: rt::Scalar<i32>,
@@ -4118,7 +4118,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_low_point(
+    pub(super) fn v_low_point(
         &self,
         sweep_2: Sweep,
         column: SweptColumn,
@@ -4143,7 +4143,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_chain_point(sweep_3, chain, rt::into(number_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_chain_point(
+    pub(super) fn v_chain_point(
         &self,
         sweep_3: Sweep,
         chain: SweptChain,
@@ -4181,7 +4181,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_chord_end(
+    pub(super) fn v_chord_end(
         &self,
         at_17: Entered,
         k: rt::Scalar<u32>,
@@ -4197,7 +4197,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shell_slack(
+    pub(super) fn v_shell_slack(
         &self,
         pixel_5: PixelIn,
         middle: rt::Scalar<f32>,
@@ -4216,7 +4216,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_where_positive(
+    pub(super) fn v_where_positive(
         &self,
         interval: rt::Vec2<f32>,
         weight_1: rt::Scalar<f32>,
@@ -4241,7 +4241,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_inside_unit(rt::into(x0_), rt::into(dx), rt::into(interval_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_inside_unit(
+    pub(super) fn v_inside_unit(
         &self,
         x0_: rt::Scalar<f32>,
         dx: rt::Scalar<f32>,
@@ -4274,7 +4274,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_path_from(
+    pub(super) fn v_path_from(
         &self,
         path_8: Path,
         t_12: rt::Scalar<f32>,
@@ -4299,7 +4299,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_none_parts(
+    pub(super) fn v_object_none_parts(
         &self,
         level_18: rt::Scalar<u32>,
         params_13: rt::Vec4<f32>,
@@ -4311,7 +4311,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_parts_of_images(&self) -> rt::Scalar<i32> {
+    pub(super) fn v_parts_of_images(&self) -> rt::Scalar<i32> {
         let mut local_11: rt::Scalar<bool>;
 
         let cells = rt::Scalar(self.surface_settings.cells);
@@ -4332,7 +4332,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_depth_parts(
+    pub(super) fn v_object_depth_parts(
         &self,
         level_19: rt::Scalar<u32>,
         params_14: rt::Vec4<f32>,
@@ -4349,7 +4349,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_hull_parts(
+    pub(super) fn v_object_hull_parts(
         &self,
         level_20: rt::Scalar<u32>,
         params_15: rt::Vec4<f32>,
@@ -4365,7 +4365,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_blend_parts(
+    pub(super) fn v_object_blend_parts(
         &self,
         level_21: rt::Scalar<u32>,
         params_16: rt::Vec4<f32>,
@@ -4376,7 +4376,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_object_parts_stage(rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_parts_stage(&self, level_22: rt::Scalar<u32>) -> rt::Scalar<i32> {
+    pub(super) fn v_object_parts_stage(&self, level_22: rt::Scalar<u32>) -> rt::Scalar<i32> {
         let _e5 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
@@ -4406,7 +4406,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_grid_of(&self, path_9: Path) -> Grid {
+    pub(super) fn v_grid_of(&self, path_9: Path) -> Grid {
         let _e2 = self.v_height_size(rt::Scalar(path_9.level));
         let _e4 = self.v_object_parts_stage(rt::Scalar(path_9.level));
         let parts_5 = _e4.to_f32();
@@ -4422,7 +4422,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_rounded_gap(
+    pub(super) fn v_rounded_gap(
         &self,
         path_10: Path,
         slack_1: rt::Scalar<f32>,
@@ -4446,7 +4446,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_out_of_ground(path_11, rt::into(slack_2), rt::into(texels_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_out_of_ground(
+    pub(super) fn v_out_of_ground(
         &self,
         path_11: Path,
         slack_2: rt::Scalar<f32>,
@@ -4542,7 +4542,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_chord_path(pixel_6, at_18, rt::into(middle_1), rt::into(params_17), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_chord_path(
+    pub(super) fn v_chord_path(
         &self,
         pixel_6: PixelIn,
         at_18: Entered,
@@ -4632,7 +4632,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_chord_reach(
+    pub(super) fn v_chord_reach(
         &self,
         pixel_7: PixelIn,
         at_19: Entered,
@@ -4656,7 +4656,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_way_bend(
+    pub(super) fn v_way_bend(
         &self,
         a_6: rt::Scalar<f32>,
         m_1: rt::Scalar<f32>,
@@ -4688,7 +4688,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_chords_of_piece(pixel_8, prism_2, rt::into(along_2), way_2, rt::into(piece), rt::into(tolerance)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_chords_of_piece(
+    pub(super) fn v_chords_of_piece(
         &self,
         pixel_8: PixelIn,
         prism_2: Prism,
@@ -4773,7 +4773,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_coarser_voxel(
+    pub(super) fn v_coarser_voxel(
         &self,
         at_20: rt::Vec3<i32>,
         level_23: rt::Scalar<u32>,
@@ -4790,7 +4790,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_color_index(
+    pub(super) fn v_color_index(
         &self,
         i_1: rt::Scalar<i32>,
         n_3: rt::Scalar<i32>,
@@ -4815,7 +4815,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_color_texels_around(
+    pub(super) fn v_color_texels_around(
         &self,
         place_4: rt::Vec2<f32>,
         n_4: rt::Vec2<i32>,
@@ -4840,7 +4840,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_color_of_texels(
+    pub(super) fn v_color_of_texels(
         &self,
         place_5: rt::Vec2<f32>,
         level_24: rt::Scalar<u32>,
@@ -4861,7 +4861,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_color_place(&self, uv_3: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_color_place(&self, uv_3: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e4 = self.surface_settings.color_u.x();
         let _e10 = self.surface_settings.color_u.y();
         let u_2 = ((_e4 * uv_3.x()) + (_e10 * uv_3.y()));
@@ -4881,7 +4881,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_color_at(
+    pub(super) fn v_color_at(
         &self,
         uv_4: rt::Vec2<f32>,
         level_25: rt::Scalar<u32>,
@@ -4895,7 +4895,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_texel(&self, place_6: rt::Vec2<i32>) -> rt::Vec4<f32> {
+    pub(super) fn v_object_texel(&self, place_6: rt::Vec2<i32>) -> rt::Vec4<f32> {
         let _e4 = rt::texture::Read::read_texel((&self.object_map), place_6, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4;
     }
@@ -4903,7 +4903,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_frames_around(rt::into(toward)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_frames_around(&self, toward: rt::Vec3<f32>) -> Frames {
+    pub(super) fn v_frames_around(&self, toward: rt::Vec3<f32>) -> Frames {
         let mut x_1: rt::Scalar<f32>;
         let mut z: rt::Scalar<f32>;
 
@@ -4953,7 +4953,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_image_of_object(rt::into(number_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_image_of_object(&self, number_3: rt::Scalar<u32>) -> Image {
+    pub(super) fn v_image_of_object(&self, number_3: rt::Scalar<u32>) -> Image {
         let mut depth_5: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32));
         let mut eye_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
 
@@ -4984,7 +4984,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_frame_number(
+    pub(super) fn v_frame_number(
         &self,
         frames: Frames,
         k_1: rt::Scalar<u32>,
@@ -5000,7 +5000,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_frame_weight(
+    pub(super) fn v_frame_weight(
         &self,
         frames_1: Frames,
         k_2: rt::Scalar<u32>,
@@ -5015,7 +5015,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_color_of_frames(at_21, rt::into(view_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_color_of_frames(
+    pub(super) fn v_color_of_frames(
         &self,
         at_21: Entered,
         view_9: rt::Vec3<f32>,
@@ -5058,7 +5058,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_object_color(at_22, rt::into(view_10), rt::into(asked_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_color(
+    pub(super) fn v_object_color(
         &self,
         at_22: Entered,
         view_10: rt::Vec3<f32>,
@@ -5192,7 +5192,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_color_of_object(at_23, rt::into(view_11), rt::into(how)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_color_of_object(
+    pub(super) fn v_color_of_object(
         &self,
         at_23: Entered,
         view_11: rt::Vec3<f32>,
@@ -5226,7 +5226,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_color_or_white(
+    pub(super) fn v_color_or_white(
         &self,
         uv_5: rt::Vec2<f32>,
         footprint_1: rt::Scalar<f32>,
@@ -5255,7 +5255,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_comes_before(
+    pub(super) fn v_comes_before(
         &self,
         a_7: rt::Vec2<f32>,
         b_7: rt::Vec2<f32>,
@@ -5271,7 +5271,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_wide_product(
+    pub(super) fn v_wide_product(
         &self,
         a_8: rt::Scalar<u32>,
         b_8: rt::Scalar<u32>,
@@ -5296,7 +5296,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_compared(
+    pub(super) fn v_compared(
         &self,
         a_9: rt::Scalar<u32>,
         b_9: rt::Scalar<u32>,
@@ -5313,7 +5313,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_slope_of(&self, value: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_slope_of(&self, value: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let squared_1 = ((rt::Scalar(0.125f32) * value) * value);
         if rt::Scalar::into_branch_condition(squared_1.elementwise_gt(rt::Scalar(0f32))) {
             return (((rt::Scalar(1f32) - value) * (rt::Scalar(1f32) + value)) / squared_1);
@@ -5331,7 +5331,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_search_texel(
+    pub(super) fn v_search_texel(
         &self,
         path_13: Path,
         place_7: rt::Vec2<i32>,
@@ -5358,7 +5358,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_cone_slope(
+    pub(super) fn v_cone_slope(
         &self,
         path_14: Path,
         texel_1: rt::Vec2<f32>,
@@ -5381,7 +5381,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_corner_height(
+    pub(super) fn v_corner_height(
         &self,
         heights: rt::Vec4<f32>,
         corner: rt::Vec2<f32>,
@@ -5399,7 +5399,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_plane_distance(
+    pub(super) fn v_plane_distance(
         &self,
         pixel_9: PixelIn,
         normal_10: rt::Vec3<f32>,
@@ -5411,7 +5411,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_in_samples(&self, pixel_10: PixelIn, at_24: Entered) -> rt::Scalar<f32> {
+    pub(super) fn v_depth_in_samples(&self, pixel_10: PixelIn, at_24: Entered) -> rt::Scalar<f32> {
         let _e3 = self.v_plane_distance(pixel_10, at_24.facing);
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
@@ -5425,7 +5425,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_on_ray(&self, pixel_11: PixelIn, path_15: Path, hit_8: Hit) -> rt::Scalar<f32> {
+    pub(super) fn v_depth_on_ray(&self, pixel_11: PixelIn, path_15: Path, hit_8: Hit) -> rt::Scalar<f32> {
         return ((rt::Scalar(path_15.start) + rt::Scalar(hit_8.t)) / pixel_11.direction.length());
     }
     pub(crate) fn footprint_axis(
@@ -5441,7 +5441,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_axis(
+    pub(super) fn v_footprint_axis(
         &self,
         pixel_12: PixelIn,
         at_25: Entered,
@@ -5465,7 +5465,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_footprint_of(pixel_13, at_26, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_footprint_of(
+    pub(super) fn v_footprint_of(
         &self,
         pixel_13: PixelIn,
         at_26: Entered,
@@ -5499,7 +5499,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_detail_fade(
+    pub(super) fn v_detail_fade(
         &self,
         pixel_14: PixelIn,
         at_27: Entered,
@@ -5524,7 +5524,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_detail_footprint(
+    pub(super) fn v_detail_footprint(
         &self,
         pixel_15: PixelIn,
         at_28: Entered,
@@ -5545,7 +5545,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_detail_none(
+    pub(super) fn v_detail_none(
         &self,
         pixel_16: PixelIn,
         at_29: Entered,
@@ -5557,7 +5557,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_detail_stage(pixel_17, at_30))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_17: PixelIn, at_30: Entered) -> Detail {
+    pub(super) fn v_detail_stage(&self, pixel_17: PixelIn, at_30: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
@@ -5587,7 +5587,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_detail_texel(
+    pub(super) fn v_detail_texel(
         &self,
         place_8: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
@@ -5608,7 +5608,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_detail_texel_between(
+    pub(super) fn v_detail_texel_between(
         &self,
         uv_6: rt::Vec2<f32>,
         layer_3: rt::Scalar<i32>,
@@ -5634,7 +5634,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_one_of(
+    pub(super) fn v_one_of(
         &self,
         numbers: rt::Vec3<u32>,
         place_9: rt::Scalar<u32>,
@@ -5651,7 +5651,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_border(
+    pub(super) fn v_dice_border(
         &self,
         rows_1: DiceRows,
         side: rt::Scalar<u32>,
@@ -5677,7 +5677,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_guess(
+    pub(super) fn v_dice_guess(
         &self,
         rows_2: DiceRows,
         before: rt::Scalar<u32>,
@@ -5696,7 +5696,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_sum_of_quotients(rt::into(count_2), rt::into(by), rt::into(slope), rt::into(offset_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_sum_of_quotients(
+    pub(super) fn v_sum_of_quotients(
         &self,
         count_2: rt::Scalar<u32>,
         by: rt::Scalar<u32>,
@@ -5763,7 +5763,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_parts_before(
+    pub(super) fn v_dice_parts_before(
         &self,
         rows_3: DiceRows,
         count_3: rt::Scalar<u32>,
@@ -5780,7 +5780,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_points_before(
+    pub(super) fn v_dice_points_before(
         &self,
         rows_4: DiceRows,
         row: rt::Scalar<u32>,
@@ -5793,7 +5793,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_points(&self, rows_5: DiceRows) -> rt::Scalar<u32> {
+    pub(super) fn v_dice_points(&self, rows_5: DiceRows) -> rt::Scalar<u32> {
         let _e2 = self.v_dice_points_before(rows_5, rt::Scalar(rows_5.count));
         return _e2;
     }
@@ -5805,7 +5805,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_dice_row_of_point(rows_6, rt::into(number_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_row_of_point(
+    pub(super) fn v_dice_row_of_point(
         &self,
         rows_6: DiceRows,
         number_4: rt::Scalar<u32>,
@@ -5855,7 +5855,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_place(
+    pub(super) fn v_dice_place(
         &self,
         rows_7: DiceRows,
         number_5: rt::Scalar<u32>,
@@ -5874,7 +5874,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_share(
+    pub(super) fn v_dice_share(
         &self,
         rows_8: DiceRows,
         row_2: rt::Scalar<u32>,
@@ -5891,7 +5891,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_row_parts(
+    pub(super) fn v_dice_row_parts(
         &self,
         rows_9: DiceRows,
         row_3: rt::Scalar<u32>,
@@ -5903,7 +5903,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_dice_point(rows_10, place_10))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_point(&self, rows_10: DiceRows, place_10: DicePlace) -> DicePoint {
+    pub(super) fn v_dice_point(&self, rows_10: DiceRows, place_10: DicePlace) -> DicePoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(place_10.row).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = self.v_dice_border(rows_10, rt::Scalar(0u32), rt::Scalar(0u32));
             return _e7;
@@ -5942,7 +5942,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_triangles_before(
+    pub(super) fn v_dice_triangles_before(
         &self,
         rows_11: DiceRows,
         row_4: rt::Scalar<u32>,
@@ -5959,7 +5959,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_triangles(&self, rows_12: DiceRows) -> rt::Scalar<u32> {
+    pub(super) fn v_dice_triangles(&self, rows_12: DiceRows) -> rt::Scalar<u32> {
         let _e2 = self.v_dice_triangles_before(rows_12, rt::Scalar(rows_12.count));
         return _e2;
     }
@@ -5971,7 +5971,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_dice_row_of_triangle(rows_13, rt::into(number_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_row_of_triangle(
+    pub(super) fn v_dice_row_of_triangle(
         &self,
         rows_13: DiceRows,
         number_6: rt::Scalar<u32>,
@@ -6016,7 +6016,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_dice_rows(rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_rows(&self, parts_2: rt::Vec3<u32>) -> DiceRows {
+    pub(super) fn v_dice_rows(&self, parts_2: rt::Vec3<u32>) -> DiceRows {
         let mut local_24: rt::Scalar<bool>;
 
         let of_last = rt::Scalar(2u32).select(rt::Scalar(1u32), parts_2.y().elementwise_le(parts_2.z()));
@@ -6045,7 +6045,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_dice_steps_below(rt::into(above), rt::into(below), rt::into(steps)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_steps_below(
+    pub(super) fn v_dice_steps_below(
         &self,
         above: rt::Scalar<u32>,
         below: rt::Scalar<u32>,
@@ -6111,7 +6111,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_dice_triangle(rows_14, rt::into(number_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_triangle(
+    pub(super) fn v_dice_triangle(
         &self,
         rows_14: DiceRows,
         number_7: rt::Scalar<u32>,
@@ -6149,7 +6149,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_displaced_derivative(
+    pub(super) fn v_displaced_derivative(
         &self,
         along_3: rt::Vec3<f32>,
         up: rt::Vec3<f32>,
@@ -6162,7 +6162,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_log2_of(rt::into(number_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_log2_of(&self, number_8: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_log2_of(&self, number_8: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let mut rest_1: rt::Scalar<f32>;
         let mut exponent: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -6210,7 +6210,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_level_at(&self, grid_5: Tessellation, site: BaseSite) -> rt::Scalar<f32> {
+    pub(super) fn v_level_at(&self, grid_5: Tessellation, site: BaseSite) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(grid_5.levels).elementwise_le(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
@@ -6227,7 +6227,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_height_and_slope(
+    pub(super) fn v_height_and_slope(
         &self,
         uv_7: rt::Vec2<f32>,
         level_29: rt::Scalar<u32>,
@@ -6252,7 +6252,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_relief_between_levels(
+    pub(super) fn v_relief_between_levels(
         &self,
         uv_8: rt::Vec2<f32>,
         level_30: rt::Scalar<f32>,
@@ -6274,7 +6274,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_sloped_uv(rt::into(uv_9), rt::into(level_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_sloped_uv(
+    pub(super) fn v_sloped_uv(
         &self,
         uv_9: rt::Vec2<f32>,
         level_31: rt::Scalar<f32>,
@@ -6306,7 +6306,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_displaced_site(grid_6, site_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_displaced_site(&self, grid_6: Tessellation, site_1: BaseSite) -> Corner {
+    pub(super) fn v_displaced_site(&self, grid_6: Tessellation, site_1: BaseSite) -> Corner {
         let mut up_1: rt::Vec3<f32>;
         let mut normal_12: rt::Vec3<f32>;
 
@@ -6357,7 +6357,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_search_texel_between(
+    pub(super) fn v_search_texel_between(
         &self,
         path_16: Path,
         uv_10: rt::Vec2<f32>,
@@ -6384,7 +6384,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_distance_at(
+    pub(super) fn v_distance_at(
         &self,
         path_17: Path,
         uv_11: rt::Vec2<f32>,
@@ -6409,7 +6409,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_material_of_texels(
+    pub(super) fn v_material_of_texels(
         &self,
         place_11: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
@@ -6436,7 +6436,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_material_at(
+    pub(super) fn v_material_at(
         &self,
         uv_12: rt::Vec2<f32>,
         layer_6: rt::Scalar<i32>,
@@ -6456,7 +6456,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_material_layer(
+    pub(super) fn v_material_layer(
         &self,
         uv_13: rt::Vec2<f32>,
         footprint_2: rt::Scalar<f32>,
@@ -6482,7 +6482,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_emission_at(
+    pub(super) fn v_emission_at(
         &self,
         uv_14: rt::Vec2<f32>,
         footprint_3: rt::Scalar<f32>,
@@ -6501,7 +6501,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ends_on(&self, sweep_4: Sweep, chain_1: SweptChain, other: SweptChain) -> rt::Scalar<bool> {
+    pub(super) fn v_ends_on(&self, sweep_4: Sweep, chain_1: SweptChain, other: SweptChain) -> rt::Scalar<bool> {
         if rt::Scalar::into_branch_condition(rt::Scalar(other.count).elementwise_lt(rt::Scalar(2i32))) {
             return rt::Scalar(false);
         }
@@ -6518,7 +6518,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_plane_normal(&self, pixel_18: PixelIn) -> rt::Vec3<f32> {
+    pub(super) fn v_plane_normal(&self, pixel_18: PixelIn) -> rt::Vec3<f32> {
         let a_31 = pixel_18.a.position;
         return (pixel_18.b.position - a_31).cross((pixel_18.c.position - a_31));
     }
@@ -6534,7 +6534,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_weights_of(
+    pub(super) fn v_weights_of(
         &self,
         a_11: rt::Vec3<f32>,
         b_11: rt::Vec3<f32>,
@@ -6558,7 +6558,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_plane_weights(
+    pub(super) fn v_plane_weights(
         &self,
         pixel_19: PixelIn,
         normal_14: rt::Vec3<f32>,
@@ -6575,7 +6575,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_plane_enter(
+    pub(super) fn v_surface_plane_enter(
         &self,
         pixel_20: PixelIn,
         params_22: rt::Vec4<f32>,
@@ -6618,7 +6618,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_middle_of(
+    pub(super) fn v_middle_of(
         &self,
         pixel_21: PixelIn,
         along_4: rt::Vec3<f32>,
@@ -6637,7 +6637,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_prism_of(
+    pub(super) fn v_prism_of(
         &self,
         pixel_22: PixelIn,
         along_5: rt::Vec3<f32>,
@@ -6662,7 +6662,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_frame_at(
+    pub(super) fn v_frame_at(
         &self,
         pixel_23: PixelIn,
         weights_1: rt::Vec3<f32>,
@@ -6690,7 +6690,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_facing_of(
+    pub(super) fn v_facing_of(
         &self,
         pixel_24: PixelIn,
         along_6: rt::Vec3<f32>,
@@ -6709,7 +6709,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shell_middle(
+    pub(super) fn v_shell_middle(
         &self,
         pixel_25: PixelIn,
         along_7: rt::Vec3<f32>,
@@ -6739,7 +6739,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_way_weight(
+    pub(super) fn v_way_weight(
         &self,
         along_8: rt::Vec3<f32>,
         p: rt::Vec3<f32>,
@@ -6761,7 +6761,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_way_of(
+    pub(super) fn v_way_of(
         &self,
         pixel_26: PixelIn,
         prism_3: Prism,
@@ -6780,7 +6780,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
+    pub(super) fn v_offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
         let _e4 = self.surface_settings.shell_m.y();
         let _e8 = self.surface_settings.shell_m.x();
         let width_4 = (_e4 - _e8).min(rt::Scalar(300000000000000000000000000000000000000f32));
@@ -6801,7 +6801,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_way_offsets(
+    pub(super) fn v_way_offsets(
         &self,
         pixel_27: PixelIn,
         prism_4: Prism,
@@ -6827,7 +6827,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_sides_over_area(
+    pub(super) fn v_sides_over_area(
         &self,
         prism_5: Prism,
         offset_2: rt::Scalar<f32>,
@@ -6847,7 +6847,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_way_beyond(
+    pub(super) fn v_way_beyond(
         &self,
         prism_6: Prism,
         offsets: rt::Vec2<f32>,
@@ -6866,7 +6866,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_grown_way(
+    pub(super) fn v_grown_way(
         &self,
         way_3: Way,
         beyond_1: rt::Vec3<f32>,
@@ -6884,7 +6884,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_root_behind(
+    pub(super) fn v_root_behind(
         &self,
         c_6: rt::Vec3<f32>,
         place_12: rt::Scalar<f32>,
@@ -6914,7 +6914,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_inside(
+    pub(super) fn v_is_inside(
         &self,
         way_4: Way,
         offset_3: rt::Scalar<f32>,
@@ -6946,7 +6946,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_way_chord(pixel_28, prism_7, rt::into(along_10), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_chord(
+    pub(super) fn v_way_chord(
         &self,
         pixel_28: PixelIn,
         prism_7: Prism,
@@ -7033,7 +7033,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_folded_enter(pixel_29, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_folded_enter(
+    pub(super) fn v_folded_enter(
         &self,
         pixel_29: PixelIn,
         params_24: rt::Vec4<f32>,
@@ -7071,7 +7071,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_in_slab(
+    pub(super) fn v_in_slab(
         &self,
         interval_2: rt::Vec2<f32>,
         normal_15: rt::Vec3<f32>,
@@ -7102,7 +7102,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_span_of(
+    pub(super) fn v_span_of(
         &self,
         pixel_30: PixelIn,
         prism_8: Prism,
@@ -7161,7 +7161,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_passed_by(&self) -> Entered {
+    pub(super) fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let uv_40 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
@@ -7176,7 +7176,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shell_point_from(prism_9, rt::into(place_13), from_point))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shell_point_from(
+    pub(super) fn v_shell_point_from(
         &self,
         prism_9: Prism,
         place_13: rt::Vec3<f32>,
@@ -7257,7 +7257,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shell_point(
+    pub(super) fn v_shell_point(
         &self,
         prism_10: Prism,
         place_14: rt::Vec3<f32>,
@@ -7274,7 +7274,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_prism_enter(
+    pub(super) fn v_surface_prism_enter(
         &self,
         pixel_31: PixelIn,
         params_26: rt::Vec4<f32>,
@@ -7336,7 +7336,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_weight_at(
+    pub(super) fn v_weight_at(
         &self,
         order: rt::Scalar<u32>,
         weights_2: rt::Vec3<f32>,
@@ -7353,7 +7353,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ordered_weights(
+    pub(super) fn v_ordered_weights(
         &self,
         shell_3: Shell,
         weights_3: rt::Vec3<f32>,
@@ -7372,7 +7372,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_quadric_of(pixel_32, rt::into(point_11), rt::into(lift_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_quadric_of(
+    pub(super) fn v_quadric_of(
         &self,
         pixel_32: PixelIn,
         point_11: rt::Vec3<f32>,
@@ -7406,7 +7406,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_quadric_vertical_enter(
+    pub(super) fn v_surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
         params_27: rt::Vec4<f32>,
@@ -7435,7 +7435,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_quadric_perpendicular_enter(
+    pub(super) fn v_surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
         params_28: rt::Vec4<f32>,
@@ -7470,7 +7470,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_moved_out(
+    pub(super) fn v_moved_out(
         &self,
         corner_1: Corner,
         side_1: rt::Scalar<f32>,
@@ -7488,7 +7488,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_raised(
+    pub(super) fn v_raised(
         &self,
         corner_2: Corner,
         side_2: rt::Scalar<f32>,
@@ -7508,7 +7508,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_tetrahedron(pixel_35, rt::into(along_13), rt::into(middle_5), rt::into(number_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_tetrahedron(
+    pub(super) fn v_tetrahedron(
         &self,
         pixel_35: PixelIn,
         along_13: rt::Vec3<f32>,
@@ -7597,7 +7597,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_met(
+    pub(super) fn v_is_met(
         &self,
         pixel_36: PixelIn,
         along_14: rt::Vec3<f32>,
@@ -7616,7 +7616,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_tetrahedra_enter(
+    pub(super) fn v_surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
         params_29: rt::Vec4<f32>,
@@ -7661,7 +7661,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_triangle_distance(
+    pub(super) fn v_triangle_distance(
         &self,
         pixel_38: PixelIn,
         normal_16: rt::Vec3<f32>,
@@ -7689,7 +7689,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_triangle_weights(
+    pub(super) fn v_triangle_weights(
         &self,
         pixel_39: PixelIn,
         normal_17: rt::Vec3<f32>,
@@ -7704,7 +7704,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_on_map(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    pub(super) fn v_is_on_map(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let mut local_38: rt::Scalar<bool>;
 
         let beyond_4 = ((uv_16.x() - rt::Scalar(0.5f32)).abs().max((uv_16.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
@@ -7725,7 +7725,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_facets_enter(
+    pub(super) fn v_surface_facets_enter(
         &self,
         pixel_40: PixelIn,
         params_30: rt::Vec4<f32>,
@@ -7761,7 +7761,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_slices_enter(
+    pub(super) fn v_surface_slices_enter(
         &self,
         pixel_41: PixelIn,
         params_31: rt::Vec4<f32>,
@@ -7818,7 +7818,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_object_enter(
+    pub(super) fn v_surface_object_enter(
         &self,
         pixel_42: PixelIn,
         params_32: rt::Vec4<f32>,
@@ -7842,7 +7842,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_frames_enter(
+    pub(super) fn v_surface_frames_enter(
         &self,
         pixel_43: PixelIn,
         params_33: rt::Vec4<f32>,
@@ -7865,7 +7865,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_object_slices_enter(
+    pub(super) fn v_surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
         params_34: rt::Vec4<f32>,
@@ -7886,7 +7886,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_enter_stage(pixel_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_45: PixelIn) -> Entered {
+    pub(super) fn v_surface_enter_stage(&self, pixel_45: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
@@ -7945,7 +7945,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_enter_relief(pixel_46))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_46: PixelIn) -> Entered {
+    pub(super) fn v_enter_relief(&self, pixel_46: PixelIn) -> Entered {
         let mut at_41: Entered;
 
         let _e1 = self.v_surface_enter_stage(pixel_46);
@@ -7976,7 +7976,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_entered_once(path_18, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_entered_once(
+    pub(super) fn v_entered_once(
         &self,
         path_18: Path,
         grid_7: Grid,
@@ -8054,7 +8054,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_facing_four(
+    pub(super) fn v_facing_four(
         &self,
         middle_7: rt::Scalar<f32>,
         along_15: rt::Scalar<f32>,
@@ -8073,7 +8073,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_least_at(
+    pub(super) fn v_least_at(
         &self,
         c_8: rt::Vec3<f32>,
         span_2: rt::Scalar<f32>,
@@ -8092,7 +8092,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_falls_in_cell(
+    pub(super) fn v_falls_in_cell(
         &self,
         c_9: rt::Vec3<f32>,
         span_3: rt::Scalar<f32>,
@@ -8119,7 +8119,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_normal_at(
+    pub(super) fn v_normal_at(
         &self,
         uv_17: rt::Vec2<f32>,
         layer_8: rt::Scalar<i32>,
@@ -8141,7 +8141,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_sloped_cell(&self, i_2: rt::Vec2<i32>) -> rt::Vec2<i32> {
+    pub(super) fn v_sloped_cell(&self, i_2: rt::Vec2<i32>) -> rt::Vec2<i32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ne(WRAP_CLAMP)) {
             return i_2;
@@ -8160,7 +8160,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_slope_beside(
+    pub(super) fn v_slope_beside(
         &self,
         own: rt::Scalar<f32>,
         beside: rt::Scalar<f32>,
@@ -8187,7 +8187,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_slopes_between_creases(at_42, rt::into(uv_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slopes_between_creases(
+    pub(super) fn v_slopes_between_creases(
         &self,
         at_42: Entered,
         uv_18: rt::Vec2<f32>,
@@ -8252,7 +8252,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_normal_of_slopes(
+    pub(super) fn v_normal_of_slopes(
         &self,
         at_43: Entered,
         slope_u: rt::Scalar<f32>,
@@ -8272,7 +8272,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_texels_apart(
+    pub(super) fn v_texels_apart(
         &self,
         place_15: rt::Scalar<f32>,
         side_3: rt::Scalar<f32>,
@@ -8291,7 +8291,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_normal_from_height(at_44, rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_from_height(
+    pub(super) fn v_normal_from_height(
         &self,
         at_44: Entered,
         uv_19: rt::Vec2<f32>,
@@ -8333,7 +8333,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_finest_normal(
+    pub(super) fn v_finest_normal(
         &self,
         at_45: Entered,
         uv_20: rt::Vec2<f32>,
@@ -8352,7 +8352,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_miss(&self, cost_2: rt::Vec3<u32>) -> Hit {
+    pub(super) fn v_miss(&self, cost_2: rt::Vec3<u32>) -> Hit {
         return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), cost_2);
     }
     pub(crate) fn surface_plane_segment(
@@ -8365,7 +8365,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_plane_segment(pixel_47, at_46, rt::into(k_5), rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_plane_segment(
+    pub(super) fn v_surface_plane_segment(
         &self,
         pixel_47: PixelIn,
         at_46: Entered,
@@ -8429,7 +8429,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_folded_segment(pixel_48, at_47, rt::into(k_6), rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_folded_segment(
+    pub(super) fn v_folded_segment(
         &self,
         pixel_48: PixelIn,
         at_47: Entered,
@@ -8501,7 +8501,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_prism_segment(pixel_49, at_48, rt::into(k_7), rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_prism_segment(
+    pub(super) fn v_surface_prism_segment(
         &self,
         pixel_49: PixelIn,
         at_48: Entered,
@@ -8539,7 +8539,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_49, rt::into(k_8), rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_quadric_perpendicular_segment(
+    pub(super) fn v_surface_quadric_perpendicular_segment(
         &self,
         pixel_50: PixelIn,
         at_49: Entered,
@@ -8627,7 +8627,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_50, rt::into(k_9), rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_quadric_vertical_segment(
+    pub(super) fn v_surface_quadric_vertical_segment(
         &self,
         pixel_51: PixelIn,
         at_50: Entered,
@@ -8733,7 +8733,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_51, rt::into(k_10), rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_tetrahedra_segment(
+    pub(super) fn v_surface_tetrahedra_segment(
         &self,
         pixel_52: PixelIn,
         at_51: Entered,
@@ -8816,7 +8816,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_facets_segment(
+    pub(super) fn v_surface_facets_segment(
         &self,
         pixel_53: PixelIn,
         at_52: Entered,
@@ -8842,7 +8842,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_slice_inside(
+    pub(super) fn v_slice_inside(
         &self,
         map_1: rt::Scalar<f32>,
         slice: rt::Scalar<f32>,
@@ -8862,7 +8862,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_slice_at_least(
+    pub(super) fn v_slice_at_least(
         &self,
         map_2: rt::Scalar<f32>,
         slice_1: rt::Scalar<f32>,
@@ -8882,7 +8882,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_slice_band(
+    pub(super) fn v_slice_band(
         &self,
         map_3: rt::Scalar<f32>,
         slice_2: rt::Scalar<f32>,
@@ -8900,7 +8900,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_slices_stage(rt::into(map_4), rt::into(slice_3), rt::into(spacing_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slices_stage(
+    pub(super) fn v_slices_stage(
         &self,
         map_4: rt::Scalar<f32>,
         slice_3: rt::Scalar<f32>,
@@ -8934,7 +8934,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_slice_spacing(
+    pub(super) fn v_slice_spacing(
         &self,
         at_53: Entered,
         axis_1: rt::Scalar<u32>,
@@ -8964,7 +8964,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_slice_above(pixel_54, at_54, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slice_above(
+    pub(super) fn v_slice_above(
         &self,
         pixel_54: PixelIn,
         at_54: Entered,
@@ -9005,7 +9005,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_slice_beside(
+    pub(super) fn v_slice_beside(
         &self,
         at_55: Entered,
         climbs: rt::Vec3<f32>,
@@ -9037,7 +9037,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_slice_before(pixel_55, at_56, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slice_before(
+    pub(super) fn v_slice_before(
         &self,
         pixel_55: PixelIn,
         at_56: Entered,
@@ -9072,7 +9072,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_slices_segment(
+    pub(super) fn v_surface_slices_segment(
         &self,
         pixel_56: PixelIn,
         at_57: Entered,
@@ -9103,7 +9103,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_within_bounds(rt::into(x_2), rt::into(dx_1), rt::into(low), rt::into(high), rt::into(interval_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_within_bounds(
+    pub(super) fn v_within_bounds(
         &self,
         x_2: rt::Scalar<f32>,
         dx_1: rt::Scalar<f32>,
@@ -9138,7 +9138,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_metric_of_image(
+    pub(super) fn v_metric_of_image(
         &self,
         image_8: Image,
         depth_6: rt::Scalar<f32>,
@@ -9158,7 +9158,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_path_through_image(pixel_57, rt::into(k_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_path_through_image(
+    pub(super) fn v_path_through_image(
         &self,
         pixel_57: PixelIn,
         k_13: rt::Scalar<u32>,
@@ -9230,7 +9230,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_object_segment(
+    pub(super) fn v_surface_object_segment(
         &self,
         pixel_58: PixelIn,
         at_58: Entered,
@@ -9251,7 +9251,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_frames_segment(
+    pub(super) fn v_surface_frames_segment(
         &self,
         pixel_59: PixelIn,
         at_59: Entered,
@@ -9271,7 +9271,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_on_image(image_9, rt::into(point_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_on_image(
+    pub(super) fn v_on_image(
         &self,
         image_9: Image,
         point_13: rt::Vec3<f32>,
@@ -9322,7 +9322,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_in_image(&self, at_60: OnImage) -> rt::Scalar<bool> {
+    pub(super) fn v_is_in_image(&self, at_60: OnImage) -> rt::Scalar<bool> {
         let mut local_57: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(at_60.is_inside)) {
@@ -9344,7 +9344,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_with_image(
+    pub(super) fn v_with_image(
         &self,
         slice_4: OnSlice,
         number_12: rt::Scalar<u32>,
@@ -9363,7 +9363,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_slice_at(rt::into(point_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slice_at(&self, point_15: rt::Vec3<f32>) -> OnSlice {
+    pub(super) fn v_slice_at(&self, point_15: rt::Vec3<f32>) -> OnSlice {
         let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_13: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_58: rt::Scalar<bool>;
@@ -9407,7 +9407,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_object_slices_segment(
+    pub(super) fn v_surface_object_slices_segment(
         &self,
         pixel_60: PixelIn,
         at_61: Entered,
@@ -9431,7 +9431,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_segment_stage(pixel_61, at_62, rt::into(k_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_segment_stage(
+    pub(super) fn v_surface_segment_stage(
         &self,
         pixel_61: PixelIn,
         at_62: Entered,
@@ -9500,7 +9500,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_flattened(path_23, rt::into(middle_8), rt::into(part_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_flattened(
+    pub(super) fn v_flattened(
         &self,
         path_23: Path,
         middle_8: rt::Scalar<f32>,
@@ -9540,7 +9540,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_segment_of(pixel_62, at_63, rt::into(k_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_segment_of(
+    pub(super) fn v_segment_of(
         &self,
         pixel_62: PixelIn,
         at_63: Entered,
@@ -9575,7 +9575,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_plane_polish(
+    pub(super) fn v_surface_plane_polish(
         &self,
         pixel_63: PixelIn,
         at_64: Entered,
@@ -9595,7 +9595,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_weights_at_offset(
+    pub(super) fn v_weights_at_offset(
         &self,
         prism_11: Prism,
         place_16: rt::Vec3<f32>,
@@ -9624,7 +9624,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shell_point_near(
+    pub(super) fn v_shell_point_near(
         &self,
         prism_12: Prism,
         place_17: rt::Vec3<f32>,
@@ -9656,7 +9656,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_point_of_way(
+    pub(super) fn v_point_of_way(
         &self,
         pixel_64: PixelIn,
         prism_13: Prism,
@@ -9681,7 +9681,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_prism_polish(pixel_65, at_65, path_26, hit_10, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_prism_polish(
+    pub(super) fn v_surface_prism_polish(
         &self,
         pixel_65: PixelIn,
         at_65: Entered,
@@ -9763,7 +9763,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_quadric_perpendicular_polish(
+    pub(super) fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_66: PixelIn,
         at_66: Entered,
@@ -9785,7 +9785,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_quadric_vertical_polish(
+    pub(super) fn v_surface_quadric_vertical_polish(
         &self,
         pixel_67: PixelIn,
         at_67: Entered,
@@ -9807,7 +9807,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_tetrahedra_polish(
+    pub(super) fn v_surface_tetrahedra_polish(
         &self,
         pixel_68: PixelIn,
         at_68: Entered,
@@ -9829,7 +9829,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_facets_polish(
+    pub(super) fn v_surface_facets_polish(
         &self,
         pixel_69: PixelIn,
         at_69: Entered,
@@ -9851,7 +9851,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_slices_polish(
+    pub(super) fn v_surface_slices_polish(
         &self,
         pixel_70: PixelIn,
         at_70: Entered,
@@ -9875,7 +9875,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_metres_on(
+    pub(super) fn v_metres_on(
         &self,
         path_32: Path,
         t_16: rt::Scalar<f32>,
@@ -9887,7 +9887,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polished_on_image(&self, path_33: Path, hit_16: Hit) -> Hit {
+    pub(super) fn v_polished_on_image(&self, path_33: Path, hit_16: Hit) -> Hit {
         let mut polished: Hit;
 
         polished = hit_16;
@@ -9908,7 +9908,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_object_polish(
+    pub(super) fn v_surface_object_polish(
         &self,
         pixel_71: PixelIn,
         at_71: Entered,
@@ -9931,7 +9931,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_frames_polish(
+    pub(super) fn v_surface_frames_polish(
         &self,
         pixel_72: PixelIn,
         at_72: Entered,
@@ -9954,7 +9954,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_object_slices_polish(
+    pub(super) fn v_surface_object_slices_polish(
         &self,
         pixel_73: PixelIn,
         at_73: Entered,
@@ -9975,7 +9975,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_polish_stage(pixel_74, at_74, path_37, hit_20))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_74: Entered, path_37: Path, hit_20: Hit) -> Hit {
+    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_74: Entered, path_37: Path, hit_20: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
@@ -10035,7 +10035,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_75: PixelIn, at_75: Entered, path_38: Path, hit_21: Hit) -> Hit {
+    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_75: Entered, path_38: Path, hit_21: Hit) -> Hit {
         let _e4 = self.v_surface_polish_stage(pixel_75, at_75, path_38, hit_21);
         return _e4;
     }
@@ -10044,7 +10044,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_key_of(&self, depth_7: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_key_of(&self, depth_7: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.frame.near);
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_7.max(rt::Scalar(0f32))));
@@ -10053,7 +10053,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_is_in_hole(rt::into(uv_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_is_in_hole(&self, uv_21: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    pub(super) fn v_is_in_hole(&self, uv_21: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition((_e3 & rt::Scalar(2u32)).elementwise_ne(rt::Scalar(0u32))) {
             let _e9 = self.v_color_at(uv_21, rt::Scalar(0u32));
@@ -10087,7 +10087,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_in_hole(&self, uv_22: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    pub(super) fn v_in_hole(&self, uv_22: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(false);
@@ -10106,7 +10106,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_hit_on_segment(pixel_76, at_76, path_39, found, rt::into(k_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_on_segment(
+    pub(super) fn v_hit_on_segment(
         &self,
         pixel_76: PixelIn,
         at_76: Entered,
@@ -10140,7 +10140,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_hit_on_path(path_40, rt::into(t_17), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_on_path(
+    pub(super) fn v_hit_on_path(
         &self,
         path_40: Path,
         t_17: rt::Scalar<f32>,
@@ -10169,7 +10169,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_starting_point(path_41, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_41: Path, found_1: SearchResult) -> rt::Scalar<f32> {
+    pub(super) fn v_starting_point(&self, path_41: Path, found_1: SearchResult) -> rt::Scalar<f32> {
         let mut local_60: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
@@ -10196,7 +10196,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_refine_none(
+    pub(super) fn v_refine_none(
         &self,
         path_42: Path,
         found_2: SearchResult,
@@ -10220,7 +10220,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_offset(path_43, found_3, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_offset(
+    pub(super) fn v_refine_offset(
         &self,
         path_43: Path,
         found_3: SearchResult,
@@ -10254,7 +10254,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_offset_limited(path_44, found_4, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_offset_limited(
+    pub(super) fn v_refine_offset_limited(
         &self,
         path_44: Path,
         found_4: SearchResult,
@@ -10290,7 +10290,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_normal_z(
+    pub(super) fn v_normal_z(
         &self,
         path_45: Path,
         slope_1: rt::Vec2<f32>,
@@ -10309,7 +10309,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_slope(path_46, found_5, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_slope(
+    pub(super) fn v_refine_slope(
         &self,
         path_46: Path,
         found_5: SearchResult,
@@ -10350,7 +10350,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_slope_iterative(path_47, found_6, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_slope_iterative(
+    pub(super) fn v_refine_slope_iterative(
         &self,
         path_47: Path,
         found_6: SearchResult,
@@ -10414,7 +10414,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_has_interval(found_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_has_interval(&self, found_7: SearchResult) -> rt::Scalar<bool> {
+    pub(super) fn v_has_interval(&self, found_7: SearchResult) -> rt::Scalar<bool> {
         let mut local_61: rt::Scalar<bool>;
         let mut local_62: rt::Scalar<bool>;
         let mut local_63: rt::Scalar<bool>;
@@ -10448,7 +10448,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_binary(path_48, found_8, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_binary(
+    pub(super) fn v_refine_binary(
         &self,
         path_48: Path,
         found_8: SearchResult,
@@ -10526,7 +10526,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_secant(path_49, found_9, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_secant(
+    pub(super) fn v_refine_secant(
         &self,
         path_49: Path,
         found_9: SearchResult,
@@ -10624,7 +10624,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_true_secant(path_50, found_10, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_true_secant(
+    pub(super) fn v_refine_true_secant(
         &self,
         path_50: Path,
         found_10: SearchResult,
@@ -10715,7 +10715,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_patch(path_51, found_11, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_patch(
+    pub(super) fn v_refine_patch(
         &self,
         path_51: Path,
         found_11: SearchResult,
@@ -10817,7 +10817,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_half_texel(path_52, found_12, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_half_texel(
+    pub(super) fn v_refine_half_texel(
         &self,
         path_52: Path,
         found_12: SearchResult,
@@ -10854,7 +10854,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_stage(path_53, found_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_53: Path, found_13: SearchResult) -> Hit {
+    pub(super) fn v_refine_stage(&self, path_53: Path, found_13: SearchResult) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
@@ -10918,7 +10918,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_search_none(
+    pub(super) fn v_search_none(
         &self,
         path_54: Path,
         params_69: rt::Vec4<f32>,
@@ -10933,7 +10933,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_linear(path_55, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_linear(
+    pub(super) fn v_search_linear(
         &self,
         path_55: Path,
         params_70: rt::Vec4<f32>,
@@ -11000,7 +11000,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_found_in_cell(rt::into(c_10), rt::into(t_23), rt::into(span_4), rt::into(first_2), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_found_in_cell(
+    pub(super) fn v_found_in_cell(
         &self,
         c_10: rt::Vec3<f32>,
         t_23: rt::Scalar<f32>,
@@ -11034,7 +11034,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_cells(path_56, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_cells(
+    pub(super) fn v_search_cells(
         &self,
         path_56: Path,
         params_71: rt::Vec4<f32>,
@@ -11101,7 +11101,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_image_of(rt::into(cell_18), rt::into(n_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_image_of(
+    pub(super) fn v_image_of(
         &self,
         cell_18: rt::Scalar<i32>,
         n_7: rt::Scalar<i32>,
@@ -11144,7 +11144,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_frustum_slope(path_57, rt::into(cell_19), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_frustum_slope(
+    pub(super) fn v_frustum_slope(
         &self,
         path_57: Path,
         cell_19: rt::Vec2<i32>,
@@ -11178,7 +11178,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_map_read(
+    pub(super) fn v_map_read(
         &self,
         path_58: Path,
         texels_3: rt::Scalar<u32>,
@@ -11200,7 +11200,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_stays_above(
+    pub(super) fn v_stays_above(
         &self,
         above_2: rt::Vec3<f32>,
         slope_2: rt::Scalar<f32>,
@@ -11232,7 +11232,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_frustum(path_59, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_frustum(
+    pub(super) fn v_search_frustum(
         &self,
         path_59: Path,
         params_72: rt::Vec4<f32>,
@@ -11367,7 +11367,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_77: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_nearest_corner(&self, at_77: rt::Vec2<f32>) -> rt::Vec2<f32> {
         return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_77.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
@@ -11382,7 +11382,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_stays_inside(path_60, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_stays_inside(
+    pub(super) fn v_stays_inside(
         &self,
         path_60: Path,
         grid_8: Grid,
@@ -11457,7 +11457,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_cone(path_61, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_cone(
+    pub(super) fn v_search_cone(
         &self,
         path_61: Path,
         params_73: rt::Vec4<f32>,
@@ -11561,7 +11561,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_8), rt::into(level_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_node_extent(
+    pub(super) fn v_node_extent(
         &self,
         cell_22: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
@@ -11602,7 +11602,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_leaves_extent(
+    pub(super) fn v_leaves_extent(
         &self,
         origin_1: rt::Scalar<f32>,
         step_3: rt::Scalar<f32>,
@@ -11624,7 +11624,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_pyramid(path_62, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_pyramid(
+    pub(super) fn v_search_pyramid(
         &self,
         path_62: Path,
         params_74: rt::Vec4<f32>,
@@ -11805,7 +11805,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_9), rt::into(level_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_texel_extent(
+    pub(super) fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_9: rt::Scalar<i32>,
@@ -11845,7 +11845,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_pyramid_texels(path_63, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_pyramid_texels(
+    pub(super) fn v_search_pyramid_texels(
         &self,
         path_63: Path,
         params_75: rt::Vec4<f32>,
@@ -11992,7 +11992,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_leaves_window(
+    pub(super) fn v_leaves_window(
         &self,
         grid_9: Grid,
         cell_24: rt::Vec2<f32>,
@@ -12012,7 +12012,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_dilation_erosion(path_64, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_dilation_erosion(
+    pub(super) fn v_search_dilation_erosion(
         &self,
         path_64: Path,
         params_76: rt::Vec4<f32>,
@@ -12172,7 +12172,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_sphere(path_65, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_sphere(
+    pub(super) fn v_search_sphere(
         &self,
         path_65: Path,
         params_77: rt::Vec4<f32>,
@@ -12292,7 +12292,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_cone_moved(path_66, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_cone_moved(
+    pub(super) fn v_search_cone_moved(
         &self,
         path_66: Path,
         params_78: rt::Vec4<f32>,
@@ -12392,7 +12392,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_relaxed_cone(path_67, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_relaxed_cone(
+    pub(super) fn v_search_relaxed_cone(
         &self,
         path_67: Path,
         params_79: rt::Vec4<f32>,
@@ -12564,7 +12564,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_relaxed_cone_resting(path_68, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_relaxed_cone_resting(
+    pub(super) fn v_search_relaxed_cone_resting(
         &self,
         path_68: Path,
         params_80: rt::Vec4<f32>,
@@ -12695,7 +12695,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_stage(path_69))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_69: Path) -> SearchResult {
+    pub(super) fn v_search_stage(&self, path_69: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
@@ -12765,7 +12765,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_trace(&self, path_70: Path) -> Hit {
+    pub(super) fn v_trace(&self, path_70: Path) -> Hit {
         let _e1 = self.v_search_stage(path_70);
         let _e2 = self.v_refine_stage(path_70, _e1);
         return _e2;
@@ -12779,7 +12779,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_object_none(pixel_77, at_78, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_none(
+    pub(super) fn v_object_none(
         &self,
         pixel_77: PixelIn,
         at_78: Entered,
@@ -12840,7 +12840,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_first_in_all(pixel_78, at_79))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_in_all(&self, pixel_78: PixelIn, at_79: Entered) -> FirstHit {
+    pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_79: Entered) -> FirstHit {
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -12949,7 +12949,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_depth(
+    pub(super) fn v_object_depth(
         &self,
         pixel_79: PixelIn,
         at_80: Entered,
@@ -12968,7 +12968,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_hull(
+    pub(super) fn v_object_hull(
         &self,
         pixel_80: PixelIn,
         at_81: Entered,
@@ -12982,7 +12982,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_look_into_frame(&self, uv_23: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_look_into_frame(&self, uv_23: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
         let at_152 = ((uv_23 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(at_152);
@@ -13006,7 +13006,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_look_along(path_71, image_11, rt::into(steps_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_look_along(
+    pub(super) fn v_look_along(
         &self,
         path_71: Path,
         image_11: Image,
@@ -13053,7 +13053,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_object_blend(pixel_81, at_82, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_blend(
+    pub(super) fn v_object_blend(
         &self,
         pixel_81: PixelIn,
         at_82: Entered,
@@ -13138,7 +13138,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_object_stage(pixel_82, at_83))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_stage(&self, pixel_82: PixelIn, at_83: Entered) -> FirstHit {
+    pub(super) fn v_object_stage(&self, pixel_82: PixelIn, at_83: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
@@ -13168,7 +13168,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_first_hit(&self, pixel_83: PixelIn, at_84: Entered) -> FirstHit {
+    pub(super) fn v_first_hit(&self, pixel_83: PixelIn, at_84: Entered) -> FirstHit {
         let _e2 = self.v_object_stage(pixel_83, at_84);
         return _e2;
     }
@@ -13181,7 +13181,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_quotient_up(
+    pub(super) fn v_quotient_up(
         &self,
         dividend: rt::Scalar<i32>,
         by_1: rt::Scalar<i32>,
@@ -13196,7 +13196,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_first_of_top(sweep_5, rt::into(column_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_of_top(
+    pub(super) fn v_first_of_top(
         &self,
         sweep_5: Sweep,
         column_1: rt::Scalar<i32>,
@@ -13222,7 +13222,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_85: Entered) -> rt::Scalar<f32> {
+    pub(super) fn v_footprint_m(&self, at_85: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         return ((rt::Scalar(at_85.footprint) * at_85.metric.x().sqrt()) / _e7.x());
     }
@@ -13231,7 +13231,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_24: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_near_uv(&self, uv_24: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
             return (uv_24 - uv_24.floor());
@@ -13247,7 +13247,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_86: Entered, hit_23: Hit, light_1: Toward) -> Path {
+    pub(super) fn v_from_hit(&self, at_86: Entered, hit_23: Hit, light_1: Toward) -> Path {
         let _e4 = self.v_climb(at_86, light_1.direction);
         let _e6 = self.v_near_uv(hit_23.uv);
         let _e8 = self.v_height_at(_e6, rt::Scalar(at_86.level));
@@ -13258,7 +13258,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_way_out(path_72, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_72: Path, light_2: Toward) -> rt::Scalar<f32> {
+    pub(super) fn v_way_out(&self, path_72: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_6: rt::Scalar<f32>;
         let mut interval_7: rt::Vec2<f32>;
 
@@ -13281,7 +13281,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_light_ray(at_87, hit_24, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_87: Entered, hit_24: Hit, light_3: Toward) -> LightRay {
+    pub(super) fn v_light_ray(&self, at_87: Entered, hit_24: Hit, light_3: Toward) -> LightRay {
         let mut local_90: rt::Scalar<bool>;
 
         let _e3 = self.v_from_hit(at_87, hit_24, light_3);
@@ -13321,7 +13321,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_search_stage(path_73))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_73: Path) -> SearchResult {
+    pub(super) fn v_shadow_search_stage(&self, path_73: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
@@ -13391,7 +13391,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_88: Entered, hit_25: Hit, light_4: Toward) -> rt::Scalar<f32> {
+    pub(super) fn v_free_way(&self, at_88: Entered, hit_25: Hit, light_4: Toward) -> rt::Scalar<f32> {
         let _e3 = self.v_light_ray(at_88, hit_25, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
@@ -13407,7 +13407,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_11 = (turn_1 * rt::Scalar(6.2831855f32));
         let s_2 = (x_11 * x_11);
         let last_13 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
@@ -13418,7 +13418,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let part_22 = (turn_2 - turn_2.floor());
         let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_22 - rt::Scalar(0.5f32)).abs()).abs()));
         return _e11.select((rt::Scalar(0f32) - _e11), part_22.elementwise_gt(rt::Scalar(0.5f32)));
@@ -13428,7 +13428,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_turned_1(&self, turn_3: rt::Scalar<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_turned_1(&self, turn_3: rt::Scalar<f32>) -> rt::Vec2<f32> {
         let _e3 = self.v_sine_of((turn_3 + rt::Scalar(0.25f32)));
         let _e4 = self.v_sine_of(turn_3);
         return <rt::Vec2<f32>>::from_scalars(_e3, _e4);
@@ -13438,7 +13438,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_unit_of(&self, bits: rt::Scalar<u32>) -> rt::Scalar<f32> {
+    pub(super) fn v_unit_of(&self, bits: rt::Scalar<u32>) -> rt::Scalar<f32> {
         return ((bits >> rt::Scalar(8u32)).to_f32() / rt::Scalar(16777216f32));
     }
     pub(crate) fn gradient_at(
@@ -13453,7 +13453,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_gradient_at(
+    pub(super) fn v_gradient_at(
         &self,
         point_17: rt::Vec2<f32>,
         way_7: rt::Vec2<f32>,
@@ -13477,7 +13477,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_gradient_noise(
+    pub(super) fn v_gradient_noise(
         &self,
         at_89: rt::Vec2<f32>,
         count_6: rt::Scalar<f32>,
@@ -13502,7 +13502,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_has_table(&self, levels: Levels) -> rt::Scalar<bool> {
+    pub(super) fn v_has_table(&self, levels: Levels) -> rt::Scalar<bool> {
         let _e6 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
         return rt::Scalar(levels.fine).elementwise_ge(_e6);
     }
@@ -13515,7 +13515,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_holds_filter(view_12, rt::into(place_19), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_holds_filter(
+    pub(super) fn v_holds_filter(
         &self,
         view_12: LightView,
         place_19: rt::Vec3<f32>,
@@ -13552,7 +13552,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_before(
+    pub(super) fn v_is_before(
         &self,
         plane: rt::Vec4<f32>,
         position: rt::Vec3<f32>,
@@ -13584,7 +13584,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_is_left_out(grid_10, a_14, b_14, c_11, rt::into(low_m_1), rt::into(high_m_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_is_left_out(
+    pub(super) fn v_is_left_out(
         &self,
         grid_10: Tessellation,
         a_14: BaseVertex,
@@ -13637,7 +13637,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_magnitude(&self, number_14: rt::Scalar<i32>) -> rt::Scalar<u32> {
+    pub(super) fn v_magnitude(&self, number_14: rt::Scalar<i32>) -> rt::Scalar<u32> {
         return number_14.abs().to_u32();
     }
     pub(crate) fn stretch_of(&self, a_15: SweptPoint, b_15: SweptPoint) -> u32 {
@@ -13645,7 +13645,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_stretch_of(&self, a_15: SweptPoint, b_15: SweptPoint) -> rt::Scalar<u32> {
+    pub(super) fn v_stretch_of(&self, a_15: SweptPoint, b_15: SweptPoint) -> rt::Scalar<u32> {
         let _e9 = self.v_magnitude(((rt::Scalar(b_15.x) * rt::Scalar(a_15.w)) - (rt::Scalar(a_15.x) * rt::Scalar(b_15.w))));
         let _e17 = self.v_magnitude(((rt::Scalar(b_15.y) * rt::Scalar(a_15.w)) - (rt::Scalar(a_15.y) * rt::Scalar(b_15.w))));
         return (_e9 + _e17);
@@ -13655,7 +13655,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_no_longer(&self, a_16: SweptPoint, b_16: SweptPoint, c_12: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
+    pub(super) fn v_is_no_longer(&self, a_16: SweptPoint, b_16: SweptPoint, c_12: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
         let _e4 = self.v_stretch_of(a_16, b_16);
         let _e9 = self.v_stretch_of(c_12, d_3);
         let _e14 = self.v_compared(_e4, (rt::Scalar(c_12.w) * rt::Scalar(d_3.w)).to_u32(), _e9, (rt::Scalar(a_16.w) * rt::Scalar(b_16.w)).to_u32());
@@ -13666,7 +13666,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_longest_of(&self, between_1: rt::Vec3<i32>) -> rt::Scalar<i32> {
+    pub(super) fn v_longest_of(&self, between_1: rt::Vec3<i32>) -> rt::Scalar<i32> {
         let along_40 = between_1.abs();
         return along_40.x().max(along_40.y()).max(along_40.z());
     }
@@ -13681,7 +13681,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_is_swept(grid_11, a_17, b_17, c_13, rt::into(level_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_is_swept(
+    pub(super) fn v_is_swept(
         &self,
         grid_11: Tessellation,
         a_17: Voxel,
@@ -13722,7 +13722,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_light_place(
+    pub(super) fn v_light_place(
         &self,
         view_13: LightView,
         point_18: rt::Vec3<f32>,
@@ -13741,7 +13741,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_patch_normal(
+    pub(super) fn v_patch_normal(
         &self,
         at_90: Entered,
         uv_25: rt::Vec2<f32>,
@@ -13770,7 +13770,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_plane_depth(
+    pub(super) fn v_plane_depth(
         &self,
         view_14: LightView,
         point_19: rt::Vec3<f32>,
@@ -13792,7 +13792,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_light_texel(
+    pub(super) fn v_light_texel(
         &self,
         place_20: rt::Vec2<i32>,
         view_15: rt::Scalar<i32>,
@@ -13809,7 +13809,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_row_sees(at_91, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_row_sees(
+    pub(super) fn v_row_sees(
         &self,
         at_91: InView,
         row_6: rt::Scalar<f32>,
@@ -13861,7 +13861,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_seen_part(rt::into(number_15), at_92, rt::into(normal_19), rt::into(place_21), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_seen_part(
+    pub(super) fn v_seen_part(
         &self,
         number_15: rt::Scalar<u32>,
         at_92: Entered,
@@ -13918,7 +13918,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_light_seen(at_93, rt::into(uv_26), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_seen(
+    pub(super) fn v_light_seen(
         &self,
         at_93: Entered,
         uv_26: rt::Vec2<f32>,
@@ -13974,7 +13974,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_main_axis(
+    pub(super) fn v_main_axis(
         &self,
         start_3: rt::Vec3<i32>,
         to_1: rt::Vec3<i32>,
@@ -14000,7 +14000,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mean_of_five(
+    pub(super) fn v_mean_of_five(
         &self,
         middle_9: rt::Scalar<f32>,
         four: rt::Scalar<f32>,
@@ -14012,7 +14012,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_means_of_one(&self, n_10: rt::Vec3<f32>) -> Normals {
+    pub(super) fn v_means_of_one(&self, n_10: rt::Vec3<f32>) -> Normals {
         let upright = n_10.z().max(rt::Scalar(0.05f32));
         let slope_11 = (<rt::Vec2<f32>>::from_scalars((-n_10.x()), (-n_10.y())) / rt::Vec2::splat_from_scalar(upright));
         let square_3 = ((slope_11 * slope_11) * upright);
@@ -14023,7 +14023,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_no_table(&self) -> SeenTable {
+    pub(super) fn v_no_table(&self) -> SeenTable {
         let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         return <SeenTable>::new(none, none, none);
     }
@@ -14032,7 +14032,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_one_seen(&self, normal_20: rt::Vec3<f32>) -> SeenNormals {
+    pub(super) fn v_one_seen(&self, normal_20: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let parts_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
@@ -14048,7 +14048,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_to_tangent_space(
+    pub(super) fn v_to_tangent_space(
         &self,
         at_94: Entered,
         v_1: rt::Vec3<f32>,
@@ -14066,7 +14066,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_normals_of_level(at_95, rt::into(uv_27), rt::into(level_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normals_of_level(
+    pub(super) fn v_normals_of_level(
         &self,
         at_95: Entered,
         uv_27: rt::Vec2<f32>,
@@ -14099,7 +14099,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_sum_of_four(&self, four_1: rt::Vec4<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_sum_of_four(&self, four_1: rt::Vec4<f32>) -> rt::Scalar<f32> {
         return ((four_1.x() + four_1.y()) + (four_1.z() + four_1.w()));
     }
     pub(crate) fn seen_normals(
@@ -14111,7 +14111,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_seen_normals(at_96, normals, rt::into(view_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_seen_normals(
+    pub(super) fn v_seen_normals(
         &self,
         at_96: Entered,
         normals: Normals,
@@ -14150,7 +14150,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_97: Entered) -> rt::Scalar<f32> {
+    pub(super) fn v_table_part(&self, at_97: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
@@ -14168,7 +14168,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_with_table(
+    pub(super) fn v_with_table(
         &self,
         at_98: Entered,
         seen_1: SeenNormals,
@@ -14198,7 +14198,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seen_between(
+    pub(super) fn v_seen_between(
         &self,
         a_18: SeenTexel,
         b_18: SeenTexel,
@@ -14217,7 +14217,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seen_texel(
+    pub(super) fn v_seen_texel(
         &self,
         uv_28: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
@@ -14240,7 +14240,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seen_in_levels(
+    pub(super) fn v_seen_in_levels(
         &self,
         uv_29: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
@@ -14265,7 +14265,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_table_of(at_99, rt::into(uv_30), rt::into(view_17), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_table_of(
+    pub(super) fn v_table_of(
         &self,
         at_99: Entered,
         uv_30: rt::Vec2<f32>,
@@ -14309,7 +14309,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_mesostructure_normals(at_100, rt::into(uv_31), rt::into(view_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mesostructure_normals(
+    pub(super) fn v_mesostructure_normals(
         &self,
         at_100: Entered,
         uv_31: rt::Vec2<f32>,
@@ -14381,7 +14381,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shadow_ray(
+    pub(super) fn v_shadow_ray(
         &self,
         at_101: Entered,
         hit_26: Hit,
@@ -14402,7 +14402,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shadow_none(
+    pub(super) fn v_shadow_none(
         &self,
         at_102: Entered,
         hit_27: Hit,
@@ -14421,7 +14421,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_entry(at_103, hit_28, light_7, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_entry(
+    pub(super) fn v_shadow_entry(
         &self,
         at_103: Entered,
         hit_28: Hit,
@@ -14454,7 +14454,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seed_of(&self, hit_29: Hit) -> rt::Scalar<u32> {
+    pub(super) fn v_seed_of(&self, hit_29: Hit) -> rt::Scalar<u32> {
         let place_34 = ((hit_29.uv - hit_29.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
         let _e10 = self.v_mixed(place_34.y());
         let _e12 = self.v_mixed((place_34.x() ^ _e10));
@@ -14471,7 +14471,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_point_of_disc(
+    pub(super) fn v_point_of_disc(
         &self,
         light_8: Toward,
         seed_4: rt::Scalar<u32>,
@@ -14501,7 +14501,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_soft(at_104, hit_30, light_9, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_soft(
+    pub(super) fn v_shadow_soft(
         &self,
         at_104: Entered,
         hit_30: Hit,
@@ -14544,7 +14544,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_heuristic(at_105, hit_31, light_10, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_heuristic(
+    pub(super) fn v_shadow_heuristic(
         &self,
         at_105: Entered,
         hit_31: Hit,
@@ -14590,7 +14590,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shadow_texel(
+    pub(super) fn v_shadow_texel(
         &self,
         place_22: rt::Vec2<i32>,
         layer_9: rt::Scalar<i32>,
@@ -14611,7 +14611,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shadow_texel_between(
+    pub(super) fn v_shadow_texel_between(
         &self,
         uv_32: rt::Vec2<f32>,
         layer_10: rt::Scalar<i32>,
@@ -14632,7 +14632,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_own_slope(&self, way_8: Path) -> rt::Scalar<f32> {
+    pub(super) fn v_own_slope(&self, way_8: Path) -> rt::Scalar<f32> {
         let mut level_44: Path;
 
         let _e1 = self.v_grid_of(way_8);
@@ -14652,7 +14652,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_part_above(&self, height_9: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_part_above(&self, height_9: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_15 = height_9.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
         let s_3 = (x_15 * x_15);
         return (rt::Scalar(0.5f32) + (x_15 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
@@ -14667,7 +14667,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_horizon(at_106, hit_32, light_11, rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_horizon(
+    pub(super) fn v_shadow_horizon(
         &self,
         at_106: Entered,
         hit_32: Hit,
@@ -14718,7 +14718,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_open_part(
+    pub(super) fn v_open_part(
         &self,
         at_107: Entered,
         hit_33: Hit,
@@ -14739,7 +14739,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_visibility(at_108, hit_34, light_12, rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_visibility(
+    pub(super) fn v_shadow_visibility(
         &self,
         at_108: Entered,
         hit_34: Hit,
@@ -14791,7 +14791,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shadow_map(
+    pub(super) fn v_shadow_map(
         &self,
         at_109: Entered,
         hit_35: Hit,
@@ -14812,7 +14812,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shadow_scene(
+    pub(super) fn v_shadow_scene(
         &self,
         at_110: Entered,
         hit_36: Hit,
@@ -14825,7 +14825,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_stage(at_111, hit_37, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_111: Entered, hit_37: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    pub(super) fn v_shadow_stage(&self, at_111: Entered, hit_37: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
@@ -14880,7 +14880,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_84: PixelIn, at_112: Entered, hit_38: Hit) -> rt::Scalar<f32> {
+    pub(super) fn v_mirrored_light(&self, pixel_84: PixelIn, at_112: Entered, hit_38: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_38.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
@@ -14893,7 +14893,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_normal_of_frames(at_113, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_of_frames(&self, at_113: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    pub(super) fn v_normal_of_frames(&self, at_113: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
@@ -14942,7 +14942,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_rise_of_mask(&self, uv_33: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_rise_of_mask(&self, uv_33: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
         let at_154 = ((uv_33 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(at_154);
@@ -14960,7 +14960,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_normal_of_mask(
+    pub(super) fn v_normal_of_mask(
         &self,
         image_12: Image,
         uv_34: rt::Vec2<f32>,
@@ -14988,7 +14988,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_blend_color(
+    pub(super) fn v_object_blend_color(
         &self,
         at_114: Entered,
         hit_39: Hit,
@@ -15009,7 +15009,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_none_color(
+    pub(super) fn v_object_none_color(
         &self,
         at_115: Entered,
         hit_40: Hit,
@@ -15030,7 +15030,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_depth_color(
+    pub(super) fn v_object_depth_color(
         &self,
         at_116: Entered,
         hit_41: Hit,
@@ -15051,7 +15051,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_hull_color(
+    pub(super) fn v_object_hull_color(
         &self,
         at_117: Entered,
         hit_42: Hit,
@@ -15070,7 +15070,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_object_color_stage(at_118, hit_43, rt::into(view_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_color_stage(
+    pub(super) fn v_object_color_stage(
         &self,
         at_118: Entered,
         hit_43: Hit,
@@ -15109,7 +15109,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_occlusion_roughness_metalness(
+    pub(super) fn v_occlusion_roughness_metalness(
         &self,
         uv_35: rt::Vec2<f32>,
         footprint_4: rt::Scalar<f32>,
@@ -15131,7 +15131,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_parts_by_uv(
+    pub(super) fn v_parts_by_uv(
         &self,
         grid_12: Tessellation,
         along_19: rt::Vec2<f32>,
@@ -15151,7 +15151,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_parts_by_voxels(
+    pub(super) fn v_parts_by_voxels(
         &self,
         a_19: Voxel,
         b_19: Voxel,
@@ -15174,7 +15174,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_parts_between(
+    pub(super) fn v_parts_between(
         &self,
         grid_13: Tessellation,
         a_20: Voxel,
@@ -15194,7 +15194,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_eye(&self, pixel_85: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    pub(super) fn v_pixel_eye(&self, pixel_85: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
@@ -15213,7 +15213,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_of(
+    pub(super) fn v_pixel_of(
         &self,
         a_21: Corner,
         b_21: Corner,
@@ -15235,7 +15235,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_placed_over(
+    pub(super) fn v_placed_over(
         &self,
         at_119: Entered,
         uv_36: rt::Vec2<f32>,
@@ -15265,7 +15265,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_plane_place(
+    pub(super) fn v_surface_plane_place(
         &self,
         pixel_86: PixelIn,
         at_120: Entered,
@@ -15288,7 +15288,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_placed_at(
+    pub(super) fn v_placed_at(
         &self,
         pixel_87: PixelIn,
         at_121: Entered,
@@ -15318,7 +15318,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_prism_place(
+    pub(super) fn v_surface_prism_place(
         &self,
         pixel_88: PixelIn,
         at_122: Entered,
@@ -15343,7 +15343,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_quadric_frame(at_123, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_quadric_frame(
+    pub(super) fn v_quadric_frame(
         &self,
         at_123: Entered,
         aside: rt::Vec2<f32>,
@@ -15395,7 +15395,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_quadric_perpendicular_place(
+    pub(super) fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
         at_124: Entered,
@@ -15423,7 +15423,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_125, path_77, hit_47, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_quadric_vertical_place(
+    pub(super) fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
         at_125: Entered,
@@ -15460,7 +15460,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_tetrahedra_place(pixel_91, at_126, path_78, hit_48, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_tetrahedra_place(
+    pub(super) fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
         at_126: Entered,
@@ -15520,7 +15520,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_facets_place(
+    pub(super) fn v_surface_facets_place(
         &self,
         pixel_92: PixelIn,
         at_127: Entered,
@@ -15542,7 +15542,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_slices_place(
+    pub(super) fn v_surface_slices_place(
         &self,
         pixel_93: PixelIn,
         at_128: Entered,
@@ -15557,7 +15557,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_placed_in_image(pixel_94, at_129, path_81, hit_51))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_placed_in_image(&self, pixel_94: PixelIn, at_129: Entered, path_81: Path, hit_51: Hit) -> Entered {
+    pub(super) fn v_placed_in_image(&self, pixel_94: PixelIn, at_129: Entered, path_81: Path, hit_51: Hit) -> Entered {
         let mut placed_5: Entered;
 
         let _e6 = self.v_image_of_object(rt::Scalar(path_81.base).to_u32());
@@ -15603,7 +15603,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_object_place(
+    pub(super) fn v_surface_object_place(
         &self,
         pixel_95: PixelIn,
         at_130: Entered,
@@ -15625,7 +15625,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_frames_place(pixel_96, at_131, path_83, hit_53, rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_frames_place(
+    pub(super) fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
         at_131: Entered,
@@ -15666,7 +15666,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_object_slices_place(pixel_97, at_132, path_84, hit_54, rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_object_slices_place(
+    pub(super) fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
         at_132: Entered,
@@ -15699,7 +15699,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_place_stage(pixel_98, at_133, path_85, hit_55))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_133: Entered, path_85: Path, hit_55: Hit) -> Entered {
+    pub(super) fn v_surface_place_stage(&self, pixel_98: PixelIn, at_133: Entered, path_85: Path, hit_55: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
@@ -15759,7 +15759,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_99: PixelIn, at_134: Entered, path_86: Path, hit_56: Hit) -> Entered {
+    pub(super) fn v_place_on_segment(&self, pixel_99: PixelIn, at_134: Entered, path_86: Path, hit_56: Hit) -> Entered {
         let mut placed_8: Entered;
 
         let _e4 = self.v_surface_place_stage(pixel_99, at_134, path_86, hit_56);
@@ -15780,7 +15780,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_hit(
+    pub(super) fn v_place_hit(
         &self,
         pixel_100: PixelIn,
         at_135: Entered,
@@ -15800,7 +15800,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_toward_light(
+    pub(super) fn v_toward_light(
         &self,
         number_18: rt::Scalar<u32>,
         position_1: rt::Vec3<f32>,
@@ -15827,7 +15827,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_point_of_light(
+    pub(super) fn v_point_of_light(
         &self,
         at_136: Entered,
         hit_58: Hit,
@@ -15853,7 +15853,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_primary_length(
+    pub(super) fn v_primary_length(
         &self,
         start_4: rt::Vec3<i32>,
         to_2: rt::Vec3<i32>,
@@ -15883,7 +15883,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_procedure_bumps(rt::into(place_23), rt::into(time), rt::into(seed_5), rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_procedure_bumps(
+    pub(super) fn v_procedure_bumps(
         &self,
         place_23: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
@@ -15938,7 +15938,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_procedure_fbm(rt::into(place_24), rt::into(time_1), rt::into(seed_6), rt::into(params_109)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_procedure_fbm(
+    pub(super) fn v_procedure_fbm(
         &self,
         place_24: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
@@ -15995,7 +15995,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_procedure_waves(rt::into(place_25), rt::into(time_2), rt::into(seed_7), rt::into(params_110)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_procedure_waves(
+    pub(super) fn v_procedure_waves(
         &self,
         place_25: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
@@ -16053,7 +16053,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_procedure_height(
+    pub(super) fn v_procedure_height(
         &self,
         number_20: rt::Scalar<u32>,
         place_26: rt::Vec2<f32>,
@@ -16085,7 +16085,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_quotient_near(
+    pub(super) fn v_quotient_near(
         &self,
         dividend_1: rt::Scalar<i32>,
         by_2: rt::Scalar<i32>,
@@ -16106,7 +16106,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ray_to_light(
+    pub(super) fn v_ray_to_light(
         &self,
         at_137: Entered,
         hit_59: Hit,
@@ -16132,7 +16132,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_blinn_phong_material(
+    pub(super) fn v_shade_blinn_phong_material(
         &self,
         at_138: Entered,
         hit_60: Hit,
@@ -16164,7 +16164,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shade_metallic_roughness_material(at_139, hit_61, rt::into(normal_22), rt::into(mean_4), rt::into(view_25), rt::into(color_2), rt::into(params_113)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_metallic_roughness_material(
+    pub(super) fn v_shade_metallic_roughness_material(
         &self,
         at_139: Entered,
         hit_61: Hit,
@@ -16235,7 +16235,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_material_stage(
+    pub(super) fn v_shade_material_stage(
         &self,
         at_140: Entered,
         hit_62: Hit,
@@ -16267,7 +16267,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_cosine(
+    pub(super) fn v_table_cosine(
         &self,
         table_1: SeenTable,
         toward_2: rt::Vec3<f32>,
@@ -16291,7 +16291,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_seen_cosine(at_141, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_seen_cosine(
+    pub(super) fn v_seen_cosine(
         &self,
         at_141: Entered,
         seen_3: SeenNormals,
@@ -16336,7 +16336,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_whole_power(rt::into(base), rt::into(exponent_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_whole_power(
+    pub(super) fn v_whole_power(
         &self,
         base: rt::Scalar<f32>,
         exponent_1: rt::Scalar<u32>,
@@ -16385,7 +16385,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_24), rt::into(mean_6), rt::into(cosine_7), rt::into(view_27), rt::into(toward_4), rt::into(params_114)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_blinn_phong_light(
+    pub(super) fn v_shade_blinn_phong_light(
         &self,
         material_11: Material,
         normal_24: rt::Vec3<f32>,
@@ -16430,7 +16430,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_25), rt::into(mean_7), rt::into(cosine_8), rt::into(view_28), rt::into(toward_5), rt::into(params_115)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_metallic_roughness_light(
+    pub(super) fn v_shade_metallic_roughness_light(
         &self,
         material_12: Material,
         normal_25: rt::Vec3<f32>,
@@ -16473,7 +16473,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_light_stage(
+    pub(super) fn v_shade_light_stage(
         &self,
         material_13: Material,
         normal_26: rt::Vec3<f32>,
@@ -16508,7 +16508,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_reflected_light(at_142, hit_63, seen_4, rt::into(view_30), rt::into(color_4), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_reflected_light(
+    pub(super) fn v_reflected_light(
         &self,
         at_142: Entered,
         hit_63: Hit,
@@ -16554,7 +16554,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_roof_left(&self, sweep_6: Sweep, column_3: SweptColumn) -> rt::Scalar<i32> {
+    pub(super) fn v_roof_left(&self, sweep_6: Sweep, column_3: SweptColumn) -> rt::Scalar<i32> {
         return (sweep_6.parts.x() - rt::Scalar(column_3.from_top)).max(rt::Scalar(1i32));
     }
     pub(crate) fn seen_along(
@@ -16566,7 +16566,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seen_along(
+    pub(super) fn v_seen_along(
         &self,
         at_143: rt::Vec3<i32>,
         axis_3: rt::Scalar<u32>,
@@ -16584,7 +16584,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_z_of(&self, depth_8: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_z_of(&self, depth_8: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let _e4 = self.frame.clip.y();
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0f32))) {
             let _e10 = self.frame.clip.x();
@@ -16605,7 +16605,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shade_hit(rt::into(origin_2), at_144, hit_64, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(
+    pub(super) fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
         at_144: Entered,
@@ -16638,7 +16638,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_visible_light(
+    pub(super) fn v_visible_light(
         &self,
         at_145: Entered,
         hit_65: Hit,
@@ -16652,7 +16652,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_visible_lights(at_146, hit_66))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_146: Entered, hit_66: Hit) -> [rt::Vec4<f32>; 8] {
+    pub(super) fn v_visible_lights(&self, at_146: Entered, hit_66: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
 
@@ -16686,7 +16686,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_pixel(&self, pixel_101: PixelIn) -> PixelOut {
+    pub(super) fn v_shade_pixel(&self, pixel_101: PixelIn) -> PixelOut {
         let _e1 = self.v_enter_relief(pixel_101);
         let _e2 = self.v_first_hit(pixel_101, _e1);
         let _e5 = self.v_place_hit(pixel_101, _e1, rt::Scalar(_e2.segment), _e2.hit);
@@ -16699,7 +16699,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_sign_of(&self, number_23: rt::Scalar<i32>) -> rt::Scalar<i32> {
+    pub(super) fn v_sign_of(&self, number_23: rt::Scalar<i32>) -> rt::Scalar<i32> {
         return number_23.clamp(rt::Scalar(-1i32), rt::Scalar(1i32));
     }
     pub(crate) fn weighted_site(
@@ -16713,7 +16713,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_weighted_site(
+    pub(super) fn v_weighted_site(
         &self,
         a_22: BaseSite,
         b_22: BaseSite,
@@ -16734,7 +16734,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_site_between(
+    pub(super) fn v_site_between(
         &self,
         a_23: BaseSite,
         b_23: BaseSite,
@@ -16760,7 +16760,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_site_inside(
+    pub(super) fn v_site_inside(
         &self,
         a_24: BaseSite,
         b_24: BaseSite,
@@ -16778,7 +16778,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
+    pub(super) fn v_site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
         return <BaseSite>::new(vertex.position, vertex.direction, seen_5.uv, vertex.uv, rt::Scalar(seen_5.texels_per_m), (rt::Scalar(1f32) / rt::Scalar(voxel.share)), vertex.normal, vertex.tangent, vertex.bitangent, vertex.turn_u, vertex.turn_v);
     }
     pub(crate) fn sweep_from(
@@ -16791,7 +16791,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_sweep_from(rt::into(primary), rt::into(a_25), rt::into(b_25), rt::into(c_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_sweep_from(
+    pub(super) fn v_sweep_from(
         &self,
         primary: rt::Scalar<u32>,
         a_25: rt::Vec3<i32>,
@@ -16844,7 +16844,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_sweep_of(rt::into(a_26), rt::into(b_26), rt::into(c_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_sweep_of(
+    pub(super) fn v_sweep_of(
         &self,
         a_26: rt::Vec3<i32>,
         b_26: rt::Vec3<i32>,
@@ -16883,7 +16883,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_sweep_on(
+    pub(super) fn v_sweep_on(
         &self,
         a_27: Voxel,
         b_27: Voxel,
@@ -16906,7 +16906,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_swept_chain(
+    pub(super) fn v_swept_chain(
         &self,
         sweep_7: Sweep,
         column_4: SweptColumn,
@@ -16932,7 +16932,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_swept_column(sweep_8, rt::into(column_5), rt::into(first_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_swept_column(
+    pub(super) fn v_swept_column(
         &self,
         sweep_8: Sweep,
         column_5: rt::Scalar<i32>,
@@ -16970,7 +16970,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_swept_points_of(sweep_9))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_swept_points_of(&self, sweep_9: Sweep) -> rt::Scalar<u32> {
+    pub(super) fn v_swept_points_of(&self, sweep_9: Sweep) -> rt::Scalar<u32> {
         let mut points: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut column_6: rt::Scalar<i32> = rt::Scalar(1i32);
 
@@ -17004,7 +17004,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_swept_weights(
+    pub(super) fn v_swept_weights(
         &self,
         sweep_10: Sweep,
         x_3: rt::Scalar<i32>,
@@ -17023,7 +17023,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_turn_of_piece(a_28, b_28, c_20))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_20: SweptPoint) -> rt::Scalar<i32> {
+    pub(super) fn v_turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_20: SweptPoint) -> rt::Scalar<i32> {
         let bx_1 = ((rt::Scalar(b_28.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(b_28.w)));
         let by_4 = ((rt::Scalar(b_28.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(b_28.w)));
         let cx = ((rt::Scalar(c_20.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(c_20.w)));
@@ -17052,7 +17052,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_voxel_of(grid_14, rt::into(position_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_voxel_of(
+    pub(super) fn v_voxel_of(
         &self,
         grid_14: Tessellation,
         position_2: rt::Vec3<f32>,
@@ -17083,7 +17083,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_zip_goes_left(zip))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_zip_goes_left(&self, zip: Zip) -> rt::Scalar<bool> {
+    pub(super) fn v_zip_goes_left(&self, zip: Zip) -> rt::Scalar<bool> {
         let mut local_105: rt::Scalar<bool>;
         let mut local_106: rt::Scalar<bool>;
         let mut local_107: rt::Scalar<bool>;
@@ -17154,7 +17154,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_zip_next(sweep_11, zip_1, rt::into(goes_left)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_zip_next(
+    pub(super) fn v_zip_next(
         &self,
         sweep_11: Sweep,
         zip_1: Zip,
@@ -17187,7 +17187,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_zip_of(sweep_12, column_7, next_8, rt::into(which)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_zip_of(
+    pub(super) fn v_zip_of(
         &self,
         sweep_12: Sweep,
         column_7: SweptColumn,
@@ -17268,7 +17268,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_zip_rest(&self, zip_2: Zip) -> rt::Scalar<i32> {
+    pub(super) fn v_zip_rest(&self, zip_2: Zip) -> rt::Scalar<i32> {
         return ((((rt::Scalar(zip_2.left.count) + rt::Scalar(zip_2.right.count)) - rt::Scalar(2i32)) - rt::Scalar(zip_2.i)) - rt::Scalar(zip_2.j));
     }
 }

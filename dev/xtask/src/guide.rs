@@ -3,12 +3,13 @@
 //! A page's commands stand in blocks of `sh`. They run in a scratch folder that holds copies of `data/` and
 //! `scenes/`, on the CPU backend, which makes the same pictures on each machine. A block of `toml` that begins
 //! with `# NAME.toml` is written to that file. A picture on a page is made by the command whose output has
-//! its name, apart from the ending; the page shows it reduced, as a JPEG. The page of methods is made by
+//! its name, apart from the ending; the page shows it reduced, as a JPEG. Drawings are shown as SVG. The page of methods is made by
 //! the same program, so it is written here, too. All links between pages are followed.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+mod drawing;
 mod links;
 mod methods;
 mod page;
@@ -132,26 +133,38 @@ fn read_text(file: &Path) -> Result<String, String> {
 fn picture(scratch: &run::Scratch, file: &Path, width: u32, check: bool) -> Result<(), String> {
     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    if file.extension().is_some_and(|ending| ending == "svg") {
+        let made = std::fs::read(scratch.path(&name));
+        let made = made.map_err(|_| format!("{name}: no command of this page makes it"))?;
+        return settled(file, &name, &made, check, drawing::same);
+    }
     if file.extension().is_none_or(|ending| ending != "jpg") {
         return Err(format!(
-            "{name}: the page's pictures are JPEGs, whatever the command writes: {stem}.jpg"
+            "{name}: the page's pictures are JPEGs, whatever the command writes: {stem}.jpg; drawings are SVG"
         ));
     }
     let made = PICTURES.iter().map(|ending| scratch.path(&format!("{stem}.{ending}")));
     let Some(made) = made.into_iter().find(|path| path.exists()) else {
         return Err(format!("{name}: no command of this page makes {stem}.png or {stem}.jpg"));
     };
-    let made = picture::shown(&made, width)?;
+    settled(file, &name, &picture::shown(&made, width)?, check, picture::same)
+}
+
+/// How two files differ beyond rounding.
+type Same = fn(&[u8], &[u8]) -> Result<(), String>;
+
+/// Writes a file, or compares it with the committed one.
+fn settled(file: &Path, name: &str, made: &[u8], check: bool, same: Same) -> Result<(), String> {
     if check {
         let there =
             std::fs::read(file).map_err(|error| format!("{name}: {error}; run `cargo xtask guide`"))?;
-        return picture::same(&there, &made).map_err(|how| format!("{name} {how}; run `cargo xtask guide`"));
+        return same(&there, made).map_err(|how| format!("{name} {how}; run `cargo xtask guide`"));
     }
     // A picture that is the same but for rounding is not written again.
-    if std::fs::read(file).is_ok_and(|there| picture::same(&there, &made).is_ok()) {
+    if std::fs::read(file).is_ok_and(|there| same(&there, made).is_ok()) {
         return Ok(());
     }
-    std::fs::write(file, &made).map_err(|error| format!("{}: {error}", file.display()))?;
+    std::fs::write(file, made).map_err(|error| format!("{}: {error}", file.display()))?;
     println!("wrote {}", file.display());
     Ok(())
 }

@@ -15,7 +15,7 @@ use relief_maps::Maps;
 use relief_render::{RenderError, RenderInfo, Renderer};
 use relief_scene::{BackendChoice, Sampling, Scene, SceneSpec};
 
-use self::baked_maps::CacheArguments;
+pub use self::baked_maps::CacheArguments;
 use self::output::{Bits, Counts, Outputs, StreamFormat};
 use self::report::Picture;
 use super::maps::{self, By};

@@ -15,7 +15,7 @@ use image::{ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
 use relief_core::mesh::{sphere, square, torus};
 
 /// Commands with examples, as help is asked for.
-const COMMANDS: [&str; 21] = [
+const COMMANDS: [&str; 22] = [
     "render",
     "scene",
     "inspect",
@@ -32,6 +32,7 @@ const COMMANDS: [&str; 21] = [
     "capture",
     "slices",
     "compare",
+    "explain",
     "bench",
     "shader",
     "methods",

@@ -8,6 +8,7 @@ mod bad_input;
 mod command_line;
 mod contract;
 mod examples;
+mod explain;
 mod inspect;
 mod shader;
 mod streams;

@@ -2,7 +2,7 @@
 
 use relief_core::{BakedMap, HeightMap, Hit, Lanes, Metric, Path};
 
-use super::{BLOCK, HitBlock, PathBlock};
+use super::{BLOCK, Explanation, HitBlock, PathBlock};
 use super::{Bound, ColorTexture, Frame, HeightTexture, HoleTexture, Program, SurfaceSettings};
 use crate::{MapError, Selection, SlotMaps};
 
@@ -98,6 +98,24 @@ impl<'a> MethodTracer<'a> {
     #[inline]
     pub fn trace_block(&self, paths: &PathBlock, which: u16, lanes: Lanes, hits: &mut HitBlock) {
         self.program.trace_block(paths, which, lanes, hits);
+    }
+
+    /// Returns the method's hit on a path with every turn of its loops, for a drawing.
+    ///
+    /// ```
+    /// use relief_core::{HeightMap, Metric, Path, Wrap};
+    /// use relief_shaders::Selection;
+    /// use relief_shaders::cpu::MethodTracer;
+    ///
+    /// let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| (i * j % 64) as f32 / 63.0)?;
+    /// let relief = Selection::method("relief")?;
+    /// let tracer = MethodTracer::new(&heights, Metric::UNIT, &relief, [])?;
+    /// let explanation = tracer.explain(&Path::between([0.1, 0.2, 1.0], [0.9, 0.6, 0.0]));
+    /// assert_eq!(explanation.turns(), explanation.hit.cost.steps as usize);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn explain(&self, path: &Path) -> Explanation {
+        self.program.explain(path)
     }
 
     /// Returns the method's hit on a path in a [level](HeightMap::level) of the height map. Beyond

@@ -4,6 +4,7 @@
 //! * [`Program`] is the whole shader over everything in [`Bound`], for renderers.
 //! * [`Program::trace_block`] and [`MethodTracer::first_hits`] trace many paths at once, in SIMD
 //!   lanes.
+//! * [`MethodTracer::explain`] returns every turn of a method's loops.
 //! * The other structs are the shaders' own, and [`Shared`] has their bytes in a GPU's buffers.
 
 use crate::SlotMaps;
@@ -11,6 +12,7 @@ use crate::SlotMaps;
 mod background;
 mod bytes;
 mod convert;
+mod explain;
 #[path = "../../generated/cpu.rs"]
 #[rustfmt::skip]
 #[allow(missing_docs, unused, unused_lifetimes, unused_qualifications, clippy::all)]
@@ -29,6 +31,7 @@ mod triangle;
 
 pub use background::background_row;
 pub use bytes::{Shared, read_all, write_all};
+pub use explain::{Explanation, Mark};
 pub use generated::{
     BaseSite, BaseVertex, Choice, Corner, DicePlace, DicePoint, DiceRows, DiceTriangle, Entered, FirstHit,
     Frame, Hit, Light, LightRay, LightView, MapSettings, Path, PixelIn, PixelOut, SearchResult, Shell,

@@ -2,6 +2,7 @@
 
 use relief_core::Lanes;
 
+use super::explain::{Explanation, explain};
 use super::generated::{Material, Resources};
 use super::lanes::{
     self, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, Task, TriangleRays,
@@ -116,6 +117,11 @@ impl<'a> Program<'a> {
     #[inline]
     pub fn refine(&self, path: Path, found: SearchResult) -> Hit {
         self.0.refine_stage(path, found)
+    }
+
+    /// Runs search and refinement on a path with marks.
+    pub(super) fn explain(&self, path: &relief_core::Path) -> Explanation {
+        explain(&self.0, path)
     }
 
     /// Runs search and refinement on a path.

@@ -7,6 +7,7 @@ mod curved;
 mod edges;
 mod exact_agreement;
 mod exact_robustness;
+mod explain;
 mod filter_volume;
 mod levels;
 mod limits;

@@ -61,13 +61,30 @@ fn of_module(path: &str, source: &str, all: &mut Vec<Declaration>) -> Result<(),
     let unit: TranslationUnit = source.parse().map_err(|error| format!("{path}.wesl: {error}"))?;
     for declaration in &unit.global_declarations {
         let Some(name) = name_of(declaration) else { continue };
+        if is_marked(declaration) {
+            continue;
+        }
         let span = declaration.span().range();
         let (fast, text) = without_condition(declaration, source, span.clone())
             .ok_or_else(|| format!("{path}.wesl: {name}: only @if(fast) and @if(!fast) are known here"))?;
-        let text = format!("{}{}", comment_before(&source[..span.start]), text);
+        let text = format!("{}{}", comment_before(&source[..span.start]), without_marks(&text));
         all.push(Declaration { module: path.to_owned(), name, fast, text, uses: Vec::new() });
     }
     Ok(())
+}
+
+/// The condition of what is kept for drawings alone.
+const MARKED: &str = "@if(explain)";
+
+/// Whether a declaration is for drawings alone.
+fn is_marked(declaration: &GlobalDeclaration) -> bool {
+    declaration.to_string().trim_start().starts_with(MARKED)
+}
+
+/// The text of a declaration without its marks, which are lines.
+fn without_marks(text: &str) -> String {
+    let kept = text.split_inclusive('\n').filter(|line| !line.trim_start().starts_with(MARKED));
+    kept.collect()
 }
 
 /// The text of a declaration without its `@if`, and what that says of the sampling. None for another

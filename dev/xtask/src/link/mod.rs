@@ -8,6 +8,7 @@ use relief_shaders::{Entry, SHADOW, STAGES};
 use wgsl_parse::syntax::TranslationUnit;
 
 use self::lanes::LaneText;
+use self::wesl_link::Features;
 use crate::output::Generated;
 
 mod bindings;
@@ -15,6 +16,7 @@ mod constants;
 mod declarations;
 mod dispatch;
 mod docs;
+mod explain;
 mod lanes;
 mod layout;
 mod modules;
@@ -73,6 +75,9 @@ const CPU_ROOT: (&str, &[&str]) = (
         "zip_next",
     ],
 );
+
+/// The module whose functions are translated to Rust once more, with the marks of their loops.
+const EXPLAIN_ROOT: (&str, &[&str]) = ("roots/explain", &["search_stage", "refine_stage"]);
 
 /// Search and refinement over lanes, with all that they reach.
 const TRACING: LaneText = LaneText {
@@ -139,20 +144,21 @@ pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
     let mut shared = Vec::new();
     for root in GPU_ROOTS {
         for fast in [false, true] {
-            let linked = wesl_link::link(&modules, root, &[], fast)?;
+            let linked = wesl_link::link(&modules, root, &[], Features { fast, explain: false })?;
             declarations::check(&declarations, &linked, fast)?;
             let (module, _) = valid(root, &linked)?;
             shared.push(module);
         }
     }
     let (root, keep) = CPU_ROOT;
-    let linked = wesl_link::link(&modules, root, keep, false)?;
+    let linked = wesl_link::link(&modules, root, keep, Features::default())?;
     declarations::check(&declarations, &linked, false)?;
     let text = wesl_link::ordered(&linked)?;
     let (module, info) = valid("cpu", &linked)?;
     naga_check::refuse_untranslatable(&module, &info, &text, &modules)?;
     let docs = docs::Docs::of(&declarations);
     let rust = docs.add(&rust::translate(&module, &info)?)?;
+    let explain = explained(&modules)?;
     let tracing = lanes::translate(&module, &info, &TRACING, &text, &modules)?;
     let pixels = lanes::translate(&module, &info, &PIXELS, &text, &modules)?;
     let blocks = lanes::blocks(&module, &PIXELS)?;
@@ -162,6 +168,7 @@ pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
     let files = [
         ("declarations.rs", written),
         ("cpu.rs", rust),
+        ("explain.rs", explain),
         ("lanes.rs", tracing),
         ("pixel_lanes.rs", pixels),
         ("blocks.rs", blocks),
@@ -170,6 +177,15 @@ pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
     let generated =
         |(name, text): (&str, String)| Generated { path: folder.join(name), bytes: text.into_bytes() };
     Ok(files.map(generated).into())
+}
+
+/// The translation with marks.
+fn explained(modules: &modules::Modules) -> Result<String, String> {
+    let (root, keep) = EXPLAIN_ROOT;
+    let linked = wesl_link::link(modules, root, keep, Features { fast: false, explain: true })?;
+    let (module, info) = valid(root, &linked)?;
+    naga_check::refuse_untranslatable(&module, &info, &wesl_link::ordered(&linked)?, modules)?;
+    explain::marked(&rust::written(&module, &info)?)
 }
 
 fn valid(name: &str, linked: &TranslationUnit) -> Result<(naga::Module, naga::valid::ModuleInfo), String> {

@@ -14,17 +14,22 @@ const RUNTIME: &str = "crate::cpu::runtime";
 /// each texel.
 const ANY_READER: &str = "<&'g dyn rt::texture::Read<Coordinates = rt::Vec2<i32>, Component = f32>>";
 
-/// The translation, as the text of a Rust module.
-pub fn translate(module: &Module, info: &ModuleInfo) -> Result<String, String> {
+/// What the translator writes, with the run time's short name and its conversions.
+pub fn written(module: &Module, info: &ModuleInfo) -> Result<String, String> {
     let config = Config::new().resource_struct("Resources").public_items(true).runtime_path(RUNTIME);
     let mut text = String::new();
     Writer::new(config)
         .write(&mut text, module, info)
         .map_err(|error| format!("translating to Rust: {error}"))?;
     // The library's conversions are not compiled into their callers, the run time's own are.
-    let text = text.replace(&format!("{RUNTIME}::"), "rt::").replace(".cast_elem_as_", ".to_");
-    let text = concrete_textures(module, &text)?;
-    let text = short_ones_inlined(&crate_alone(&text)?)?;
+    Ok(text.replace(&format!("{RUNTIME}::"), "rt::").replace(".cast_elem_as_", ".to_"))
+}
+
+/// The translation, as the text of a Rust module.
+pub fn translate(module: &Module, info: &ModuleInfo) -> Result<String, String> {
+    let text = concrete_textures(module, &written(module, info)?)?;
+    // The functions with marks call these functions, too.
+    let text = short_ones_inlined(&crate_alone(&text)?)?.replace("\n    fn v_", "\n    pub(super) fn v_");
     let bound = bound(module);
     Ok(format!(
         "// The stages' translation. Written by `cargo xtask link`; do not edit.\n\n\

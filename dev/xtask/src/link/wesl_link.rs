@@ -7,16 +7,31 @@ use wgsl_parse::syntax::{GlobalDeclaration, TranslationUnit};
 use super::modules::{Modules, module_path};
 use super::names::{identifiers, name_of};
 
+/// The conditions that modules may ask for: `@if(fast)` and `@if(explain)`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Features {
+    /// Heights are sampled by the GPU's filter.
+    pub fast: bool,
+    /// Loops call marks, which a drawing of them is made from.
+    pub explain: bool,
+}
+
 /// Links a root module and keeps its named declarations, or its entry points. Names stay as written. Comments
 /// do not survive.
-pub fn link(modules: &Modules, root: &str, keep: &[&str], fast: bool) -> Result<TranslationUnit, String> {
+pub fn link(
+    modules: &Modules,
+    root: &str,
+    keep: &[&str],
+    features: Features,
+) -> Result<TranslationUnit, String> {
     let mut linker = wesl::Wesl::new_barebones().set_custom_resolver(modules.resolver());
     linker
         .set_mangler(wesl::ManglerKind::None)
         .use_imports(true)
         .use_condcomp(true)
         .use_stripping(true)
-        .set_feature("fast", fast);
+        .set_feature("fast", features.fast)
+        .set_feature("explain", features.explain);
     if !keep.is_empty() {
         linker.keep_declarations(keep.iter().map(|&name| name.to_owned()).collect());
     }
