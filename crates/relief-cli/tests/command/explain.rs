@@ -82,7 +82,7 @@ fn what_cannot_be_drawn_is_refused_and_leaves_no_file() {
         ("--scale 0", "cut.svg", 2, "--scale"),
         ("--method vertex", "cut.svg", 2, "another method"),
         ("--method sphere", "cut.svg", 2, "sphere-tracing"),
-        ("--angle 60", "cut.gif", 2, ".svg or .png"),
+        ("--angle 60", "cut.gif", 2, "svg, png"),
         ("--angle 60", "no/cut.svg", 1, "no folder"),
     ] {
         let ran = folder.relief(&format!("explain map.png --no-cache {flags} -o {OUT}/{output}"));
