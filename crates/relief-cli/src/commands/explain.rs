@@ -13,6 +13,7 @@ use relief_shaders::cpu::{Mark, MethodTracer};
 use relief_shaders::{DETAIL, Entry, GEOMETRY, METHODS, REFINE, SEARCH, STAGES, Selection};
 use serde_json::{Value, json};
 
+use super::inputs::replaced;
 use super::maps::{self, By};
 use super::method_set::sample;
 use super::numbered::{Numbering, ONE_FRAME, files};
@@ -133,6 +134,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let frames = if arguments.frames { turns } else { 0 };
     let names: Vec<PathBuf> = (1..=frames).map(|turn| arguments.frame(turn, frames)).collect();
+    if let Some((name, input)) = names.iter().find_map(|name| Some((name, replaced(name, &inputs)?))) {
+        let (name, input) = (name.display(), input.display());
+        return Err(Failure::Usage(format!(
+            "--frames: {name} would replace the input {input}: give --output another name"
+        )));
+    }
     let outputs: Vec<&Path> = std::iter::once(&arguments.output).chain(&names).map(AsRef::as_ref).collect();
     let mut staged = Staged::open(&outputs, arguments.json, cancel)?;
     let drawing = Progress::bar("drawing", arguments.json);
@@ -249,7 +256,7 @@ impl Arguments {
         let path = self.output.display();
         tell_written(self.json, |out| {
             if self.json {
-                return Ok(writeln!(out, "{:#}", self.record(cut))?);
+                return Ok(writeln!(out, "{:#}", self.record(cut, frames))?);
             }
             writeln!(out, "{path}: {}", cut.summary())?;
             if frames > 0 {
@@ -260,11 +267,12 @@ impl Arguments {
         })
     }
 
-    fn record(&self, cut: &Cut) -> Value {
+    fn record(&self, cut: &Cut, frames: usize) -> Value {
         let explanation = cut.explanation();
         let hit = &explanation.hit;
         json!({
             "output": self.output.display().to_string(),
+            "frames": (1..=frames).map(|turn| self.frame(turn, frames).display().to_string()).collect::<Vec<_>>(),
             "summary": cut.summary(),
             "turns": explanation.turns(),
             "reads": hit.cost.reads,

@@ -88,4 +88,10 @@ fn what_cannot_be_drawn_is_refused_and_leaves_no_file() {
         let ran = folder.relief(&format!("explain map.png --no-cache {flags} -o {OUT}/{output}"));
         assert_refused(&folder, &ran, code, &[says]);
     }
+    // The drawing of the first turn would have the map's name.
+    folder.write("map-1.png", Map::hills().png());
+    let line = "explain map-1.png --scale 0.2 --search none --refine binary --no-cache --frames -o map.png";
+    let before = std::fs::read(folder.path("map.png")).expect("the map");
+    assert_refused(&folder, &folder.relief(line), 2, &["--frames", "map-1.png"]);
+    assert_eq!(std::fs::read(folder.path("map.png")).expect("the map"), before);
 }

@@ -79,7 +79,7 @@ impl Ray {
     }
 }
 
-/// Where the height `1 - fall t + curve t²` comes to the floor, or else back to the top.
+/// The place where the height `1 - fall t + curve t²` reaches the floor, or else the top again.
 fn exit(fall: f64, curve: f64) -> f64 {
     let discriminant = fall * fall - 4.0 * curve;
     if discriminant >= 0.0 { 2.0 / (fall + discriminant.sqrt()) * BELOW_FLOOR } else { fall / curve }

@@ -1,5 +1,5 @@
 //! The functions that reach a mark, from a translation to Rust: methods of the type that keeps the marks.
-//! All other functions are those of the translation without marks, which that type dereferences to.
+//! All other functions stand in the translation without marks, which that type dereferences to.
 
 use std::collections::{BTreeMap, BTreeSet};
 
