@@ -29,6 +29,12 @@ pub enum CompareError {
     /// A surface is a depth object.
     #[error("a surface is an object of images: compare methods on a height map on a mesh")]
     Object,
+    /// The exact hits of a scene's pixels are unknown.
+    #[error(
+        "errors of hits need a scene with one height map on a mesh, where the exact hit is known, and this \
+         is {0}: show another quantity"
+    )]
+    NoExactHits(String),
     /// The comparison needs too much memory.
     #[error(
         "rays and pictures need {} MiB of memory, but {limit} are allowed: compare fewer or smaller ones, or raise the limit",

@@ -33,6 +33,7 @@ mod comparison;
 mod contender;
 mod csv;
 mod error;
+mod exact_picture;
 pub mod explain;
 pub mod figure;
 mod page;
@@ -51,6 +52,7 @@ pub use comparison::{Comparison, Machine, MachineBackend, Timing};
 pub use contender::{Contender, shadow};
 pub use csv::csv;
 pub use error::CompareError;
+pub use exact_picture::ExactPicture;
 pub use page::page;
 pub use record::{
     About, CostRecord, ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord, RayRecord, Records,

@@ -63,9 +63,15 @@ pub struct LengthMismatch {
     pub hits: usize,
 }
 
+/// Returns the distance of two places along the texture of a map, in its texels:
+/// `√((Δu W)² + (Δv H)²)`.
+pub fn distance_texels(a: [f64; 2], b: [f64; 2], map: &HeightMap) -> f64 {
+    ((a[0] - b[0]) * f64::from(map.width())).hypot((a[1] - b[1]) * f64::from(map.height()))
+}
+
 /// Compares hits with the true hits of the same rays, in the same order, on `map`.
 ///
-/// Distances are along the texture, in texels of the map: `√((Δu W)² + (Δv H)²)`. A hit is late or
+/// Distances are along the texture ([`distance_texels`]). A hit is late or
 /// early if this distance is large and its `t` is greater or less than the true one. A hit with
 /// equal `t` that lies beside the ray is neither.
 ///
@@ -76,7 +82,6 @@ pub fn compare(truth: &[ExactHit], hits: &[Hit], map: &HeightMap) -> Result<Erro
     if truth.len() != hits.len() {
         return Err(LengthMismatch { truth: truth.len(), hits: hits.len() });
     }
-    let size = [f64::from(map.width()), f64::from(map.height())];
     let mut count = Counts::default();
     let (mut distances, mut heights, mut depths) = (Vec::new(), Vec::new(), Vec::new());
     let mut reads = 0u64;
@@ -91,8 +96,7 @@ pub fn compare(truth: &[ExactHit], hits: &[Hit], map: &HeightMap) -> Result<Erro
             (true, false) => count.missed += 1,
             (false, true) => count.false_hits += 1,
             (true, true) => {
-                let [du, dv] = [0, 1].map(|k| (hit.uv[k] - truth.uv[k]) * size[k]);
-                let distance = du.hypot(dv);
+                let distance = distance_texels(hit.uv, truth.uv, map);
                 count.late += usize::from(distance > LATE_TEXELS && hit.t > truth.t);
                 count.early += usize::from(distance > LATE_TEXELS && hit.t < truth.t);
                 distances.push(distance);

@@ -2,7 +2,7 @@
 //!
 //! [`render()`] renders one picture of a [`Scene`](relief_scene::Scene). A [`Renderer`] renders
 //! several and caches what they share. Both backends run the same shaders and give the same
-//! picture. [`picture`] converts it to bytes and channels.
+//! picture. [`picture`] converts it to bytes and channels; [`false_color`] shows numbers in colours.
 //!
 //! ```
 //! use relief_core::{HeightMap, Watch, Wrap, mesh::square};
@@ -20,6 +20,7 @@
 
 pub mod cpu;
 mod error;
+pub mod false_color;
 mod frame_cache;
 mod frame_time;
 #[cfg(feature = "gpu")]

@@ -5,6 +5,7 @@ mod baked_maps;
 mod frames;
 mod output;
 mod report;
+mod sheet;
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -12,6 +13,7 @@ use std::path::PathBuf;
 use clap::Args;
 use relief_core::Watch;
 use relief_maps::Maps;
+use relief_render::false_color::{QUANTITIES, Quantity, quantity};
 use relief_render::{RenderError, RenderInfo, Renderer};
 use relief_scene::{BackendChoice, Sampling, Scene, SceneSpec};
 
@@ -33,7 +35,9 @@ use crate::{advice, interrupt, lanes, say};
     relief render scenes/jacksboro.toml --size 1600x1200 --samples 16 -o jacksboro.png\n  \
     relief render --height dem.tif --view top --projection orthographic -o map.png\n  \
     relief render --height map.exr --method occlusion --set search.steps=64 --aov aov.exr -o map.png\n  \
-    relief render --height wave_%04d.png --frames 0..47 --eye 0.6,0.9,1.1 -o out_%04d.png\n\n\
+    relief render --height wave_%04d.png --frames 0..47 --eye 0.6,0.9,1.1 -o out_%04d.png\n  \
+    relief render data/bricks.png --show height,steps -o numbers.png\n  \
+    relief render data/bricks.png --methods parallax,relief,cone --show error -o errors.png\n\n\
     `relief methods` lists methods, searches and refinements with their settings; `relief render --help` lists \
     every flag.")]
 pub struct Arguments {
@@ -62,8 +66,28 @@ pub struct Arguments {
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     frames: Option<Frames>,
     /// Draw the base mesh's edges over the picture, hidden ones faintly
-    #[arg(long, hide_short_help = true)]
+    #[arg(long, hide_short_help = true, conflicts_with = "show")]
     wire: bool,
+    #[arg(
+        long,
+        value_name = "NAME,..",
+        value_delimiter = ',',
+        value_parser = quantity,
+        conflicts_with_all = ["aov", "frames", "bits"],
+        help = show_help(),
+    )]
+    show: Vec<&'static Quantity>,
+    /// Render several methods side by side, each with its name: methods, or pairs of a search and a
+    /// refinement as linear+binary. With --show all of them share one scale. --set goes to the
+    /// methods that have the setting
+    #[arg(
+        long,
+        value_name = "A,B",
+        value_delimiter = ',',
+        conflicts_with_all = ["aov", "frames", "bits", "method", "search", "refine"],
+        help_heading = "Method",
+    )]
+    methods: Vec<String>,
     /// Print the result as one JSON object
     #[arg(long)]
     pub json: bool,
@@ -76,6 +100,16 @@ pub struct Arguments {
     cache: CacheArguments,
 }
 
+fn show_help() -> String {
+    let each: Vec<String> =
+        QUANTITIES.iter().map(|quantity| format!("{} ({})", quantity.name, quantity.title)).collect();
+    format!(
+        "Write numbers of each pixel in colours, with a legend, instead of the picture; several make a sheet: \
+         {}. Where the CPU renders `exact`, reads and steps count nodes and cells of the exact tracer",
+        each.join("; ")
+    )
+}
+
 /// Renders the scene and writes its files.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let spec = arguments.machine.over(arguments.scene.spec()?);
@@ -84,6 +118,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return frames::run(arguments, &spec, &numbering, frames);
     }
     arguments.refuse_frames(&spec, &numbering)?;
+    if !(arguments.show.is_empty() && arguments.methods.is_empty()) {
+        return sheet::run(arguments, &spec);
+    }
     let spec = spec.with_keys_of_meshes().map_err(of_scene)?;
     let outputs = Outputs::new(arguments, arguments.output.clone(), arguments.aov.clone(), &spec)?;
     let scene = {
@@ -128,6 +165,21 @@ impl<'a> PictureRenderer<'a> {
         outputs: &Outputs,
         tell: &(dyn Fn(&str, f32) + Sync),
     ) -> Result<(Counts, RenderInfo), Failure> {
+        let arguments = self.arguments;
+        let (renderer, baked) = self.for_scene(scene)?;
+        // Until here nothing exists that an interrupted program would leave behind.
+        let cancel = interrupt::catch()?;
+        let written = outputs.write(scene, cancel, arguments.json, &mut |numbers, sink| {
+            renderer.render_bands(scene, baked, numbers, &Watch::new(tell, cancel), sink)
+        });
+        written.map_err(|error| match error {
+            output::Error::Render(error) => arguments.of_render(error),
+            output::Error::Failed(failure) => failure,
+        })
+    }
+
+    /// Returns a renderer for a scene, and the baked maps.
+    fn for_scene(&mut self, scene: &Scene) -> Result<(&mut Renderer, &mut Maps), Failure> {
         let Self { arguments, baked, renderer, .. } = self;
         let (backend, sampling) = (scene.backend(), scene.sampling());
         // A GPU's renderer keeps its programs; one on the CPU holds data of other maps.
@@ -142,15 +194,7 @@ impl<'a> PictureRenderer<'a> {
             }
         });
         renderer.set_lanes(lanes::from_environment()?);
-        // Until here nothing exists that an interrupted program would leave behind.
-        let cancel = interrupt::catch()?;
-        let written = outputs.write(scene, cancel, arguments.json, &mut |numbers, sink| {
-            renderer.render_bands(scene, baked, numbers, &Watch::new(tell, cancel), sink)
-        });
-        written.map_err(|error| match error {
-            output::Error::Render(error) => arguments.of_render(error),
-            output::Error::Failed(failure) => failure,
-        })
+        Ok((renderer, baked))
     }
 
     /// Returns notes on what a user may not expect of a picture.

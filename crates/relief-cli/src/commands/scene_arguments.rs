@@ -347,6 +347,11 @@ impl SceneArguments {
         self.method.is_some()
     }
 
+    /// Returns the settings that `--set` gives.
+    pub fn settings(&self) -> &[(String, f64)] {
+        &self.set
+    }
+
     /// Returns the flags as a description that overrides the scene file.
     fn flags(&self) -> SceneSpec {
         let (stages, color_of_ambient) = self.stages.and_color();

@@ -12,3 +12,4 @@ mod frames;
 mod notes;
 mod pictures;
 mod procedure;
+mod shown;

@@ -2,9 +2,9 @@
 
 mod pictures;
 mod rays;
-mod reference;
+pub(crate) mod reference;
 mod shadow;
-mod subject;
+pub(crate) mod subject;
 mod time_again;
 mod times;
 

@@ -77,7 +77,7 @@ const PICTURES: [(&str, PictureFormat); 4] = [
 /// Files to write.
 pub struct Outputs {
     pub picture: PathBuf,
-    format: PictureFormat,
+    pub format: PictureFormat,
     /// File of the AOVs.
     pub aov: Option<PathBuf>,
     wire: bool,

@@ -14,7 +14,7 @@ use crate::{advice, values};
 
 /// Names what is counted as reads: reads of the method's own shader, or nodes and cells of the
 /// exact tracer, by which the CPU renders `exact`.
-fn what_reads_are(scene: &Scene, backend: &str) -> &'static str {
+pub fn what_reads_are(scene: &Scene, backend: &str) -> &'static str {
     let traced = |surface: &&Surface| backend == "cpu" && surface.selection().is_exact();
     match (scene.surfaces().iter().filter(traced).count(), scene.surfaces().len()) {
         (0, _) => "reads",
