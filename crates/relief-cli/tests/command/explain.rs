@@ -36,7 +36,7 @@ fn turns_are_told_and_drawn() {
         let about = json_of(&folder.relief(&line).fine());
         assert_eq!(about["turns"].as_u64(), Some(count(&about, "turn") as u64), "{method}");
         assert!(count(&about, kind) > 0, "{method}: {about:#}");
-        let svg = std::fs::read_to_string(folder.path(&format!("{method}.svg"))).expect("a drawing");
+        let svg = std::fs::read_to_string(folder.path(format!("{method}.svg"))).expect("a drawing");
         assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{method}");
     }
 }
