@@ -131,6 +131,10 @@ pub fn of_scene(error: &SceneError) -> Option<Advice> {
         | SceneError::TooMuchForShadowMaps { .. } => Some(Advice::everywhere("use --max-memory")),
         SceneError::Read(error) => of_read(&error.problem),
         SceneError::Picture(error) => of_picture(&error.problem),
+        SceneError::Ramp { .. } => Some(Advice {
+            flag: "if the map's values are metres, use --unit m",
+            key: "if the map's values are metres, use the key unit = \"m\"",
+        }),
         SceneError::Mesh(error) => of_mesh(&error.problem),
         SceneError::Io { source, .. }
             if matches!(source.kind(), ErrorKind::InvalidData | ErrorKind::FileTooLarge) =>

@@ -7,7 +7,7 @@ use relief_core::mesh::FramingError;
 use relief_core::registry::UnknownName;
 use relief_core::{Cancelled, HeightMapError};
 
-use crate::{ForeignFormat, RawLayout};
+use crate::{ColorTableProblem, ForeignFormat, RawLayout};
 
 /// Error of reading a file: the file and the reason.
 #[derive(Debug, thiserror::Error)]
@@ -226,6 +226,14 @@ pub enum ReadProblem {
     OutsideFolder {
         /// The name as it is written in the file.
         file: String,
+    },
+    /// A table of colours cannot be used.
+    #[error("{}{problem}", line.map_or(String::new(), |line| format!("line {line}: ")))]
+    ColorTable {
+        /// Line of the problem, counted from 1; none if it is the file's as a whole.
+        line: Option<usize>,
+        /// Description of the problem.
+        problem: Box<ColorTableProblem>,
     },
     /// The range given is not a valid range.
     #[error("the range {} to {} is not usable: both ends must be finite, the first below the second (for maps of depth use the depth convention)", range[0], range[1])]

@@ -53,6 +53,7 @@
 //! ```
 
 mod banding;
+mod color_table;
 mod convention;
 mod elevation;
 mod error;
@@ -98,6 +99,9 @@ mod write;
 mod write_whole;
 
 pub use self::ktx2::{Ktx2File, Ktx2Level, Ktx2Texture, TexelFormat, read_ktx2, write_ktx2};
+pub use color_table::{
+    BuiltinRamp, ColorEntry, ColorRamp, ColorTable, ColorTableProblem, TableElevation, read_color_table,
+};
 pub use convention::{Detection, Guess, detect, guess_by_name};
 pub use elevation::{CoordinateSystem, Doubt, Elevation, Georeference, GridTransform, UnitOrigin};
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};

@@ -128,6 +128,9 @@ omissions! {
     LEFT_TEXTURES: "left-textures", "folders of textures",
         "files that have no name of a texture, or that another file replaces",
         "they are not read";
+    TABLE_OPACITY: "table-opacity", "tables of colours",
+        "colours that are not opaque, except of texels without a value",
+        "they are shown opaque";
     IDLE_FACTOR: "idle-factor", "material maps",
         "a factor on a map that is 0 everywhere",
         "the product is 0: a map of its own replaces the channel";

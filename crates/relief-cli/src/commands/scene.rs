@@ -110,7 +110,7 @@ fn of_key(key: &Key) -> Value {
     let mut schema = match &key.form {
         Form::Text => json!({ "type": "string" }),
         Form::Name(names) => json!({ "type": "string", "enum": names }),
-        Form::Mesh(names) => json!({ "type": "string", "examples": names }),
+        Form::Mesh(names) | Form::Ramp(names) => json!({ "type": "string", "examples": names }),
         Form::Flag => json!({ "type": "boolean" }),
         Form::Number => json!({ "type": "number" }),
         Form::Whole => json!({ "type": "integer" }),

@@ -10,8 +10,8 @@ use relief_scene::background::Background;
 use relief_scene::depth_buffer::Clip;
 use relief_scene::tone::Tone;
 use relief_scene::{
-    BackendChoice, LightDirection, LightSpec, Look, MeshChoice, PictureSize, ProjectionChoice, Sampling,
-    SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
+    BackendChoice, LightDirection, LightSpec, Look, MeshChoice, PictureSize, ProjectionChoice, RampChoice,
+    Sampling, SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
 };
 use relief_shaders::METHODS;
 
@@ -97,6 +97,10 @@ pub struct SceneArguments {
     /// Colour map in sRGB [default: none, the material alone]
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     color: Option<PathBuf>,
+    /// Colours by height: terrain, viridis, grey, or a table for `gdaldem color-relief`, whose
+    /// elevations are in metres or percent. Built-in colours span the map's range [default: none]
+    #[arg(long, value_name = "NAME|FILE", help_heading = "Maps and mesh", conflicts_with = "color")]
+    ramp: Option<RampChoice>,
     /// Tangent-space normal map [default: normals from the height map]
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     normal: Option<PathBuf>,
@@ -317,9 +321,13 @@ impl SceneArguments {
 
     /// Returns the files that may be standard input.
     pub fn files(&mut self) -> Vec<&mut PathBuf> {
-        let Self { scene, height, color, normal, material, environment, .. } = self;
+        let Self { scene, height, color, ramp, normal, material, environment, .. } = self;
         let files = [scene, height, color, normal, environment].into_iter().flatten();
-        files.chain(material.files()).collect()
+        let ramp = ramp.iter_mut().filter_map(|ramp| match ramp {
+            RampChoice::File(path) => Some(path),
+            RampChoice::Builtin(_) => None,
+        });
+        files.chain(ramp).chain(material.files()).collect()
     }
 
     /// Returns the scene file, if the file that is shown is one.
@@ -362,6 +370,7 @@ impl SceneArguments {
             holes: given(self.holes),
             creases: given(self.creases),
             color: self.color.clone(),
+            ramp: self.ramp.clone(),
             normal: self.normal.clone(),
             green: self.green,
             method: self.method.clone(),

@@ -153,6 +153,7 @@ fn stand_ins() -> Folder {
         })
         .collect();
     folder.write("dem.tif", tiff([64, 48], Samples::Float, &ground, &georeference()));
+    folder.write("tints.txt", "0% green\n50% 190 185 135\n100% white\n");
     // An island of it.
     let island = ground.chunks_exact(4).enumerate().flat_map(|(at, height)| {
         let [x, y] = [(at % 64) as f32 - 31.5, (at / 64) as f32 - 23.5];

@@ -185,6 +185,11 @@ const FEEDS: &[Feed] = &[
         folder.write("Stones_Unknown.pgm", "P2 2 1 255 51 255");
         "render . --size 8x8 --backend cpu -o out.jpg"
     }),
+    ("table-opacity", |folder| {
+        folder.write("map.png", integers(0, 65535));
+        folder.write("tints.txt", "0% green 128\n100% white\n");
+        "render map.png --ramp tints.txt --backend cpu --size 32x24 -o out.png"
+    }),
     ("idle-factor", |folder| {
         folder.write("map.pgm", "P2 2 1 255 51 255");
         folder.write("black.pgm", "P2 2 1 255 0 0");

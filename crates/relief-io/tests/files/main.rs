@@ -6,6 +6,7 @@ mod common;
 mod broken_files;
 mod broken_gltf;
 mod broken_meshes;
+mod color_tables;
 mod exr_and_tiff;
 mod formats;
 mod geotiff;

@@ -1,7 +1,7 @@
 //! Errors of reading, completing and loading a scene.
 
 use super::material_spec::metallic_roughness;
-use super::{Look, MapSizeProblem, ObjectProblem};
+use super::{Look, MapSizeProblem, ObjectProblem, RampError};
 use crate::environment::EnvironmentError;
 use crate::light::LightError;
 use crate::material::MaterialError;
@@ -75,7 +75,7 @@ pub enum SceneError {
     /// A height map cannot be read.
     #[error(transparent)]
     Read(#[from] ReadError),
-    /// A colour map, a normal map or an environment map cannot be read.
+    /// A colour map, a table of colours, a normal map or an environment map cannot be read.
     #[error(transparent)]
     Picture(ReadError),
     /// The textures of a folder cannot be used.
@@ -88,6 +88,14 @@ pub enum SceneError {
         path: PathBuf,
         /// Description of the problem.
         source: MaterialMapError,
+    },
+    /// The height map cannot have the colours of a table.
+    #[error("{}: {source}", path.display())]
+    Ramp {
+        /// Path of the height map.
+        path: PathBuf,
+        /// Description of the problem.
+        source: RampError,
     },
     /// A base mesh cannot be read.
     #[error(transparent)]

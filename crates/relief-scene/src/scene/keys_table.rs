@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use relief_core::Wrap;
-use relief_io::{HeightRange, Up};
+use relief_io::{BuiltinRamp, HeightRange, Up};
 
 use super::{
     BackendChoice, Look, PictureSize, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View,
@@ -24,6 +24,8 @@ pub enum Form {
     Name(Vec<&'static str>),
     /// One of these names of built-in meshes, or a file's name.
     Mesh(Vec<&'static str>),
+    /// One of these names of built-in tables of colours, or a file's name.
+    Ramp(Vec<&'static str>),
     /// True or false.
     Flag,
     /// A number.
@@ -144,6 +146,12 @@ pub fn keys() -> Vec<Key> {
         surface("exaggerate", Form::Number, "1", "factor on the scale, from 1e-6 to 1e6"),
         surface("creases", Form::Flag, "false", "whether normals from the heights end at creases"),
         surface("color", Form::Text, "", "file of the colour map, in sRGB"),
+        surface(
+            "ramp",
+            Form::Ramp(BuiltinRamp::ALL.map(BuiltinRamp::name).to_vec()),
+            "",
+            "colours by height, in place of color: a built-in table, or a file for gdaldem color-relief",
+        ),
         surface("normal", Form::Text, "", "file of the tangent-space normal map"),
         surface(
             "green",
@@ -345,7 +353,7 @@ impl SceneSpec {
 fn line(text: &mut String, key: &Key, value: Option<String>) {
     let Key { name, default, about, form, .. } = key;
     let choices = match form {
-        Form::Name(names) | Form::Mesh(names) => format!(": {}", names.join(", ")),
+        Form::Name(names) | Form::Mesh(names) | Form::Ramp(names) => format!(": {}", names.join(", ")),
         _ => String::new(),
     };
     let _ = match value {
@@ -371,6 +379,7 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
         "textures" => path(&spec.textures),
         "udim" => spec.udim.map(|tile| tile.to_string()),
         "color" => path(&spec.color),
+        "ramp" => spec.ramp.as_ref().map(|ramp| quoted(&ramp.to_string())),
         "normal" => path(&spec.normal),
         "roughness" => path(&spec.roughness),
         "metallic" => path(&spec.metallic),

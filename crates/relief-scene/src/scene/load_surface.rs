@@ -128,6 +128,12 @@ impl SurfaceSpec {
         if self.mesh_up.is_some() && !matches!(self.mesh, Some(MeshChoice::File(_))) {
             return Err(ValueProblem::Needs(MESH_OF_FILE).of("mesh-up"));
         }
+        if self.ramp.is_some() && self.color.is_some() {
+            return Err(ValueProblem::Excludes("color").of("ramp"));
+        }
+        if self.ramp.is_some() && self.is_mesh_alone() && self.textures.is_none() {
+            return Err(ValueProblem::Needs("height").of("ramp"));
+        }
         let selection = self.selection(samples, context)?;
         Ok(Parts {
             mesh: self.placed(self.mesh_without_file([1.0, 1.0])?)?,
@@ -255,6 +261,7 @@ impl SurfaceSpec {
         let (mut parts, of_file) = match &self.mesh {
             Some(MeshChoice::File(file)) => {
                 let own = self.color.is_some()
+                    || self.ramp.is_some()
                     || self.material.as_ref().is_some_and(|own| own.diffuse.or(own.base).is_some());
                 // A mesh without any map needs no texture coordinates.
                 let is_bare = self.is_mesh_alone()
@@ -323,6 +330,11 @@ impl SurfaceSpec {
                 maps.take(path, &map, &parts.selection)?;
             }
         }
+        let tints = match (&self.ramp, &self.height) {
+            (Some(ramp), Some(path)) => Some(maps.tints(ramp, path, &map)?),
+            (Some(_), None) => return Err(of_number(ValueProblem::Needs("height").of("ramp")).into()),
+            (None, _) => None,
+        };
         let surface = self.with_heights(parts, map);
         let mut surface = surface.map_err(of_number)?;
         match drawn {
@@ -338,6 +350,9 @@ impl SurfaceSpec {
         surface = surface.with_file_colors(file_colors);
         if let Some(path) = &self.color {
             surface = surface.with_color(maps.color(path)?);
+        }
+        if let Some(tints) = tints {
+            surface = surface.with_color(tints);
         }
         if let Some(path) = &self.normal {
             let map = maps.normal(path, self.green.unwrap_or_default())?;

@@ -1,13 +1,14 @@
 //! Reader of a scene's files. It reads each file once, within the memory limit.
 
-use super::{SceneError, SurfaceSpec};
+use super::ramp::tinted;
+use super::{RampChoice, SceneError, SurfaceSpec};
 use crate::environment::Environment;
 use crate::material_maps::{MaterialMap, MaterialMapError, MaterialMaps, MaterialPictures};
 use relief_core::mesh::{Mesh, UvProjection};
 use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{
-    Curve, GreenSign, HeightFile, HeightOptions, MeshColors, MeshOptions, NormalMap, Picture, ReadError,
-    ReadNote, ReadProblem, Remark, Up,
+    ColorTable, Curve, GreenSign, HeightFile, HeightOptions, MeshColors, MeshOptions, NormalMap, Picture,
+    ReadError, ReadNote, ReadProblem, Remark, Up, omissions, read_color_table,
 };
 use relief_shaders::Selection;
 use std::path::{Path, PathBuf};
@@ -48,6 +49,8 @@ pub struct Maps {
     left: u64,
     heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
     colors: Vec<(PathBuf, Arc<Picture>)>,
+    /// Colours by height, with the texels that they belong to.
+    tints: Vec<(RampChoice, HeightMap, Arc<Picture>)>,
     meshes: Vec<(PathBuf, MeshOptions, LoadedMesh)>,
     materials: Vec<([Option<PathBuf>; MaterialMap::ALL.len()], Wrap, Arc<MaterialMaps>)>,
     /// Notes of the file readers.
@@ -62,6 +65,7 @@ impl Maps {
             left,
             heights: Vec::new(),
             colors: Vec::new(),
+            tints: Vec::new(),
             meshes: Vec::new(),
             materials: Vec::new(),
             notes: Vec::new(),
@@ -102,6 +106,41 @@ impl Maps {
         self.take_picture(&color);
         self.colors.push((path.to_owned(), Arc::clone(&color)));
         Ok(color)
+    }
+
+    /// Returns the colours of a height map, read from `path`, by a table.
+    pub(super) fn tints(
+        &mut self,
+        ramp: &RampChoice,
+        path: &Path,
+        map: &HeightMap,
+    ) -> Result<Arc<Picture>, SceneError> {
+        let is_same = |(known, of, _): &&(RampChoice, HeightMap, _)| {
+            known == ramp && of.shares_texels(map) && of.physical_range() == map.physical_range()
+        };
+        if let Some((.., tints)) = self.tints.iter().find(is_same) {
+            return Ok(Arc::clone(tints));
+        }
+        let table = match ramp {
+            RampChoice::Builtin(builtin) => ColorTable::from(*builtin),
+            RampChoice::File(path) => read_color_table(path).map_err(SceneError::Picture)?,
+        };
+        let (width, height) = (map.width(), map.height());
+        let needed = COLOR_BYTES * u64::from(width) * u64::from(height);
+        if needed > self.left {
+            let problem = ReadProblem::TooMuchMemory { width, height, needed, limit: self.left };
+            return Err(SceneError::Picture(ReadError { path: path.to_owned(), problem }));
+        }
+        let tints =
+            tinted(map, &table).map_err(|source| SceneError::Ramp { path: path.to_owned(), source })?;
+        if let (RampChoice::File(path), true) = (ramp, table.has_opacity()) {
+            let what = "its opacities are left out: colours by height are opaque";
+            self.remark(path, vec![Remark::new(&omissions::TABLE_OPACITY, what)]);
+        }
+        let tints = Arc::new(tints);
+        self.take_picture(&tints);
+        self.tints.push((ramp.clone(), map.clone(), Arc::clone(&tints)));
+        Ok(tints)
     }
 
     /// Reads the mesh of a file as placed in the file, with its colours if `colors` is true.

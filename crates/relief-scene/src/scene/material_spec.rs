@@ -171,7 +171,7 @@ impl SurfaceSpec {
         selection: &Selection,
     ) -> Result<Material, ValueError> {
         let spec = self.material.clone().unwrap_or_default();
-        let has_color_map = self.color.is_some();
+        let has_color_map = self.color.is_some() || self.ramp.is_some();
         let plain = if has_color_map { Material::under_colours() } else { Material::default() };
         let material = if reads_materials(selection) {
             let own = if has_color_map { Vec3::ONE } else { plain.diffuse() };

@@ -2,7 +2,7 @@
 
 use super::keys::{length, lengths, numbers, parsed, range};
 use super::settings::settings;
-use super::{MaterialSpec, MeshChoice};
+use super::{MaterialSpec, MeshChoice, RampChoice};
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
 use relief_io::{GivenUnits, GreenSign, HeightRange, RawLayout, Up};
@@ -84,6 +84,10 @@ pub struct SurfaceSpec {
     pub creases: Option<bool>,
     /// File of the colour map. Default: none.
     pub color: Option<PathBuf>,
+    /// Colours by height, in place of a colour map: `terrain`, `viridis`, `grey`, or a file for
+    /// [`read_color_table`](relief_io::read_color_table). Default: none.
+    #[serde(deserialize_with = "parsed")]
+    pub ramp: Option<RampChoice>,
     /// File of the tangent-space normal map. Default: none.
     pub normal: Option<PathBuf>,
     /// Direction of the normal map's green: `+y` (default) up in the picture, `-y` down.
@@ -186,6 +190,7 @@ impl SurfaceSpec {
     /// Values that belong to a replaced value are dropped:
     ///
     /// * Another `height` drops `channel`, `depth`, `range`, `nodata`, `unit`, `raw` and `fill`.
+    /// * `color` and `ramp` replace each other.
     /// * Another `normal` drops `green`; another `mesh` drops `project` and `mesh-up`.
     /// * Another method or stage drops its settings; another shadow drops its search.
     /// * Another ambient variant than `environment` drops `transmission` and `ior`; `transmission` drops
@@ -204,6 +209,9 @@ impl SurfaceSpec {
         }
         if over.normal.is_some() {
             self.green = None;
+        }
+        if over.color.is_some() || over.ramp.is_some() {
+            (self.color, self.ramp) = (None, None);
         }
         if over.mesh.is_some() {
             (self.project, self.mesh_up) = (None, None);
@@ -239,6 +247,7 @@ impl SurfaceSpec {
             textures: over.textures.or(self.textures),
             udim: over.udim.or(self.udim),
             color: over.color.or(self.color),
+            ramp: over.ramp.or(self.ramp),
             normal: over.normal.or(self.normal),
             green: over.green.or(self.green),
             roughness: over.roughness.or(self.roughness),
@@ -276,10 +285,15 @@ impl SurfaceSpec {
             Some(MeshChoice::File(path)) => Some(path),
             _ => None,
         };
+        let ramp = match &self.ramp {
+            Some(RampChoice::File(path)) => Some(path),
+            _ => None,
+        };
         [
             self.height.as_ref(),
             self.object.as_ref(),
             self.color.as_ref(),
+            ramp,
             self.textures.as_ref(),
             self.normal.as_ref(),
             self.roughness.as_ref(),
@@ -302,10 +316,15 @@ impl SurfaceSpec {
             Some(MeshChoice::File(path)) => Some(path),
             _ => None,
         };
+        let ramp = match &mut self.ramp {
+            Some(RampChoice::File(path)) => Some(path),
+            _ => None,
+        };
         [
             self.height.as_mut(),
             self.object.as_mut(),
             self.color.as_mut(),
+            ramp,
             self.textures.as_mut(),
             self.normal.as_mut(),
             self.roughness.as_mut(),
@@ -357,6 +376,7 @@ impl SurfaceSpec {
             ("textures", self.textures.is_some()),
             ("udim", self.udim.is_some()),
             ("color", self.color.is_some()),
+            ("ramp", self.ramp.is_some()),
             ("normal", self.normal.is_some()),
             ("green", self.green.is_some()),
             ("roughness", self.roughness.is_some()),

@@ -5,6 +5,7 @@ mod map_size;
 mod materials;
 mod overriding;
 mod proportions;
+mod ramps;
 mod texture_sets;
 
 use super::*;
@@ -134,6 +135,7 @@ fn every_key_is_read() {
     let settings = [("search.steps".to_owned(), 64.0), ("refine.steps".to_owned(), 6.0)];
     let surface = SurfaceSpec {
         object: None,
+        ramp: None,
         height: Some(folder.path().join("maps/a.exr")),
         channel: Some("height".to_owned()),
         depth: Some(true),

@@ -60,6 +60,8 @@ impl SurfaceSpec {
             };
             if is_plain && !of_relief.contains(&texture.role) {
                 left.push((texture, "is not read by the shading"));
+            } else if texture.role == TextureRole::Color && spec.ramp.is_some() {
+                left.push((texture, "is replaced by colours by height"));
             } else if key(&mut spec).is_some() {
                 left.push((texture, "is replaced by a given map"));
             } else {
