@@ -3,7 +3,7 @@
 
 use std::io::ErrorKind;
 
-use relief_io::{ForeignFormat, ReadNote, ReadProblem, omissions};
+use relief_io::{ForeignFormat, ReadNote, ReadProblem, TextureSetError, omissions};
 use relief_render::{Reason, RenderError};
 use relief_scene::SceneError;
 
@@ -129,6 +129,7 @@ pub fn of_scene(error: &SceneError) -> Option<Advice> {
         | SceneError::TooManySurfaces { .. }
         | SceneError::TooMuchToTrace { .. }
         | SceneError::TooMuchForShadowMaps { .. } => Some(Advice::everywhere("use --max-memory")),
+        SceneError::Textures(error) => of_textures(error),
         SceneError::Read(error) => of_read(&error.problem),
         SceneError::Picture(error) => of_picture(&error.problem),
         SceneError::Ramp { .. } => Some(Advice {
@@ -146,6 +147,13 @@ pub fn of_scene(error: &SceneError) -> Option<Advice> {
         }
         _ => None,
     }
+}
+
+/// Returns what lets a folder of textures be read.
+pub fn of_textures(error: &TextureSetError) -> Option<Advice> {
+    let is_of_tiles =
+        matches!(error, TextureSetError::ChooseTile { .. } | TextureSetError::UnknownTile { .. });
+    is_of_tiles.then_some(Advice { flag: "use --udim", key: "use the key udim" })
 }
 
 /// Returns what lets a scene be rendered.

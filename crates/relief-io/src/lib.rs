@@ -18,7 +18,8 @@
 //! Pictures are turned by the orientation in their EXIF metadata or TIFF tag, for all uses.
 //! Exceptions are pictures that a glTF refers to and TIFFs with a georeference.
 //!
-//! [`find_textures`] finds the textures of a material in a folder by their names.
+//! [`find_textures`] finds the textures of a material in a folder by their names. [`ENGINES`] has the
+//! conventions of engines for such textures.
 //!
 //! Writers leave a complete file or none; [`file_set`] does the same for several files at once.
 //!
@@ -56,6 +57,7 @@ mod banding;
 mod color_table;
 mod convention;
 mod elevation;
+mod engine;
 mod error;
 mod examine;
 mod exif;
@@ -104,6 +106,10 @@ pub use color_table::{
 };
 pub use convention::{Detection, Guess, detect, guess_by_name};
 pub use elevation::{CoordinateSystem, Doubt, Elevation, Georeference, GridTransform, UnitOrigin};
+pub use engine::{
+    ENGINES, Engine, EnginePlane, EngineSetting, EngineTexture, HeightUse, PlaneTextures, SettingValue,
+    SurfaceChannel, TextureContent, write_engine_plane,
+};
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
 pub use foreign::ForeignFormat;
 pub use georeference::{GivenUnits, LengthUnit, epsg};
@@ -131,8 +137,10 @@ pub use source::Source;
 pub use text::decode_text;
 pub use texture::{
     LineSink, Metadata, PngTexture, Row, RowSource, read_metadata, write_exr_lines, write_exr_rows,
-    write_png_rows,
+    write_png_colours, write_png_rows,
 };
-pub use texture_set::{FoundTexture, LeftReason, TextureRole, TextureSet, TextureSetError, find_textures};
+pub use texture_set::{
+    FoundTexture, LeftReason, TextureRole, TextureSet, TextureSetError, find_textures, material_name,
+};
 pub use write::{PngColour, write_exr, write_png8, write_png16};
 pub use write_whole::write_atomically;

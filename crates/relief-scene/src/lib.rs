@@ -24,6 +24,7 @@
 
 pub mod background;
 pub mod depth_buffer;
+pub mod engine_material;
 pub mod environment;
 pub mod light;
 pub mod material;

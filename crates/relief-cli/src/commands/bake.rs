@@ -6,6 +6,7 @@
 
 mod early;
 mod files;
+mod for_engine;
 pub mod identity;
 mod outputs;
 mod report;
@@ -29,6 +30,7 @@ use relief_io::file_set::is_same_file;
 use relief_io::read_height_file;
 
 use self::files::{FilesError, Plan};
+use self::for_engine::EngineArguments;
 use self::identity::Identity;
 use self::outputs::{EarlierBakes, Outputs};
 use self::report::BakedKind;
@@ -52,21 +54,29 @@ const BAKING_PART: f32 = 0.9;
 #[command(after_help = short_help(), after_long_help = after_help())]
 pub struct Arguments {
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw; - for standard
-    /// input (its files are named stdin)
+    /// input (its files are named stdin). With --for also a folder of textures
     height: PathBuf,
     /// Kinds of baked maps, as in cone,normal; listed below
-    #[arg(long, value_name = "KIND[,KIND...]", value_delimiter = ',', required = true)]
+    #[arg(
+        long,
+        value_name = "KIND[,KIND...]",
+        value_delimiter = ',',
+        required_unless_present = "engine",
+        conflicts_with = "engine"
+    )]
     kind: Vec<String>,
+    #[command(flatten)]
+    engine: EngineArguments,
     /// Folder for the files, created if missing; or, for a single kind, the file itself, as in
     /// normal.png
     #[arg(short, long, value_name = "DIR|FILE")]
     output: PathBuf,
     /// File format [default: png for normal, occlusion and bent-normal, which other programs read
     /// as pictures; exr for the rest and for --texels float]
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, conflicts_with = "engine")]
     format: Option<FileFormat>,
     /// Setting of a kind, as in cone.bits=8; repeatable
-    #[arg(long, value_name = "KIND.NAME=VALUE", value_parser = setting)]
+    #[arg(long, value_name = "KIND.NAME=VALUE", value_parser = setting, conflicts_with = "engine")]
     set: Vec<(String, f64)>,
     /// Displacement in metres between heights 0 and 1, or with a unit, as in 5cm [default: the
     /// range of a georeferenced elevation model, else 0.05]
@@ -77,13 +87,13 @@ pub struct Arguments {
     #[arg(long, value_name = "U,V", value_parser = units::two_lengths)]
     tile_size: Option<[f64; 2]>,
     /// Storage of values, which are rounded to the side that keeps a map's guarantee
-    #[arg(long, value_enum, default_value = "auto", help_heading = "Storage")]
+    #[arg(long, value_enum, default_value = "auto", conflicts_with = "engine", help_heading = "Storage")]
     texels: TexelChoice,
     /// Compress the levels of KTX2 files with Zstandard
-    #[arg(long, help_heading = "Storage", hide_short_help = true)]
+    #[arg(long, conflicts_with = "engine", help_heading = "Storage", hide_short_help = true)]
     zstd: bool,
     /// Allow block compression of heights, which keeps 8 levels per block: for copies only
-    #[arg(long, help_heading = "Storage", hide_short_help = true)]
+    #[arg(long, conflicts_with = "engine", help_heading = "Storage", hide_short_help = true)]
     lossy_heights: bool,
     /// Bake again even if the files are up to date, and replace files of other programs
     #[arg(long)]
@@ -103,7 +113,8 @@ fn short_help() -> String {
     let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
     format!(
         "Examples:\n  relief bake bricks.png --kind normal -o bricks_normal.png\n  \
-         relief bake bricks.png --kind cone --set cone.bits=8 --format ktx2 -o maps\n\n\
+         relief bake bricks.png --kind cone --set cone.bits=8 --format ktx2 -o maps\n  \
+         relief bake Bricks090 --for unreal -o unreal    # a folder of textures\n\n\
          Kinds: {}; `relief bake --help` describes them and their settings.",
         names.join(", ")
     )
@@ -117,7 +128,8 @@ fn setting(text: &str) -> Result<(String, f64), String> {
 fn after_help() -> String {
     let mut text = String::from(
         "Examples:\n  relief bake bricks.png --kind cone --set cone.bits=8 --format ktx2 -o maps\n  \
-         relief bake dem.tif --fill --wrap clamp --kind normal,horizon -o maps\n\n\
+         relief bake dem.tif --fill --wrap clamp --kind normal,horizon -o maps\n  \
+         relief bake Bricks090 --for unreal -o unreal\n\n\
          Files are named HEIGHT.KIND.FORMAT. Where a kind has several, the texture's name, channels, mip \
          level or slices come before FORMAT. Each file holds its metadata: kind, settings, hash of the \
          source, wrap, tile and scale in metres, channels with ranges and rounding, and the names of all \
@@ -127,9 +139,10 @@ fn after_help() -> String {
          they were changed. Files of other programs are replaced only with --force.\n\n\
          All files take their names at the end; Ctrl-C changes nothing (exit code 1). While it bakes, a \
          hidden folder in DIR takes 4 bytes a value. The next run finishes or removes what a killed run \
-         left.\n\n\
-         Kinds:\n",
+         left.\n\n",
     );
+    text += &for_engine::long_help();
+    text += "\n\nKinds:\n";
     for kind in KINDS {
         text += &format!("  {}: {}\n", kind.name, kind.summary);
         for param in kind.params {
@@ -144,6 +157,10 @@ fn after_help() -> String {
 
 /// Reads, bakes and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(name) = &arguments.engine.name {
+        return for_engine::run(arguments, name);
+    }
+    arguments.refuse_folder()?;
     let kinds = choose(arguments, relief_bake::kind)?;
     let (job, map) = Job::new(arguments, kinds)?;
     // Until here nothing exists that an interrupted program would leave behind.
@@ -197,6 +214,21 @@ impl Arguments {
     /// Returns the file that may be standard input.
     pub fn files(&mut self) -> Files<'_> {
         Files { read: vec![&mut self.height], ..Files::default() }
+    }
+
+    /// Refuses a folder where a height map is needed.
+    fn refuse_folder(&self) -> Result<(), Failure> {
+        let name = self.height.display();
+        if self.height.is_dir() {
+            return Err(Failure::Usage(format!(
+                "{name}: this is a folder: --kind bakes a height map; give its file, or the whole folder an engine \
+                 with --for"
+            )));
+        }
+        if self.engine.udim.is_some() || self.engine.green.is_some() {
+            return Err(Failure::usage("--udim and --green are for folders of textures: add --for"));
+        }
+        Ok(())
     }
 
     /// Returns the format of a kind's files.

@@ -177,8 +177,18 @@ fn inside_out(path: &Path) -> Option<Remark> {
 
 /// Returns notes on a height map's file: how it was read where that was not asked for.
 pub fn of_file(path: &Path, file: &HeightFile, reading: &HeightArguments) -> BTreeSet<Note> {
+    of_file_read_as(path, file, reading, reading.depth)
+}
+
+/// Returns notes like [`of_file`], on a file that was read as depths or as heights.
+pub fn of_file_read_as(
+    path: &Path,
+    file: &HeightFile,
+    reading: &HeightArguments,
+    as_depth: bool,
+) -> BTreeSet<Note> {
     let ground = read_ground(path, &reading.options(None)).ok();
-    let is_depth = reading.depth || ground.as_ref().is_some_and(is_depth);
+    let is_depth = as_depth || ground.as_ref().is_some_and(is_depth);
     let turned = inside_out(path).filter(|_| !is_depth);
     let more = nearly_grey(&file.map).into_iter().chain(turned).chain(of_units(
         ground.as_ref(),

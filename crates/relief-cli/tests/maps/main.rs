@@ -9,6 +9,7 @@ mod bake_files;
 mod cache;
 mod deband;
 mod elevation;
+mod engines;
 mod for_mesh;
 mod from_meshes;
 mod from_view;

@@ -38,6 +38,30 @@ pub fn write_png_rows(
     metadata: &Metadata,
     rows: &mut RowSource<'_>,
 ) -> Result<(), WriteError> {
+    write_rows_of(path, texture, metadata, false, rows)
+}
+
+/// Writes a PNG like [`write_png_rows`], and marks its colours as sRGB. `rows` returns them in sRGB.
+///
+/// # Errors
+///
+/// See [`write_png_rows`].
+pub fn write_png_colours(
+    path: &Path,
+    texture: &PngTexture,
+    metadata: &Metadata,
+    rows: &mut RowSource<'_>,
+) -> Result<(), WriteError> {
+    write_rows_of(path, texture, metadata, true, rows)
+}
+
+fn write_rows_of(
+    path: &Path,
+    texture: &PngTexture,
+    metadata: &Metadata,
+    is_srgb: bool,
+    rows: &mut RowSource<'_>,
+) -> Result<(), WriteError> {
     write_file(path, |out| {
         HeightMap::check_size(texture.width, texture.height)
             .map_err(|error| WriteProblem::NotStorable(error.to_string()))?;
@@ -53,7 +77,7 @@ pub fn write_png_rows(
             16 => BitDepth::Sixteen,
             other => return Err(not_storable(format!("a PNG texture has 8 or 16 bit, not {other}"))),
         };
-        write_png(out, [texture.width, texture.height], colour, depth, false, metadata, |mut stream| {
+        write_png(out, [texture.width, texture.height], colour, depth, is_srgb, metadata, |mut stream| {
             write_rows(texture, rows, &mut stream)
         })
     })

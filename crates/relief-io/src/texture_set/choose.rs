@@ -77,7 +77,8 @@ pub fn choose(mut files: Vec<Candidate>, left: &mut Vec<(PathBuf, LeftReason)>) 
         while let Some(other) = files.next_if(|file| file.role() == best.role()) {
             others.push(other);
         }
-        let rival = others.iter().find(|other| best.role() == TextureRole::Height && best.rivals(other));
+        let is_relief = matches!(best.role(), TextureRole::Height | TextureRole::Depth);
+        let rival = others.iter().find(|other| is_relief && best.rivals(other));
         if let Some(rival) = rival {
             left.push((best.path.clone(), LeftReason::EquallyGood(rival.path.clone())));
         }
@@ -112,12 +113,13 @@ const PACKED: [TextureRole; 3] = [TextureRole::Orm, TextureRole::MaskMap, Textur
 
 /// Leaves textures all of whose values other textures give. Maps of one role go before packed ones.
 fn leave_given(mut textures: Vec<FoundTexture>, left: &mut Vec<(PathBuf, LeftReason)>) -> Vec<FoundTexture> {
-    let order = [TextureRole::Glossiness].into_iter().chain(PACKED);
+    let order = [TextureRole::Depth, TextureRole::Glossiness].into_iter().chain(PACKED);
     // Packed maps that were judged and stay.
     let mut kept: Vec<TextureRole> = Vec::new();
     for role in order {
         let Some(at) = textures.iter().position(|texture| texture.role == role) else { continue };
         let needed: &[(usize, TextureRole)] = match role {
+            TextureRole::Depth => &[(0, TextureRole::Height)],
             TextureRole::Glossiness => &[(0, TextureRole::Roughness)],
             packed => packed.channels(),
         };
@@ -144,8 +146,12 @@ fn leave_given(mut textures: Vec<FoundTexture>, left: &mut Vec<(PathBuf, LeftRea
     textures
 }
 
-/// Whether two roles have the same meaning. Roughness is glossiness, inverted.
+/// Whether two roles have the same meaning. Roughness is glossiness, and height depth, inverted.
 fn is_same(one: TextureRole, other: TextureRole) -> bool {
-    let plain = |role| if role == TextureRole::Glossiness { TextureRole::Roughness } else { role };
+    let plain = |role| match role {
+        TextureRole::Glossiness => TextureRole::Roughness,
+        TextureRole::Depth => TextureRole::Height,
+        role => role,
+    };
     plain(one) == plain(other)
 }

@@ -107,13 +107,14 @@ impl TextureSet {
         })
     }
 
-    /// Returns the height map.
+    /// Returns the height map, or the depth map of a set without one.
     ///
     /// # Errors
     ///
     /// When the set has no height map, or several that are equally good.
     pub fn height(&self) -> Result<&FoundTexture, TextureSetError> {
-        if let Some(texture) = self.texture(TextureRole::Height) {
+        let of_depth = || self.texture(TextureRole::Depth);
+        if let Some(texture) = self.texture(TextureRole::Height).or_else(of_depth) {
             return Ok(texture);
         }
         let rivals = self.left.iter().filter(|(_, reason)| matches!(reason, LeftReason::EquallyGood(_)));
@@ -186,6 +187,26 @@ pub fn find_textures(folder: &Path, udim: Option<u32>) -> Result<TextureSet, Tex
     let textures = choose(files, &mut left);
     left.sort_by(|(one, _), (other, _)| one.cmp(other));
     Ok(TextureSet { name, textures, left })
+}
+
+/// Returns the name of a material that a file belongs to: its name without the ending that tells what
+/// the texture holds, as in `wall` of `wall_height.png`. The whole name where that is all.
+///
+/// # Examples
+///
+/// ```
+/// use std::path::Path;
+///
+/// use relief_io::material_name;
+///
+/// assert_eq!(material_name(Path::new("maps/Bricks090_2K-PNG_Displacement.png")), "Bricks090");
+/// assert_eq!(material_name(Path::new("rock023.png")), "rock023");
+/// assert_eq!(material_name(Path::new("height.png")), "height");
+/// ```
+pub fn material_name(path: &Path) -> String {
+    let name = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy();
+    let stem = FileName::read(&name).map(|read| read.stem).filter(|stem| !stem.is_empty());
+    stem.unwrap_or_else(|| name.into_owned())
 }
 
 /// Returns the entries of a folder that are neither folders nor hidden, in the order of their names.

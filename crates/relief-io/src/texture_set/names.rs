@@ -10,6 +10,7 @@
 //! - Unity: the output names of Painter for Unity's pipelines; *Mask and detail maps* of HDRP.
 //! - Blender: the words of its add-on Node Wrangler.
 //! - Poliigon: *Texture maps explained*, of its help pages.
+//! - Bevy: the field `depth_map` of its `StandardMaterial`.
 
 use super::TextureRole;
 use super::TextureRole::*;
@@ -26,6 +27,7 @@ enum Scheme {
     Blender,
     Poliigon,
     FreePbr,
+    Bevy,
     German,
     Common,
 }
@@ -118,6 +120,7 @@ const ROWS: &[Row] = &[
     row("hoehe", Height, &[German]),
     row("hoehenkarte", Height, &[German]),
     row("verschiebung", Height, &[German]),
+    row("depthmap", Depth, &[Bevy]).at(Place::End),
     row("normal", Normal, &[Substance, Unity, Blender, Poliigon]),
     row("normals", Normal, &[Common]),
     row("normalmap", Normal, &[Common]),

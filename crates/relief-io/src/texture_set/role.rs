@@ -9,6 +9,8 @@ pub enum TextureRole {
     Color,
     /// Height, also called displacement.
     Height,
+    /// Depth below the surface: 1 is deepest.
+    Depth,
     /// Normals in tangent space.
     Normal,
     /// Roughness: 0 is smooth.
@@ -40,6 +42,7 @@ impl TextureRole {
         match self {
             Self::Color => "colour",
             Self::Height => "height",
+            Self::Depth => "depth",
             Self::Normal => "normals",
             Self::Roughness => "roughness",
             Self::Glossiness => "glossiness",

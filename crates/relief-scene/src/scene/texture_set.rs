@@ -53,7 +53,8 @@ impl SurfaceSpec {
             set.height()?;
         }
         for texture in &set.textures {
-            let of_relief = [TextureRole::Color, TextureRole::Height, TextureRole::Normal];
+            let of_relief =
+                [TextureRole::Color, TextureRole::Height, TextureRole::Depth, TextureRole::Normal];
             let Some(key) = key_of(texture.role) else {
                 left.push((texture, "is not read"));
                 continue;
@@ -67,8 +68,10 @@ impl SurfaceSpec {
             } else {
                 *key(&mut spec) = Some(texture.path.clone());
                 taken.push(texture);
-                if texture.role == TextureRole::Normal {
-                    spec.green = spec.green.or(texture.green);
+                match texture.role {
+                    TextureRole::Normal => spec.green = spec.green.or(texture.green),
+                    TextureRole::Depth => spec.depth = spec.depth.or(Some(true)),
+                    _ => {}
                 }
             }
         }
@@ -87,7 +90,7 @@ type FileKey = fn(&mut SurfaceSpec) -> &mut Option<PathBuf>;
 fn key_of(role: TextureRole) -> Option<FileKey> {
     let key: FileKey = match role {
         TextureRole::Color => |spec| &mut spec.color,
-        TextureRole::Height => |spec| &mut spec.height,
+        TextureRole::Height | TextureRole::Depth => |spec| &mut spec.height,
         TextureRole::Normal => |spec| &mut spec.normal,
         TextureRole::Roughness => |spec| &mut spec.roughness,
         TextureRole::Glossiness => |spec| &mut spec.glossiness,

@@ -10,7 +10,7 @@ use relief_io::read_metadata;
 use super::storage::{Packing, Storage};
 
 /// Metadata entry with the hash that identifies a bake.
-const KEY: &str = "relief.key";
+pub const KEY: &str = "relief.key";
 
 /// Metadata entry with the names of a bake's files, as a JSON list.
 const FILES: &str = "relief.files";

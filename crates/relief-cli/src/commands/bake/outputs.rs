@@ -50,6 +50,12 @@ impl<'a> EarlierBakes<'a> {
         &self.name
     }
 
+    /// Whether an earlier bake wrote files of a part that are still there.
+    pub fn has_part(&self, part: &str) -> bool {
+        let files = self.manifest.part(part).into_iter().flat_map(|part| &part.files);
+        files.into_iter().any(|file| self.folder.join(&file.name).exists())
+    }
+
     /// Returns the names of a part's files, if they were made from `made_from` and are all
     /// unchanged.
     pub fn whole(&self, part: &str, made_from: &str) -> Option<Vec<String>> {
