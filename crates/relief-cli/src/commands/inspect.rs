@@ -1,6 +1,7 @@
 //! `relief inspect`: reports the contents of a height map or a mesh.
 
 mod mesh;
+mod textures;
 
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -28,9 +29,11 @@ use crate::{say, values};
 #[derive(Args)]
 #[command(after_help = "Examples:\n  relief inspect dem.tif\n  \
     relief inspect rock.png --normal rock_normal.png    # height or depth, +y or -y\n  \
-    relief inspect tree.obj --json")]
+    relief inspect tree.obj --json\n  \
+    relief inspect Bricks090    # a folder of textures")]
 pub struct Arguments {
-    /// Height map, or mesh by its ending (.gltf, .glb, .obj, .ply, .stl); - for standard input
+    /// Height map, mesh by its ending (.gltf, .glb, .obj, .ply, .stl), or folder of textures; - for
+    /// standard input
     file: PathBuf,
     /// Normal map of the height map. How the two fit tells height from depth and +y from -y
     #[arg(long, value_name = "FILE")]
@@ -42,6 +45,10 @@ pub struct Arguments {
     /// files of `relief mesh` state it]
     #[arg(long, value_name = "y|z")]
     mesh_up: Option<Up>,
+    /// For a folder of textures, UDIM tile whose textures are listed, as in 1001 [default: the only
+    /// one]
+    #[arg(long, value_name = "N")]
+    udim: Option<u32>,
     /// Print the result as one JSON object
     #[arg(long)]
     pub json: bool,
@@ -70,11 +77,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.mesh_up.is_some() {
         return Err(Failure::usage("--mesh-up is for meshes: leave it out"));
     }
+    let is_textures = arguments.file.is_dir() && FileKind::of(&arguments.file)? == FileKind::Textures;
+    if is_textures {
+        return textures::run(arguments);
+    }
+    if arguments.udim.is_some() {
+        return Err(Failure::usage("--udim is for folders of textures: leave it out"));
+    }
     let is_description = || arguments.file.extension().is_some_and(|ending| ending == "toml");
     if arguments.file.is_dir() || (arguments.reading.raw.is_none() && is_description()) {
         let what = match FileKind::of(&arguments.file)? {
             FileKind::Object => "a depth object",
-            FileKind::Textures => "a folder of textures",
             _ => "a scene file",
         };
         let name = arguments.file.display();

@@ -11,7 +11,8 @@ use crate::values;
 #[derive(Args)]
 pub struct MaterialArguments {
     /// Folder of a material's maps, recognised by their names, as ambientCG, Poly Haven, Substance,
-    /// Unreal and Unity give them. Flags that name a map replace one of them [default: none]
+    /// Unreal and Unity give them. Flags that name a map replace one of them; the name none drops it,
+    /// as in --normal none [default: none]
     #[arg(long, value_name = "FOLDER", help_heading = "Maps and mesh")]
     textures: Option<PathBuf>,
     /// UDIM tile whose maps are taken from the folder, as in 1001 [default: the only one]

@@ -154,3 +154,48 @@ fn scenes_and_objects_are_named() {
         assert!(ran.code == Some(1) && has_all && !ran.stderr.contains("--raw"), "{}", ran.stderr);
     }
 }
+
+#[test]
+fn folders_of_textures_are_listed() {
+    let folder = Folder::new();
+    let orm = DynamicImage::ImageRgb8(RgbImage::new(8, 4));
+    folder.write("wall/wall_Height.png", Map::hills().png());
+    folder.write("wall/wall_NormalDX.png", encoded(&orm, ImageFormat::Png));
+    folder.write("wall/wall_ARM.png", encoded(&orm, ImageFormat::Png));
+    folder.write("wall/wall_Bump.png", Map::hills().png());
+    folder.write("wall/readme.txt", "");
+    let about = inspect(&folder, "wall");
+    assert_eq!(about["name"], "wall");
+    let textures = about["textures"].as_array().expect("a list");
+    let of = |file: &str| textures.iter().find(|texture| texture["file"] == file).expect("it is found");
+    assert_eq!(textures.len(), 3);
+    assert_eq!((&of("wall_Height.png")["width"], &of("wall_Height.png")["height"]), (&json!(16), &json!(12)));
+    assert_eq!(
+        (&of("wall_NormalDX.png")["green"], &of("wall_NormalDX.png")["role"]),
+        (&json!("-y"), &json!("normals"))
+    );
+    assert_eq!(of("wall_ARM.png")["channels"][1], json!({ "channel": "green", "role": "roughness" }));
+    let left = about["left"].as_array().expect("a list");
+    assert_eq!(left.len(), 2);
+    assert_eq!(left[1]["reason"], "wall_Height.png was taken for its role");
+
+    let text = folder.relief("inspect wall").fine().stdout;
+    for part in
+        ["3 textures of the material wall", "height, PNG, 16x12", "blue: metalness", "readme.txt (is not"]
+    {
+        assert!(text.contains(part), "'{part}' is missing:\n{text}");
+    }
+    folder.write("two/a_Height.1001.png", Map::hills().png());
+    folder.write("two/a_Height.1002.png", Map::hills().png());
+    folder.write("bad/a_Color.png", "no picture");
+    for (line, code, part) in [
+        ("two", 1, "use --udim"),
+        ("bad", 1, "a_Color.png"),
+        ("wall --normal wall/wall_NormalDX.png", 2, "--normal is for height maps"),
+        ("wall/wall_Height.png --udim 1001", 2, "--udim is for folders"),
+    ] {
+        let ran = folder.relief(&format!("inspect {line}"));
+        assert!(ran.code == Some(code) && ran.stderr.contains(part), "{line}: {}", ran.stderr);
+    }
+    assert_eq!(inspect(&folder, "two --udim 1002")["textures"][0]["udim"], 1002);
+}

@@ -136,8 +136,9 @@ impl SceneSpec {
             several: self.surfaces.len() > 1,
             size: self.pixels().unwrap_or(if self.is_of_map_size() { LARGE_SIZE } else { DEFAULT_SIZE }),
         };
-        self.each_surface().into_iter().enumerate().map(move |(number, surface)| {
+        self.each_surface().into_iter().enumerate().map(move |(number, mut surface)| {
             let number = several.then_some(number);
+            surface.drop_maps();
             let parts = surface
                 .parts(self.samples.unwrap_or(DEFAULT_SAMPLES), &context)
                 .map_err(|error| error.of_surface(number))?;

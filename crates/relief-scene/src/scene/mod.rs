@@ -49,6 +49,7 @@ pub use spec::{LightSpec, SceneSpec};
 pub use surface::Surface;
 pub use surface_colors::{DrawnMaterial, SurfaceColors};
 pub use surface_spec::SurfaceSpec;
+pub use texture_set::NO_MAP;
 pub use view::View;
 
 use crate::background::Background;

@@ -2,6 +2,7 @@
 
 use super::keys::{length, lengths, numbers, parsed, range};
 use super::settings::settings;
+use super::texture_set::is_no_map;
 use super::{MaterialSpec, MeshChoice, RampChoice};
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
@@ -23,7 +24,8 @@ pub struct SurfaceSpec {
     /// File of the height map. Required, unless `object` or the file of a mesh is given.
     pub height: Option<PathBuf>,
     /// Folder of textures: the maps of a material, recognised by their names (see
-    /// [`find_textures`](relief_io::find_textures)). Maps that are given go before them.
+    /// [`find_textures`](relief_io::find_textures)). Maps that are given go before them. A map of
+    /// colour, normals or material that is given as [`NO_MAP`](crate::NO_MAP), `none`, is dropped.
     pub textures: Option<PathBuf>,
     /// Number of the UDIM tile whose textures are taken, from 1001 on. Needed if the folder has several.
     pub udim: Option<u32>,
@@ -308,6 +310,7 @@ impl SurfaceSpec {
         ]
         .into_iter()
         .flatten()
+        .filter(|file| !is_no_map(file))
     }
 
     /// Returns the paths of all files for changing them.
@@ -339,6 +342,7 @@ impl SurfaceSpec {
         ]
         .into_iter()
         .flatten()
+        .filter(|file| !is_no_map(file))
     }
 
     /// Drops everything about the relief. Placement, material, shadow and ambient light stay.

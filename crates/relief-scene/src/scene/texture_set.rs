@@ -41,14 +41,15 @@ impl SceneSpec {
 impl SurfaceSpec {
     /// Returns the description with the files of its texture set as maps.
     fn with_texture_set(&self, notes: &mut Vec<ReadNote>) -> Result<Self, SceneError> {
-        let Some(folder) = &self.textures else { return Ok(self.clone()) };
-        let set = find_textures(folder, self.udim)?;
         let mut spec = self.clone();
+        let dropped = spec.drop_maps();
+        let Some(folder) = &self.textures else { return Ok(spec) };
+        let set = find_textures(folder, self.udim)?;
         let mut taken = Vec::new();
         let mut left = Vec::new();
         // Blinn-Phong reads no map of a material.
-        let is_plain = self.stages.get(STAGES[SHADE].key).is_some_and(|name| name != metallic_roughness())
-            || self.shading_model()? == Some(ShadingModel::BlinnPhong);
+        let is_plain = spec.stages.get(STAGES[SHADE].key).is_some_and(|name| name != metallic_roughness())
+            || spec.shading_model()? == Some(ShadingModel::BlinnPhong);
         if spec.height.is_none() && !spec.is_mesh_alone() {
             set.height()?;
         }
@@ -63,6 +64,8 @@ impl SurfaceSpec {
                 left.push((texture, "is not read by the shading"));
             } else if texture.role == TextureRole::Color && spec.ramp.is_some() {
                 left.push((texture, "is replaced by colours by height"));
+            } else if dropped.contains(&texture.role) {
+                left.push((texture, "is dropped"));
             } else if key(&mut spec).is_some() {
                 left.push((texture, "is replaced by a given map"));
             } else {
@@ -82,6 +85,38 @@ impl SurfaceSpec {
         Ok(spec)
     }
 }
+
+impl SurfaceSpec {
+    /// Removes the maps that are given as [`NO_MAP`], and returns their roles.
+    pub(super) fn drop_maps(&mut self) -> Vec<TextureRole> {
+        let is_dropped = |role: &TextureRole| {
+            key_of(*role).is_some_and(|key| key(self).take_if(|file| is_no_map(file)).is_some())
+        };
+        DROPPED.into_iter().filter(is_dropped).collect()
+    }
+}
+
+/// Name in place of a map's file: the surface has no such map, even if a folder of textures has one.
+pub const NO_MAP: &str = "none";
+
+/// Returns whether a map's file stands for no map.
+pub(super) fn is_no_map(file: &Path) -> bool {
+    file == Path::new(NO_MAP)
+}
+
+/// Roles of maps that can be dropped: all but heights, which a surface needs.
+const DROPPED: [TextureRole; 10] = [
+    TextureRole::Color,
+    TextureRole::Normal,
+    TextureRole::Roughness,
+    TextureRole::Glossiness,
+    TextureRole::Metallic,
+    TextureRole::Occlusion,
+    TextureRole::Emission,
+    TextureRole::Orm,
+    TextureRole::MetallicSmoothness,
+    TextureRole::MaskMap,
+];
 
 /// A key of a surface that names a file.
 type FileKey = fn(&mut SurfaceSpec) -> &mut Option<PathBuf>;

@@ -83,3 +83,22 @@ fn unclear_folders_are_refused() {
     let scene = loaded(&["Wall_Height.1001.pgm", "Wall_Height.1002.pgm"], "udim = 1002").expect("a scene");
     assert_eq!(scene.surfaces()[0].height_map().texels(), [20.0 / 255.0]);
 }
+
+#[test]
+fn a_map_of_a_set_can_be_dropped() {
+    let names = ["Wall_Height.pgm", "Wall_Color.pgm", "Wall_Roughness.pgm", "Wall_Metallic.pgm"];
+    let scene = loaded(&names, "color = 'none'\nroughness = 'none'").expect("a scene");
+    let surface = &scene.surfaces()[0];
+    assert!(surface.color().is_none());
+    assert_eq!(surface.material_maps().expect("maps").texels()[0][..3], [1.0, 1.0, 40.0 / 255.0]);
+    let left = &scene.notes()[1].remark.text;
+    assert!(
+        left.contains("Wall_Color.pgm (colour is dropped), Wall_Roughness.pgm (roughness is dropped)"),
+        "{left}"
+    );
+    // Without maps of a material the shading is free.
+    let text = "roughness = 'none'\nmetallic = 'none'\nshade = 'blinn-phong'";
+    assert!(loaded(&names, text).expect("a scene").surfaces()[0].material_maps().is_none());
+    // A height map is needed.
+    assert!(matches!(loaded(&names, "height = 'none'"), Err(SceneError::Read(_))));
+}
