@@ -228,7 +228,7 @@ fn files_that_cannot_be_used_are_refused_with_their_name() {
         ("map.png --channel q", "'q'"),
         ("map.png --normal map.png", "normal"),
         ("map.png --max-memory 100", "map.png"),
-        (".", "folder"),
+        ("folder.png", "folder of textures"),
     ] {
         assert_refused(&folder, &folder.relief(&format!("inspect {line}")), 1, &[word]);
     }
