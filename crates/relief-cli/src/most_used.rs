@@ -9,7 +9,7 @@ const MOST_USED: [(&str, &[&str]); 6] = [
         "mesh",
         &["output", "error", "triangles", "texels", "mesh", "scale", "print_size", "solid", "tiles", "view"],
     ),
-    ("bake", &["kind", "output", "format", "set", "texels", "scale", "tile_size", "wrap", "fill", "force"]),
+    ("bake", &["kind", "engine", "output", "format", "set", "scale", "tile_size", "wrap", "fill", "force"]),
     (
         "capture",
         &["output", "views", "grid", "size", "cover", "bits", "color", "verify", "json", "max_memory"],
