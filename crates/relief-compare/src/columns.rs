@@ -187,9 +187,12 @@ pub static COLUMNS: &[Column] = &[
     figure("rays", "rays", "number of rays that were compared", 0, |row| {
         error(row, |error| error.rays as f64)
     }),
-    share("passed", "passed %", "share of rays that passed the true hit: missed or late", |row| {
-        error(row, |error| error.passed)
-    }),
+    share(
+        "passed",
+        "went through %",
+        "share of rays that went through the true hit: missed or late",
+        |row| error(row, |error| error.passed),
+    ),
     share("missed", "missed %", "share of rays that should hit, but were reported as misses", |row| {
         error(row, |error| error.missed)
     }),

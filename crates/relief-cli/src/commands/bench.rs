@@ -7,7 +7,7 @@ use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
 use relief_compare::{Comparison, MachineRecord, PictureRecord, Records, Timing};
 
-use super::method_set::{MethodSetArguments, as_json, compared, of_comparison};
+use super::method_set::{MethodSetArguments, Unnamed, as_json, compared, of_comparison};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::streams::{Files, answer};
@@ -60,7 +60,7 @@ impl Arguments {
     }
 
     fn comparison(&self) -> Result<Comparison, Failure> {
-        let mut comparison = self.method_set.method_set()?.comparison(self.json)?;
+        let mut comparison = self.method_set.method_set(Unnamed::All)?.comparison(self.json)?;
         (comparison.rays, comparison.flicker_samples) = (0, None);
         comparison.timing = Some(Timing { frames: self.frames, warm: self.warm, pixels: 1 });
         comparison.check().map_err(of_comparison)?;

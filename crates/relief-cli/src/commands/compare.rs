@@ -10,7 +10,9 @@ use relief_compare::{Compared, Comparison, Goal, Ranking, Timing, choose, csv, p
 use relief_core::MapFormat;
 use relief_scene::Look;
 
-use super::method_set::{MethodSet, MethodSetArguments, as_json, compared, look_again, of_comparison};
+use super::method_set::{
+    MethodSet, MethodSetArguments, Unnamed, as_json, compared, look_again, of_comparison,
+};
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::streams::{Files, answer};
@@ -19,7 +21,8 @@ use crate::{interrupt, units, values};
 /// Arguments of `relief compare`. Flags override the scene file.
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  relief compare                    # all methods on the sample cobbles\n  \
+    after_help = "Examples:\n  relief compare                    # eight methods on the sample cobbles\n  \
+    relief compare --methods all -o all.html\n  \
     relief compare --height wall.png --scales 2cm,10cm -o wall.html\n  \
     relief compare --methods relief,occlusion --steps 8,16,32,64 --csv steps.csv\n  \
     relief compare --methods cone,linear+true-secant --angles 60,85 --rays 100000\n  \
@@ -137,8 +140,8 @@ pub struct Arguments {
         help_heading = "What is chosen"
     )]
     max_error: Option<f64>,
-    /// A tenth of the rays, smaller pictures, no flicker and no times: takes a minute instead of
-    /// several
+    /// A tenth of the rays, smaller pictures, no flicker and no times: takes seconds instead of
+    /// minutes
     #[arg(long, help_heading = "What is tried")]
     quick: bool,
 
@@ -159,7 +162,9 @@ const CHOOSING_FRAMES: u32 = 7;
 /// Compares the methods and writes the page.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let cancel = interrupt::catch()?;
-    let mut method_set = arguments.method_set.method_set()?;
+    // The best of all is looked for among all.
+    let unnamed = if arguments.goal().is_some() { Unnamed::All } else { Unnamed::Usual };
+    let mut method_set = arguments.method_set.method_set(unnamed)?;
     let files = arguments.outputs(&method_set)?;
     let comparison = arguments.comparison(&mut method_set)?;
     let written: Vec<&Path> = files.iter().map(PathBuf::as_path).collect();

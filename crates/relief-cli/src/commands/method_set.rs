@@ -27,14 +27,12 @@ use crate::{advice, interrupt, lanes, say};
 /// Flags for the methods that are tried, the machines and the scene.
 #[derive(Args)]
 pub struct MethodSetArguments {
-    /// Methods, or pairs of a search and a refinement as linear+binary. all: every method but
-    /// slices, which take minutes; name them, or give --geometry slices
     #[arg(
         long,
         value_name = "A,B",
         value_delimiter = ',',
-        default_value = "all",
-        help_heading = "What is tried"
+        help_heading = "What is tried",
+        help = methods_help(),
     )]
     methods: Vec<String>,
     /// Backends: cpu, gpu (also a software adapter) or both [default: cpu, and gpu if there is one]
@@ -53,6 +51,25 @@ pub struct MethodSetArguments {
     pub scene: SceneArguments,
 }
 
+fn methods_help() -> String {
+    let usual: Vec<String> = Contender::usual().into_iter().map(|contender| contender.name).collect();
+    format!(
+        "Methods, or pairs of a search and a refinement as linear+binary. all: every method but slices, which \
+         take minutes; name them, or give --geometry slices [default: {}; all with a --geometry, a goal, or \
+         `relief bench`]",
+        usual.join(", ")
+    )
+}
+
+/// Methods that are tried where neither methods nor geometries are named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unnamed {
+    /// All but slices.
+    All,
+    /// One of each family.
+    Usual,
+}
+
 /// Methods that are tried on a scene. All files are named; all are read but the maps.
 pub struct MethodSet {
     /// Scene. Its surfaces have no method of their own.
@@ -68,8 +85,8 @@ pub struct MethodSet {
 }
 
 impl MethodSetArguments {
-    /// Returns what is tried.
-    pub fn method_set(&self) -> Result<MethodSet, Failure> {
+    /// Returns what is tried: `unnamed` where nothing is named.
+    pub fn method_set(&self, unnamed: Unnamed) -> Result<MethodSet, Failure> {
         let mut spec = self.scene.spec()?;
         // Pictures that are measured do not follow the default look.
         spec.look.get_or_insert(Look::Plain);
@@ -80,6 +97,9 @@ impl MethodSetArguments {
                 file.display()
             )));
         }
+        let names_geometry =
+            spec.each_surface().iter().any(|surface| surface.stages.contains_key(STAGES[GEOMETRY].key));
+        let unnamed = if names_geometry { Unnamed::All } else { unnamed };
         let families = self.families(&spec)?;
         let shadows = shadows(&mut spec)?;
         let settings = settings(&mut spec, &[GEOMETRY, SLICES, SEARCH, REFINE]);
@@ -90,7 +110,7 @@ impl MethodSetArguments {
             surface.stages.entry(STAGES[DETAIL].key.to_owned()).or_insert_with(|| finest.to_owned());
             surface.method = None;
         }
-        let contenders = self.contenders(&families, &settings)?;
+        let contenders = self.contenders(&families, &settings, unnamed)?;
         let sample = sample(&mut spec)?;
         Ok(MethodSet { spec, contenders, shadows, machines: self.machines()?, _sample: sample })
     }
@@ -111,7 +131,7 @@ impl MethodSetArguments {
         let entries = STAGES[GEOMETRY].entries;
         let known = || entries.iter().map(|entry| entry.name);
         let Some(text) = surfaces.iter().find_map(|surface| surface.stages.get(STAGES[GEOMETRY].key)) else {
-            let are_named = !self.methods.iter().any(|name| name == "all");
+            let are_named = !(self.methods.is_empty() || self.names_all());
             let is_quick = |entry: &&Entry| are_named || entry.geometry().family != Family::Slices;
             return Ok(entries.iter().filter(is_quick).map(|entry| entry.name.to_owned()).collect());
         };
@@ -127,13 +147,26 @@ impl MethodSetArguments {
         text.split(',').map(of).collect()
     }
 
+    fn names_all(&self) -> bool {
+        self.methods.iter().any(|name| name == "all")
+    }
+
     /// Returns the methods, each with its settings.
-    fn contenders(&self, families: &[String], settings: &[(String, f64)]) -> Result<Vec<Contender>, Failure> {
-        let mut contenders = if self.methods.iter().any(|name| name == "all") {
-            Contender::all()
-        } else {
-            let named = self.methods.iter().map(|name| Contender::named(name));
-            named.collect::<Result<_, _>>().map_err(|error| Failure::Usage(format!("--methods: {error}")))?
+    fn contenders(
+        &self,
+        families: &[String],
+        settings: &[(String, f64)],
+        unnamed: Unnamed,
+    ) -> Result<Vec<Contender>, Failure> {
+        let mut contenders = match (self.methods.is_empty(), unnamed) {
+            (true, Unnamed::Usual) => Contender::usual(),
+            (true, Unnamed::All) => Contender::all(),
+            (false, _) if self.names_all() => Contender::all(),
+            (false, _) => {
+                let named = self.methods.iter().map(|name| Contender::named(name));
+                let named: Result<_, _> = named.collect();
+                named.map_err(|error| Failure::Usage(format!("--methods: {error}")))?
+            }
         };
         contenders.retain(|contender| {
             let geometry = contender.selection.choices[GEOMETRY].entry.name;
@@ -142,7 +175,8 @@ impl MethodSetArguments {
         for (key, value) in settings {
             if !contenders.iter().any(|contender| contender.has(key)) {
                 return Err(Failure::Usage(format!(
-                    "--set {key}: none of the methods has this setting: see `relief methods`"
+                    "--set {key}: none of the methods has this setting: `relief methods` says which have it, \
+                     for --methods"
                 )));
             }
             for contender in contenders.iter_mut().filter(|contender| contender.has(key)) {

@@ -31,6 +31,12 @@ fn a_page_and_the_same_figures_for_programs_are_written() {
     assert_eq!(read("all.csv").lines().count(), 11);
     let page = read("page.html");
     assert!(page.starts_with("<!DOCTYPE html>") && page.contains("linear+true-secant"));
+    // Names stand on pictures, methods have a sentence, and differences a legend.
+    assert!(page.contains(r#"<span class="name">vertex</span>"#));
+    assert!(page.contains("Relief mapping: linear, then binary search.") && page.contains("Search: "));
+    assert!(page.contains("FLIP difference from the reference") && page.contains("1: the greatest"));
+    assert!(page.contains("went through") && !page.contains("passed %"));
+    assert!(ran.stdout.contains("went through %"), "{}", ran.stdout);
     assert!(
         records["about"]["command"].as_str().is_some_and(|command| command.contains("--records all.json"))
     );
@@ -46,6 +52,23 @@ fn without_a_map_the_sample_is_compared_and_the_page_has_a_name() {
     let answer = json_of(&folder.relief(&format!("compare --methods bump {SMALL} --json")).fine());
     assert_eq!((&answer["about"]["map"], &answer["about"]["map_size"][0]), (&"cobbles".into(), &256.into()));
     assert!(folder.path("comparison.html").is_file());
+}
+
+#[test]
+fn eight_methods_are_compared_unless_others_are_named() {
+    let folder = folder();
+    let methods = |flags: &str| {
+        let line = format!("compare --height map.png {flags} {SMALL} --scales 0.1 -o page.html --json");
+        let answer = json_of(&folder.relief(&line));
+        let pictures = answer["pictures"].as_array().expect("records").clone();
+        pictures
+            .iter()
+            .map(|record| record["method"].as_str().expect("a name").to_owned())
+            .collect::<Vec<_>>()
+    };
+    let usual = ["bump", "parallax", "relief", "occlusion", "exact", "cone", "quadtree", "vertex"];
+    assert_eq!(methods(""), usual);
+    assert!(methods("--methods all").len() > 20 && methods("--geometry ray").len() > 20);
 }
 
 #[test]

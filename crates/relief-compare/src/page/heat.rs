@@ -1,32 +1,36 @@
-//! Colours of differences.
+//! Colours of differences, and their legend.
 
-/// Colours from no difference to the greatest, at equal distances. They get lighter throughout, so
-/// that they can be read without colour vision.
-const RAMP: [[u8; 3]; 9] = [
-    [0, 0, 4],
-    [28, 16, 68],
-    [79, 18, 123],
-    [129, 37, 129],
-    [181, 54, 122],
-    [229, 80, 100],
-    [251, 135, 97],
-    [254, 194, 135],
-    [252, 253, 191],
-];
+use maud::{Markup, html};
+use relief_render::false_color::Palette;
 
-/// Returns the colour of a difference from 0 to 1, in steps of a 64th: few colours make small
-/// files.
+/// Palette of differences: FLIP's authors show them by it.
+const PALETTE: Palette = Palette::Magma;
+
+/// Number of steps between no difference and the greatest one: few colours make small files.
+const STEPS: u32 = 64;
+
+/// Returns the colour of a difference from 0 to 1, in steps of a 64th.
 pub fn heat(difference: f32) -> [u8; 3] {
-    // NaN is not above 0.
-    let difference = if difference > 0.0 { difference.min(1.0) } else { 0.0 };
-    let stepped = (difference * 64.0).round() / 64.0;
-    let place = stepped * (RAMP.len() - 1) as f32;
-    let first = (place as usize).min(RAMP.len() - 2);
-    let part = place - first as f32;
-    [0, 1, 2].map(|channel| {
-        let [a, b] = [first, first + 1].map(|at| f32::from(RAMP[at][channel]));
-        (a + (b - a) * part).round() as u8
-    })
+    PALETTE.at((difference * STEPS as f32).round() / STEPS as f32)
+}
+
+/// Returns the legend of difference pictures: a bar with the numbers at its ends and between.
+pub fn legend() -> Markup {
+    let stops = (0..=8).map(|stop| {
+        let [r, g, b] = heat(stop as f32 / 8.0);
+        format!("rgb({r},{g},{b})")
+    });
+    let stops: Vec<String> = stops.collect();
+    let style = format!("background:linear-gradient(to right,{})", stops.join(","));
+    html! {
+        div.legend {
+            b { "FLIP difference from the reference" }
+            div.scale {
+                div.bar style=(style) {}
+                div.ends { span { "0: equal" } span { "0.5" } span { "1: the greatest" } }
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -34,13 +38,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn greater_differences_are_lighter() {
-        let luma = |difference: f32| {
-            let [r, g, b] = heat(difference).map(f32::from);
-            0.2126 * r + 0.7152 * g + 0.0722 * b
-        };
-        let lumas: Vec<f32> = (0..=64).map(|step| luma(step as f32 / 64.0)).collect();
-        assert!(lumas.windows(2).all(|pair| pair[0] < pair[1]), "{lumas:?}");
-        assert_eq!((heat(0.0), heat(2.0), heat(f32::NAN)), (RAMP[0], RAMP[8], RAMP[0]));
+    fn the_legend_has_the_colors_of_differences() {
+        let text = legend().into_string();
+        for difference in [0.0, 0.125, 0.5, 1.0] {
+            let [r, g, b] = heat(difference);
+            assert!(text.contains(&format!("rgb({r},{g},{b})")), "{difference}: {text}");
+        }
+        assert_eq!((heat(2.0), heat(f32::NAN)), (heat(1.0), heat(0.0)));
+        // A colour of another difference is not in it.
+        let [r, g, b] = heat(0.3);
+        assert!(!text.contains(&format!("rgb({r},{g},{b})")));
     }
 }

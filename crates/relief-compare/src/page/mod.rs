@@ -1,6 +1,7 @@
 //! Page of a comparison: one self-contained HTML file, which needs no network.
 
 mod heat;
+mod methods;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -10,7 +11,8 @@ use image::{ExtendedColorType, ImageEncoder, ImageError};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::json;
 
-use self::heat::heat;
+use self::heat::{heat, legend};
+use self::methods::{methods, sentence};
 use crate::columns::{COLUMNS, Cell, Column, Row};
 use crate::picture::{Flip, Image};
 use crate::record::{About, LeftOut, PictureRecord, Records};
@@ -44,6 +46,7 @@ pub fn page(compared: &Compared) -> Result<String, ImageError> {
             body {
                 h1 { (title) }
                 (about(&records.about))
+                (methods(records))
                 (plot())
                 (table(records))
                 (left_out(&records.left_out))
@@ -165,7 +168,7 @@ fn pictures(compared: &Compared) -> Result<Markup, ImageError> {
             div.grid {
                 figure {
                     (element(&jpeg(&reference.image)?, "image/jpeg", "reference", reference.image.size()))
-                    figcaption { b { "reference" } }
+                    figcaption { "The exact picture, beside which all others are put." }
                 }
                 @for figure in figures { (figure) }
             }
@@ -174,10 +177,10 @@ fn pictures(compared: &Compared) -> Result<Markup, ImageError> {
     Ok(html! {
         @if !groups.is_empty() {
             h2 { "Pictures, each with its FLIP difference from the reference" }
-            p {
-                "In the difference images, black is no difference and white the greatest possible one."
-                @if let Some(look) = shown_look {
-                    " The pictures shown here have the light and the background of the look " (look)
+            (legend())
+            @if let Some(look) = shown_look {
+                p {
+                    "The pictures shown here have the light and the background of the look " (look)
                     ". Differences are measured in the scene's own light."
                 }
             }
@@ -194,11 +197,13 @@ fn picture(record: &PictureRecord, shown: &MethodPicture) -> Result<Markup, Imag
             (element(&jpeg(&shown.image)?, "image/jpeg", &label, size))
             (element(&map(&shown.difference)?, "image/png", &format!("FLIP of {label}"), size))
             figcaption {
-                b { (label) } " " (record.backend) " " (record.sampling)
+                (sentence(&record.method))
+                br;
+                (record.backend) " " (record.sampling)
                 " · FLIP " (format!("{:.4}", record.flip))
                 @if let Some(error) = &record.error {
                     " · p99 " (format!("{:.2}", error.p99_texels)) " texels"
-                    " · passed " (format!("{:.2}", error.passed * 100.0)) " %"
+                    " · went through " (format!("{:.2}", error.passed * 100.0)) " %"
                 }
             }
         }
@@ -207,7 +212,12 @@ fn picture(record: &PictureRecord, shown: &MethodPicture) -> Result<Markup, Imag
 
 fn element(bytes: &[u8], kind: &str, name: &str, [width, height]: [u32; 2]) -> Markup {
     let source = format!("data:{kind};base64,{}", STANDARD.encode(bytes));
-    html! { img src=(source) alt=(name) title=(name) width=(width) height=(height) loading="lazy"; }
+    html! {
+        span.shot {
+            img src=(source) alt=(name) title=(name) width=(width) height=(height) loading="lazy";
+            span.name { (name) }
+        }
+    }
 }
 
 fn jpeg(image: &Image) -> Result<Vec<u8>, ImageError> {

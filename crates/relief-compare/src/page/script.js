@@ -68,8 +68,11 @@ const grouped = () => {
   const before = rows.value;
   const has = (row) => [across, up].every((select) => Number.isFinite(figure(row, select.value)));
   const groups = [...new Set([...body.rows].filter(has).map(groupOf))];
-  const ofRays = groups.filter((group) => group.startsWith('rays'));
-  const usual = ofRays.length ? ofRays[ofRays.length - 1] : groups[0];
+  // A plot begins with rays between 30 and 60 degrees, at which reliefs are mostly seen, and the greatest scale.
+  const isUsual = (row) => figure(row, 'angle_deg') >= 30 && figure(row, 'angle_deg') <= 60;
+  const ofRays = (some) => [...new Set([...body.rows].filter((row) => has(row) && some(row)).map(groupOf))]
+    .filter((group) => group.startsWith('rays'));
+  const usual = [ofRays(isUsual), ofRays(() => true), groups].find((some) => some.length)?.at(-1);
   rows.replaceChildren();
   offer(rows, groups.map((group) => [group, group]), groups.includes(before) ? before : usual);
 };

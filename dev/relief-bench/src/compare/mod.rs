@@ -108,6 +108,7 @@ fn on_square(
     let surface = Surface::new(mesh, map).with_selection(selection);
     let scene = Scene::builder(surface).size(size[0], size[1]).samples(1);
     let mut comparison = Comparison::new(name, scene.build().map_err(|error| error.to_string())?);
+    comparison.contenders = Contender::all();
     (comparison.flicker_samples, comparison.timing, comparison.machines) = (None, None, machines);
     Ok(comparison)
 }

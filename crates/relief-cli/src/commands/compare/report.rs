@@ -79,7 +79,7 @@ fn choice(tried: &Ranking, scene: &str, out: &mut dyn Write) -> Result<(), Failu
 fn table(records: &Records) -> Table {
     let mut table = Table::new();
     table.load_style(ASCII_MARKDOWN);
-    table.set_header(["method", "passed %", "p99 texels", "reads", "FLIP", "map bytes a texel"]);
+    table.set_header(["method", "went through %", "p99 texels", "reads", "FLIP", "map bytes a texel"]);
     // Rays do not depend on shadows: their figures stand beside the pictures with each shadow.
     let mut labels: Vec<[String; 2]> = Vec::new();
     for method in records.pictures.iter().map(|record| &record.method) {
