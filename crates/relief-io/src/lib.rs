@@ -124,9 +124,10 @@ pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspec
 pub use layout::{Channel, Format, SampleKind, SampleType};
 pub use length::{LengthError, metres};
 pub use mesh::{
-    FileFrame, GlbLayout, GlbLevel, GlbMaterials, GlbNode, MAX_SHELLS, MeshColors, MeshCounts, MeshFile,
-    MeshFormat, MeshMaterial, MeshOptions, MeshSink, Quantization, Shells, Up, beside_file, files_of_mesh,
-    read_mesh, read_mesh_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_in_frame, write_shells,
+    FileFrame, GlbLayout, GlbLevel, GlbMaterials, GlbNode, MAX_SHELLS, MaterialTextures, MaterialValues,
+    MeshColors, MeshCounts, MeshFile, MeshFormat, MeshMaterial, MeshOptions, MeshSink, NormalTexture,
+    OcclusionTexture, Quantization, Shells, Up, beside_file, files_of_mesh, mesh_needs_roughness, read_mesh,
+    read_mesh_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_in_frame, write_shells,
 };
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use omissions::{OMISSIONS, Omission, ReadNote, Remark, read_notes};

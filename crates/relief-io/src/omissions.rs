@@ -81,8 +81,15 @@ omissions! {
         "a material's picture in an unsupported format, or a texture without a picture",
         "the material has only its colour";
     OTHER_PICTURES: "other-pictures", "meshes",
-        "materials with pictures of normals, metal, roughness, occlusion or emission",
+        "materials with pictures of normals, metal, roughness, occlusion or emission, for a use or a \
+         shading without them",
         "they are left out";
+    UNREAD_MATERIAL: "unread-material", "meshes",
+        "a part of a material that is not read: an extension, or a picture with a place of its own",
+        "the rest of the material is read";
+    UNSHOWN_MATERIAL: "unshown-material", "meshes that are drawn",
+        "a part of a material that the shading does not have, or normals where a height map gives them",
+        "the rest of the material is shown";
     MTL: "mtl", "meshes",
         "an OBJ that refers to a file of materials",
         "its materials are left out";

@@ -42,17 +42,21 @@ pub fn read_picture<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result
     open().and_then(|file| read(file, None)).map_err(|problem| source.error(problem))
 }
 
-/// Reads a picture of a glTF: as it is stored, ignoring its orientation, and in sRGB, ignoring its
+/// Reads a picture of a glTF: as it is stored, ignoring its orientation, and by `curve`, ignoring its
 /// colour chunks (glTF 2.0, 3.8.4.1). Also returns whether an orientation was ignored.
 ///
 /// # Errors
 ///
 /// See [`read_picture_as`].
-pub(crate) fn read_gltf_picture(source: Source<'_>, max_bytes: u64) -> Result<(Picture, bool), ReadError> {
+pub(crate) fn read_gltf_picture(
+    source: Source<'_>,
+    curve: Curve,
+    max_bytes: u64,
+) -> Result<(Picture, bool), ReadError> {
     let read = || {
         let file = ImageFile::open(source, None, PICTURE_BYTES_PER_TEXEL, max_bytes)?;
         let is_turned = file.layout().turning_number().is_some();
-        Ok((read(file.unturned(), Some(Curve::Srgb))?, is_turned))
+        Ok((read(file.unturned(), Some(curve))?, is_turned))
     };
     read().map_err(|problem| source.error(problem))
 }

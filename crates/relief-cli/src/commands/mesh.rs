@@ -15,7 +15,7 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use relief_core::ByteSize;
 use relief_core::registry::UnknownName;
-use relief_io::omissions::{self, UNDECLARED_NODATA};
+use relief_io::omissions::{self, OTHER_PICTURES, UNDECLARED_NODATA, UNSHOWN_MATERIAL};
 use relief_io::{DEFAULT_MAX_BYTES, GlbMaterials, MeshFormat, Remark, Up};
 use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, Mesher, Seams, Shading,
@@ -339,6 +339,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let surface = scene.surfaces()[0].clone();
     let mut notes = maps::of_reading(&spec, &scene, By::Flags);
+    // Materials are written as they are, whether shown or not.
+    notes.retain(|note| !note.is_about(&UNSHOWN_MATERIAL) && !note.is_about(&OTHER_PICTURES));
     let materials = match arguments.materials(&surface, format) {
         Ok(materials) => materials,
         Err(why) => {

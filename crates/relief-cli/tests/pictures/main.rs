@@ -9,6 +9,7 @@ mod compare;
 mod compare_files;
 mod file_materials;
 mod frames;
+mod gltf_materials;
 mod notes;
 mod pictures;
 mod procedure;

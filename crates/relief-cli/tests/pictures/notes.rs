@@ -104,7 +104,15 @@ const FEEDS: &[Feed] = &[
         folder.write("a.gltf", text.replace(r#"[{"source": 0, "sampler": 0}]"#, basis));
         line
     }),
-    ("other-pictures", |folder| painted(folder, "", r#", "normalTexture": {"index": 0}"#, "")),
+    ("other-pictures", |folder| {
+        painted(folder, "", r#", "occlusionTexture": {"index": 0}"#, "");
+        "render --mesh a.gltf --shade blinn-phong --backend cpu --size 32x24 -o out.png"
+    }),
+    ("unread-material", |folder| painted(folder, "", r#", "extensions": {"KHR_materials_sheen": {}}"#, "")),
+    ("unshown-material", |folder| {
+        let glass = r#", "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.9}}"#;
+        painted(folder, "", glass, "")
+    }),
     ("mtl", |folder| {
         let obj = "mtllib ../a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n";
         folder.write("a.obj", obj);

@@ -5,9 +5,10 @@ use std::sync::Arc;
 use relief_core::Wrap;
 use relief_core::mesh::Mesh;
 
+use super::MaterialValues;
 use crate::Picture;
 
-/// Colour part of a material.
+/// Material: its colour and mask, and the values of a metallic-roughness material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshMaterial {
     /// Name, if the file gives one.
@@ -23,6 +24,8 @@ pub struct MeshMaterial {
     pub wrap: [Wrap; 2],
     /// Two rows of a matrix that maps texture coordinates `(u, v, 1)` to the picture's coordinates.
     pub transform: [[f32; 3]; 2],
+    /// Values and pictures beside the colour.
+    pub values: MaterialValues,
 }
 
 impl MeshMaterial {
@@ -48,6 +51,7 @@ impl Default for MeshMaterial {
             picture: None,
             wrap: [Wrap::Repeat; 2],
             transform: Self::IDENTITY,
+            values: MaterialValues::default(),
         }
     }
 }
@@ -96,10 +100,11 @@ impl MeshColors {
         }
     }
 
-    /// Number of materials that are not plain white; colours of vertices count as one more.
+    /// Number of materials that are not plain white and rough; colours of vertices count as one more.
     pub fn colored(&self) -> usize {
         let is_plain = |material: &MeshMaterial| {
-            material.picture.is_none() && material.cutoff.is_none() && material.factor == [1.0; 4]
+            let is_white = material.factor == [1.0; 4] && material.values == MaterialValues::default();
+            is_white && material.picture.is_none() && material.cutoff.is_none()
         };
         let of_materials = self.materials.iter().filter(|material| !is_plain(material)).count();
         of_materials + usize::from(!self.tints.is_empty())

@@ -4,6 +4,7 @@ mod builder;
 mod folder;
 mod gltf;
 mod material;
+mod material_values;
 mod obj;
 mod ply;
 mod polygon;
@@ -19,6 +20,7 @@ use std::path::{Path, PathBuf};
 use relief_core::mesh::{Framed, Mesh, RawMesh, UvProjection};
 
 pub use self::material::{MeshColors, MeshMaterial};
+pub use self::material_values::{MaterialTextures, MaterialValues, NormalTexture, OcclusionTexture};
 pub use self::referenced::files_of_mesh;
 pub use self::up::Up;
 pub use self::write::{
@@ -87,13 +89,16 @@ pub struct MeshOptions {
     pub up: Option<Up>,
     /// Whether to read the colours and pictures of the file's materials. Default: false.
     pub colors: bool,
+    /// Whether to read the materials' pictures of roughness, metalness, occlusion, emission and normals,
+    /// too. Without [`Self::colors`] none is read. Default: false.
+    pub materials: bool,
     /// Greatest memory for reading, in bytes. Default: [`DEFAULT_MAX_BYTES`].
     pub max_bytes: u64,
 }
 
 impl Default for MeshOptions {
     fn default() -> Self {
-        Self { projection: None, up: None, colors: false, max_bytes: DEFAULT_MAX_BYTES }
+        Self { projection: None, up: None, colors: false, materials: false, max_bytes: DEFAULT_MAX_BYTES }
     }
 }
 
@@ -198,6 +203,24 @@ pub fn read_mesh_extras<'a>(
         None => Err(ReadProblem::NoMesh),
     };
     extras.map_err(|problem| source.error(problem))
+}
+
+/// Reads whether a mesh's file has a material that Blinn-Phong shading cannot show: a metal with a
+/// roughness of its own, maps of roughness, metalness, occlusion or emission, light of its own, or an
+/// extension on transparency or reflection. False in all formats but glTF. Of a GLB only the JSON is
+/// read.
+///
+/// # Errors
+///
+/// When the file cannot be read, is not a mesh, is damaged, or needs more than `max_bytes`.
+pub fn mesh_needs_roughness<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<bool, ReadError> {
+    let source = source.into();
+    let needs = match MeshFormat::by_name(source.name()) {
+        Some(MeshFormat::Gltf) => gltf::extras::needs_roughness(source, &mut Builder::new(max_bytes)),
+        Some(_) => Ok(false),
+        None => Err(ReadProblem::NoMesh),
+    };
+    needs.map_err(|problem| source.error(problem))
 }
 
 /// Resolves a path that a file `naming`, such as a mesh, contains: `name` is relative to its

@@ -2,6 +2,7 @@
 
 use super::builder::{AMBIENT_ENVIRONMENT, DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
+use super::file_material::FileMaterials;
 use super::maps::{LoadedMesh, Maps};
 use super::material_spec::{metallic_roughness, reads_materials};
 use super::metres::{MAX_METRES, check_metres};
@@ -13,7 +14,7 @@ use glam::{Vec2, Vec3};
 use relief_core::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use relief_core::object::ImageObject;
 use relief_core::{HeightMap, Wrap};
-use relief_io::{Convention, Fill, HeightOptions, HeightRange, Remark, omissions};
+use relief_io::{Convention, Fill, HeightOptions, HeightRange, MeshColors, MeshMaterial, Remark, omissions};
 use relief_object::{ObjectFile, ObjectOptions};
 use relief_shaders::{
     AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, STAGES, Selection,
@@ -191,7 +192,7 @@ impl SurfaceSpec {
         }
         // Silhouettes have normals of their own.
         if let Some(normal) = normal.filter(|_| parts.selection.has_normals_of_relief()) {
-            maps.take_normals(&normal);
+            maps.take_normals([normal.width, normal.height]);
             surface = surface.with_normal_map(&normal);
         }
         Ok(surface.with_creases(parts.creases))
@@ -260,17 +261,16 @@ impl SurfaceSpec {
         let of_number = |error: ValueError| error.of_surface(number);
         let (mut parts, of_file) = match &self.mesh {
             Some(MeshChoice::File(file)) => {
-                let own = self.color.is_some()
-                    || self.ramp.is_some()
-                    || self.material.as_ref().is_some_and(|own| own.diffuse.or(own.base).is_some());
+                // Under Blinn-Phong a colour of the surface's own replaces the file's materials.
+                let reads = !self.has_own_color() || reads_materials(&parts.selection);
                 // A mesh without any map needs no texture coordinates.
                 let is_bare = self.is_mesh_alone()
                     && self.project.is_none()
                     && self.color.is_none()
                     && self.normal.is_none();
-                let loaded = match maps.mesh(file, (self.project, self.mesh_up), !own) {
+                let loaded = match maps.mesh(file, (self.project, self.mesh_up), reads) {
                     Err(SceneError::Mesh(error)) if is_bare && error.problem.is_of_texture_coordinates() => {
-                        maps.mesh(file, (Some(UvProjection::Box), self.mesh_up), !own)
+                        maps.mesh(file, (Some(UvProjection::Box), self.mesh_up), reads)
                     }
                     loaded => loaded,
                 };
@@ -300,26 +300,38 @@ impl SurfaceSpec {
         };
         let map = match &self.height {
             Some(path) => maps.height(path, options)?,
-            None => level_map()?,
+            None => level_map(of_file.as_ref().and_then(|(_, colors, _)| wrap_of_normals(colors)))?,
         };
         let splits = parts.selection.geometry().is_none();
-        let file_colors = of_file.as_ref().map(|(_, colors, _)| Arc::clone(colors));
-        let drawn = of_file.and_then(|(file, colors, mesh)| {
+        let has_own_color = self.has_own_color();
+        let file_colors =
+            of_file.as_ref().filter(|_| !has_own_color).map(|(_, colors, _)| Arc::clone(colors));
+        let mut drawn = of_file.as_ref().and_then(|(file, colors, mesh)| {
             let mut remarks = Vec::new();
-            let has_picture = colors.materials.iter().any(|material| material.picture.is_some());
+            let has_picture = colors.materials.iter().any(MeshMaterial::has_placed_pictures);
             if has_picture && self.tile.is_some_and(|tile| tile != [1.0, 1.0]) {
                 let what = "its picture is tiled as the height map is";
                 remarks.push(Remark::new(&omissions::TILED_PICTURE, what));
             }
-            let drawn = DrawnColors::of(&colors, &mesh, splits, &mut remarks);
+            let drawn = DrawnColors::of(colors, mesh, splits, &mut remarks);
             maps.remark(file, remarks);
             drawn
         });
-        let diffuse = match &drawn {
-            Some(DrawnColors::One(material)) => Some(material.diffuse),
-            _ => None,
+        let mut of_materials = FileMaterials::new(self, &parts.selection);
+        for material in drawn.iter_mut().flat_map(DrawnColors::materials_mut) {
+            of_materials.complete(material, maps).map_err(|error| match error {
+                SceneError::Value(error) => of_number(error).into(),
+                error => error,
+            })?;
+        }
+        let remarks = of_materials.into_remarks();
+        if let Some((file, ..)) = of_file {
+            maps.remark(file, remarks);
+        }
+        parts.material = match &drawn {
+            Some(DrawnColors::One(DrawnMaterial { material: Some(material), .. })) => *material,
+            _ => self.material_of(None, &parts.selection).map_err(of_number)?,
         };
-        parts.material = self.material_of(diffuse, &parts.selection).map_err(of_number)?;
         if let Some(path) = &self.height {
             // Each material is drawn with maps of its own.
             let times = match &drawn {
@@ -337,17 +349,6 @@ impl SurfaceSpec {
         };
         let surface = self.with_heights(parts, map);
         let mut surface = surface.map_err(of_number)?;
-        match drawn {
-            Some(DrawnColors::One(DrawnMaterial { picture, place, cutoff, .. })) => {
-                surface = surface.with_cutoff(cutoff);
-                if let Some(picture) = picture {
-                    surface = surface.with_color(picture).with_color_place(place);
-                }
-            }
-            Some(DrawnColors::Several(colors)) => surface = surface.with_colors(colors),
-            None => {}
-        }
-        surface = surface.with_file_colors(file_colors);
         if let Some(path) = &self.color {
             surface = surface.with_color(maps.color(path)?);
         }
@@ -358,12 +359,24 @@ impl SurfaceSpec {
             let map = maps.normal(path, self.green.unwrap_or_default())?;
             surface = surface.with_normal_map(&map);
         }
-        if let Some(material_maps) = maps.material(self, surface.height_map().wrap())? {
+        let wrap = surface.height_map().wrap();
+        if let Some(material_maps) = maps.material(self, wrap, None)? {
             let (path, remarks) = self.remarks_on_factors(&material_maps);
             maps.remark(path, remarks);
             surface = surface.with_material_maps(material_maps);
         }
-        Ok(surface)
+        Ok(match drawn {
+            Some(DrawnColors::One(material)) => surface.with_file_material(material, has_own_color),
+            Some(DrawnColors::Several(mut colors)) => {
+                if has_own_color {
+                    let own = |drawn: DrawnMaterial| surface.with_own_color(drawn);
+                    colors.materials = colors.materials.into_iter().map(own).collect();
+                }
+                surface.with_colors(Arc::new(colors))
+            }
+            None => surface,
+        }
+        .with_file_colors(file_colors))
     }
 
     /// Returns whether the mesh of a file is shown without a height map.
@@ -509,9 +522,18 @@ impl SurfaceSpec {
 }
 
 /// Returns the height map of a mesh that is shown without one: one texel at the mesh's level.
-fn level_map() -> Result<HeightMap, SceneError> {
-    let map = HeightMap::new(1, 1, vec![1.0], Wrap::Repeat);
+/// Normals of the mesh's file have its wrap.
+fn level_map(wrap: Option<Wrap>) -> Result<HeightMap, SceneError> {
+    let map = HeightMap::new(1, 1, vec![1.0], wrap.unwrap_or(Wrap::Repeat));
     Ok(map.map_err(|error| ValueProblem::from(error).of("height"))?)
+}
+
+/// Returns the wrap of the pictures of normals, if all have the same along both axes.
+fn wrap_of_normals(colors: &MeshColors) -> Option<Wrap> {
+    let of = |material: &MeshMaterial| material.values.textures.normal.as_ref().map(|of| of.wrap);
+    let mut wraps = colors.materials.iter().filter_map(of).flatten();
+    let first = wraps.next()?;
+    wraps.all(|wrap| wrap == first).then_some(first)
 }
 
 fn check_scale(scale_m: f64) -> Result<(), ValueError> {

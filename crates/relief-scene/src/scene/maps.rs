@@ -1,14 +1,16 @@
 //! Reader of a scene's files. It reads each file once, within the memory limit.
 
+use super::file_material::add_pictures;
 use super::ramp::tinted;
-use super::{RampChoice, SceneError, SurfaceSpec};
+use super::{MeshChoice, RampChoice, SceneError, SurfaceSpec};
 use crate::environment::Environment;
 use crate::material_maps::{MaterialMap, MaterialMapError, MaterialMaps, MaterialPictures};
 use relief_core::mesh::{Mesh, UvProjection};
 use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{
-    ColorTable, Curve, GreenSign, HeightFile, HeightOptions, MeshColors, MeshOptions, NormalMap, Picture,
-    ReadError, ReadNote, ReadProblem, Remark, Up, omissions, read_color_table,
+    ColorTable, Curve, GreenSign, HeightFile, HeightOptions, MaterialTextures, MeshColors, MeshMaterial,
+    MeshOptions, NormalMap, Picture, ReadError, ReadNote, ReadProblem, Remark, Up, omissions,
+    read_color_table,
 };
 use relief_shaders::Selection;
 use std::path::{Path, PathBuf};
@@ -150,7 +152,7 @@ impl Maps {
         (projection, up): (Option<UvProjection>, Option<Up>),
         colors: bool,
     ) -> Result<LoadedMesh, SceneError> {
-        let options = MeshOptions { projection, up, colors, max_bytes: self.left };
+        let options = MeshOptions { projection, up, colors, materials: colors, max_bytes: self.left };
         let is_same = |(known, with, _): &&(PathBuf, MeshOptions, _)| {
             known == path && MeshOptions { max_bytes: options.max_bytes, ..*with } == options
         };
@@ -161,7 +163,7 @@ impl Maps {
                 let colors = file.colors.map(Arc::new);
                 let mut pictures: Vec<&Arc<Picture>> = Vec::new();
                 for picture in
-                    colors.iter().flat_map(|colors| &colors.materials).filter_map(|of| of.picture.as_ref())
+                    colors.iter().flat_map(|colors| &colors.materials).flat_map(MeshMaterial::pictures)
                 {
                     if !pictures.iter().any(|known| Arc::ptr_eq(known, picture)) {
                         pictures.push(picture);
@@ -195,17 +197,20 @@ impl Maps {
         Ok(map)
     }
 
-    /// Reads the material maps of a surface whose maps have that wrap. `None` if it has none.
+    /// Reads the material maps of a surface whose maps have that wrap, over the pictures of its mesh's
+    /// file. `None` if there are none.
     pub(super) fn material(
         &mut self,
         spec: &SurfaceSpec,
         wrap: Wrap,
+        of_file: Option<&MaterialTextures>,
     ) -> Result<Option<Arc<MaterialMaps>>, SceneError> {
         let files = spec.material_files().map(|(_, file)| file.clone());
-        if files.iter().all(Option::is_none) {
+        if files.iter().all(Option::is_none) && of_file.is_none() {
             return Ok(None);
         }
-        if let Some((.., known)) = self.materials.iter().find(|(of, with, _)| (of, *with) == (&files, wrap)) {
+        let is_same = |(of, with, _): &&(_, Wrap, _)| of_file.is_none() && (of, *with) == (&files, wrap);
+        if let Some((.., known)) = self.materials.iter().find(is_same) {
             return Ok(Some(Arc::clone(known)));
         }
         let mut pictures = MaterialPictures::default();
@@ -217,27 +222,37 @@ impl Maps {
             self.spend(READ_BYTES * u64::from(read.width) * u64::from(read.height));
             *picture = Some(read);
         }
+        if let Some(textures) = of_file {
+            add_pictures(&mut pictures, textures);
+        }
+        let path_of = |files: &[Option<PathBuf>]| match (&spec.mesh, files.iter().flatten().next()) {
+            (_, Some(file)) => file.clone(),
+            (Some(MeshChoice::File(file)), None) => file.clone(),
+            _ => PathBuf::new(),
+        };
         let size = MaterialMaps::size_of(&pictures);
         let texels = u64::from(size[0]) * u64::from(size[1]);
         let needed = MaterialMaps::BYTES_PER_TEXEL * texels;
         if needed > self.left {
-            let path = files.iter().flatten().next().cloned().unwrap_or_default();
+            let path = path_of(&files);
             let source = MaterialMapError::Memory { needed: ByteSize(needed), left: ByteSize(self.left) };
             return Err(SceneError::MaterialMap { path, source });
         }
         self.spend(needed);
         let maps = MaterialMaps::new(&pictures, wrap).map_err(|(what, source)| {
-            let path = files[what as usize].clone().unwrap_or_default();
+            let path = files[what as usize].clone().unwrap_or_else(|| path_of(&[]));
             SceneError::MaterialMap { path, source }
         })?;
         let maps = Arc::new(maps);
-        self.materials.push((files, wrap, Arc::clone(&maps)));
+        if of_file.is_none() {
+            self.materials.push((files, wrap, Arc::clone(&maps)));
+        }
         Ok(Some(maps))
     }
 
     /// Subtracts the memory of a normal map that has been read.
-    pub(super) fn take_normals(&mut self, map: &NormalMap) {
-        self.spend(NORMAL_BYTES[1] * u64::from(map.width) * u64::from(map.height));
+    pub(super) fn take_normals(&mut self, [width, height]: [u32; 2]) {
+        self.spend(NORMAL_BYTES[1] * u64::from(width) * u64::from(height));
     }
 
     /// Subtracts bytes from the memory that is left.

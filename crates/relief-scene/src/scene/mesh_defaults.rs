@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use relief_core::registry::UnknownName;
-use relief_io::{beside_file, read_mesh_extras};
-use relief_shaders::STAGES;
+use relief_io::{beside_file, mesh_needs_roughness, read_mesh_extras};
+use relief_shaders::{SHADE, STAGES};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
 use super::keys::keys_of;
+use super::material_spec::metallic_roughness;
 use super::{DEFAULT_MAX_MEMORY, MeshChoice, SceneError, SceneSpec, SurfaceSpec};
 
 /// Name of the object in the extras.
@@ -46,10 +47,20 @@ impl SceneSpec {
                 },
                 _ => None,
             };
-            each.push(match of_mesh {
+            let mut surface = match of_mesh {
                 Some(of_mesh) => over(of_mesh, surface),
                 None => surface,
-            });
+            };
+            // A material that Blinn-Phong cannot show chooses the shading, unless the keys do.
+            if let Some(MeshChoice::File(path)) = &surface.mesh
+                && surface.object.is_none()
+                && !surface.stages.contains_key(STAGES[SHADE].key)
+                && surface.shading_model().is_ok_and(|model| model.is_none())
+                && mesh_needs_roughness(path, limit).map_err(SceneError::Mesh)?
+            {
+                surface.stages.insert(STAGES[SHADE].key.to_owned(), metallic_roughness().to_owned());
+            }
+            each.push(surface);
         }
         let spec = self.clone();
         Ok(if self.surfaces.is_empty() {

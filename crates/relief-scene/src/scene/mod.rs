@@ -5,6 +5,7 @@ mod choices;
 mod color_place;
 mod error;
 mod file;
+mod file_material;
 mod framing;
 mod hull_points;
 mod keys;

@@ -8,7 +8,7 @@ use crate::material::Material;
 use crate::material_maps::MaterialMaps;
 use relief_core::mesh::Mesh;
 use relief_core::{HeightMap, Metric};
-use relief_io::{MeshColors, MeshMaterial, NormalMap, Picture};
+use relief_io::{MaterialValues, MeshColors, MeshMaterial, NormalMap, Picture};
 use relief_shaders::Selection;
 use std::sync::Arc;
 
@@ -36,6 +36,7 @@ pub struct Surface {
     cutoff: f32,
     colors: Option<Arc<SurfaceColors>>,
     file_colors: Option<Arc<MeshColors>>,
+    file_values: Option<Arc<MaterialValues>>,
 }
 
 impl Surface {
@@ -60,6 +61,7 @@ impl Surface {
             cutoff: 0.0,
             colors: None,
             file_colors: None,
+            file_values: None,
         }
     }
 
@@ -77,6 +79,23 @@ impl Surface {
     /// Sets the colours of the mesh's file, triangle by triangle, whether they are drawn or not.
     pub(super) fn with_file_colors(self, file_colors: Option<Arc<MeshColors>>) -> Self {
         Self { file_colors, ..self }
+    }
+
+    /// Shows the only material of the mesh's file: its values, maps and normals, and its colours unless
+    /// `keeps_color`.
+    pub(super) fn with_file_material(self, drawn: DrawnMaterial, keeps_color: bool) -> Self {
+        self.of_material(&if keeps_color { self.with_own_color(drawn) } else { drawn })
+    }
+
+    /// Returns a drawn material with this surface's colours in place of its own.
+    pub(super) fn with_own_color(&self, drawn: DrawnMaterial) -> DrawnMaterial {
+        DrawnMaterial {
+            diffuse: self.material.diffuse(),
+            picture: self.color.clone(),
+            place: if self.color.is_some() { self.color_place } else { drawn.place },
+            cutoff: self.cutoff,
+            ..drawn
+        }
     }
 
     /// Returns the colours of the mesh's file, triangle by triangle, if the surface has them.
@@ -100,28 +119,52 @@ impl Surface {
         is_drawn.then(|| (vec![self.as_material(name)], Vec::new()))
     }
 
-    /// Returns colour, picture and mask as a material called `name`.
+    /// Returns colour, picture, mask and values of the file as a material called `name`.
     fn as_material(&self, name: Option<Arc<str>>) -> MeshMaterial {
         let [red, green, blue] = self.material.diffuse().to_array();
         let factor = [red, green, blue, 1.0];
         let cutoff = Some(self.cutoff).filter(|cutoff| *cutoff > 0.0);
-        let plain = MeshMaterial { cutoff, ..MeshMaterial::default() };
-        MeshMaterial { name, factor, ..self.color_material().unwrap_or(plain) }
+        let values = self.file_values.as_deref().cloned().unwrap_or_default();
+        let mut plain = MeshMaterial { cutoff, ..MeshMaterial::default() };
+        if let ColorPlace { rows, wrap: Some(wrap) } = self.color_place
+            && values.textures.has_maps()
+        {
+            (plain.transform, plain.wrap) = (rows, wrap);
+        }
+        MeshMaterial { name, factor, values, ..self.color_material().unwrap_or(plain) }
     }
 
-    /// Returns this surface with one material for all of its triangles: its diffuse colour,
-    /// picture, placement and cutoff. Highlight and refraction stay.
+    /// Returns this surface with one material for all of its triangles: its colour, picture, placement
+    /// and cutoff, and its values, maps and normals.
     pub fn of_material(&self, drawn: &DrawnMaterial) -> Self {
-        let material = self.material.with_diffuse(drawn.diffuse);
-        let DrawnMaterial { picture, place, cutoff, .. } = drawn.clone();
-        Self { color: picture, color_place: place, material, cutoff, colors: None, ..self.clone() }
+        let DrawnMaterial { picture, place, cutoff, values, maps, normals, .. } = drawn.clone();
+        let material = drawn.material.unwrap_or_else(|| self.material.with_diffuse(drawn.diffuse));
+        Self {
+            color: picture,
+            color_place: place,
+            material,
+            cutoff,
+            colors: None,
+            material_maps: maps.or_else(|| self.material_maps.clone()),
+            normal_map: normals.or_else(|| self.normal_map.clone()),
+            file_values: Some(values),
+            ..self.clone()
+        }
     }
 
     /// Replaces the mesh. The object and the colours of the old mesh are dropped.
     #[must_use]
     pub fn with_mesh(self, mesh: impl Into<Arc<Mesh>>) -> Self {
         let mesh = mesh.into();
-        Self { tile_m: mesh.tile_m(), mesh, object: None, colors: None, file_colors: None, ..self }
+        Self {
+            tile_m: mesh.tile_m(),
+            mesh,
+            object: None,
+            colors: None,
+            file_colors: None,
+            file_values: None,
+            ..self
+        }
     }
 
     /// Replaces the height map. The object is dropped.
@@ -135,7 +178,14 @@ impl Surface {
     #[must_use]
     pub fn with_color(self, color: impl Into<Arc<Picture>>) -> Self {
         let color = Some(color.into());
-        Self { color, color_place: ColorPlace::default(), colors: None, file_colors: None, ..self }
+        Self {
+            color,
+            color_place: ColorPlace::default(),
+            colors: None,
+            file_colors: None,
+            file_values: None,
+            ..self
+        }
     }
 
     /// Sets the placement and the wrap of the colour picture. By default they follow the height map.

@@ -4,14 +4,16 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use relief_core::mesh::Mesh;
-use relief_io::{MeshColors, Picture, Remark, omissions};
+use relief_io::{MaterialValues, MeshColors, MeshMaterial, Picture, Remark, omissions};
 
 use super::color_place::{Affine, ColorPlace};
+use crate::material::Material;
+use crate::material_maps::MaterialMaps;
 
 /// Most materials of a surface that are drawn. Each is drawn as a surface of its own.
 const MOST_MATERIALS: usize = 64;
 
-/// Material of a mesh's file as it is drawn. Highlight and refraction come from the surface.
+/// Material of a mesh's file as it is drawn.
 #[derive(Clone, Debug)]
 pub struct DrawnMaterial {
     /// Name in the mesh's file.
@@ -25,10 +27,18 @@ pub struct DrawnMaterial {
     /// Least opacity of the picture that is visible. 0 shows all of it; a value above 1 shows
     /// nothing.
     pub cutoff: f32,
+    /// Values and pictures beside the colour, as the file has them.
+    pub values: Arc<MaterialValues>,
+    /// Material that is shown. `None` stands for the surface's with the diffuse colour.
+    pub material: Option<Material>,
+    /// Maps that are shown. They lie as the colour picture does.
+    pub maps: Option<Arc<MaterialMaps>>,
+    /// Normals that are shown, as in [`Surface::normal_map`](super::Surface::normal_map).
+    pub normals: Option<Arc<Picture>>,
 }
 
 /// Materials of a surface, and the material of each triangle.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct SurfaceColors {
     /// Materials, at least two.
     pub materials: Vec<DrawnMaterial>,
@@ -42,7 +52,7 @@ pub enum DrawnColors {
     /// All triangles have the same material.
     One(DrawnMaterial),
     /// The triangles have several materials.
-    Several(Arc<SurfaceColors>),
+    Several(SurfaceColors),
 }
 
 /// Triangles of the same colour.
@@ -66,7 +76,7 @@ impl DrawnColors {
         let mut is_uneven = false;
         for triangle in 0..mesh.triangles().len() as u32 {
             let material = colors.of_triangles.get(triangle as usize).copied().unwrap_or_default();
-            let has_picture = colors.material(triangle).is_some_and(|material| material.picture.is_some());
+            let has_picture = colors.material(triangle).is_some_and(MeshMaterial::has_placed_pictures);
             let (tint, is_even) = tint_of(colors, triangle);
             is_uneven |= !is_even;
             let own = Some(Affine::SAME).filter(|_| !has_picture);
@@ -96,6 +106,8 @@ impl DrawnColors {
             let what = "the colours of its vertices are shown as their mean in each triangle";
             notes.push(Remark::new(&omissions::UNEVEN_COLORS, what));
         }
+        let values: Vec<Arc<MaterialValues>> =
+            colors.materials.iter().map(|material| Arc::new(material.values.clone())).collect();
         let mut materials: Vec<DrawnMaterial> = Vec::with_capacity(groups.len());
         for group in &groups {
             let material = colors.materials.get(group.material as usize)?;
@@ -107,12 +119,33 @@ impl DrawnColors {
             let diffuse = Vec3::new(red, green, blue) * Vec3::new(by_red, by_green, by_blue);
             let cutoff = least_opacity(material.cutoff, opacity * by_opacity, picture.is_some());
             let name = material.name.clone();
-            materials.push(DrawnMaterial { name, diffuse, picture, place, cutoff });
+            let values = Arc::clone(values.get(group.material as usize)?);
+            materials.push(DrawnMaterial {
+                name,
+                diffuse,
+                picture,
+                place,
+                cutoff,
+                values,
+                material: None,
+                maps: None,
+                normals: None,
+            });
         }
         if materials.len() == 1 {
             return materials.pop().map(DrawnColors::One);
         }
-        Some(DrawnColors::Several(Arc::new(SurfaceColors { materials, of_triangles })))
+        Some(DrawnColors::Several(SurfaceColors { materials, of_triangles }))
+    }
+}
+
+impl DrawnColors {
+    /// Returns the drawn materials.
+    pub fn materials_mut(&mut self) -> &mut [DrawnMaterial] {
+        match self {
+            DrawnColors::One(material) => std::slice::from_mut(material),
+            DrawnColors::Several(colors) => &mut colors.materials,
+        }
     }
 }
 

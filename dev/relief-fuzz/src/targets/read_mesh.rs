@@ -19,7 +19,8 @@ fn run(bytes: &[u8]) -> bool {
     let name = NAMES[usize::from(choice) % 5];
     let projection = UvProjection::ALL.get(usize::from(choice / 5) % 4).copied();
     let up = [None, Some(Up::Y), Some(Up::Z)][usize::from(choice) % 3];
-    let options = MeshOptions { projection, up, colors: choice >= 128, max_bytes: MAX_BYTES };
+    let options =
+        MeshOptions { projection, up, colors: choice >= 128, materials: true, max_bytes: MAX_BYTES };
     let Ok(file) = read_mesh(Source::bytes(name, bytes), &options) else { return false };
     assert!(!file.mesh.triangles().is_empty());
     for vertex in file.mesh.vertices() {

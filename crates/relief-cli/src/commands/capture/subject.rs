@@ -170,7 +170,7 @@ fn of_mesh_file(
     max_bytes: u64,
     notes: &mut Vec<String>,
 ) -> Result<(Mesh, Option<MeshColors>), Failure> {
-    let options = MeshOptions { projection, up, colors: true, max_bytes };
+    let options = MeshOptions { projection, up, colors: true, max_bytes, ..MeshOptions::default() };
     let MeshFile { mesh, colors, notes: of_file, .. } = match read_mesh(path, &options) {
         Err(error) if error.problem.is_of_texture_coordinates() && projection.is_none() => {
             // Without texture coordinates no picture is laid on it, and nothing else needs them.

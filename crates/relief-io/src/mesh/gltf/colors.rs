@@ -1,20 +1,12 @@
 //! Reader of materials and colours of a glTF's triangles.
 
-use std::sync::Arc;
-
-use ::gltf::material::AlphaMode;
-use ::gltf::texture::WrappingMode;
-use ::gltf::{Document, Material, Primitive, Semantic};
-use relief_core::Wrap;
+use ::gltf::{Document, Primitive, Semantic};
 
 use super::buffers::Buffers;
-use super::image::{self, Image};
+use super::material::{BLENDED, Reading, set_of};
 use super::{accessor, damaged};
 use crate::mesh::builder::Builder;
-use crate::{MeshColors, MeshMaterial, Picture, ReadProblem, Remark, omissions};
-
-/// Cut-off of blended materials, since blending is not supported.
-const BLENDED: f32 = 0.5;
+use crate::{MeshColors, MeshMaterial, MeshOptions, ReadProblem, Remark, omissions};
 
 /// Greatest memory of a triangle's colours: its material, and coordinates and colours of its
 /// corners.
@@ -35,6 +27,8 @@ pub struct Colors {
     tints: Vec<[[f32; 4]; 3]>,
     /// Whether the file's coordinates are stored even if the mesh's are the same.
     keeps_uvs: bool,
+    /// Whether pictures other than of colours are read.
+    reads_all: bool,
     /// Whether a material's picture uses coordinates that a primitive lacks.
     without_uvs: bool,
 }
@@ -56,24 +50,17 @@ impl OfPrimitive {
     }
 }
 
-/// Number of the texture coordinates that a material's picture uses.
-fn set_of(material: &Material<'_>) -> Option<u32> {
-    let texture = material.pbr_metallic_roughness().base_color_texture()?;
-    let of_transform = texture.texture_transform().and_then(|transform| transform.tex_coord());
-    Some(of_transform.unwrap_or(texture.tex_coord()))
-}
-
 impl Colors {
-    /// Creates an empty collection. `keeps_uvs` is set if the mesh's own texture coordinates will
-    /// be replaced.
-    pub fn new(document: &Document, keeps_uvs: bool) -> Self {
+    /// Creates an empty collection.
+    pub fn new(document: &Document, options: &MeshOptions) -> Self {
         Self {
             materials: Vec::new(),
             places: vec![None; document.materials().len() + 1],
             of_triangles: Vec::new(),
             uvs: Vec::new(),
             tints: Vec::new(),
-            keeps_uvs,
+            keeps_uvs: options.projection.is_some(),
+            reads_all: options.materials,
             without_uvs: false,
         }
     }
@@ -97,7 +84,7 @@ impl Colors {
             self.places[slot] = Some(place);
             place
         });
-        let set = set_of(&material);
+        let set = set_of(&material, self.reads_all)?;
         let uvs = match set.filter(|set| *set != 0 || self.keeps_uvs) {
             None => None,
             Some(set) => match primitive.get(&Semantic::TexCoords(set)) {
@@ -190,8 +177,7 @@ impl Colors {
         if self.materials.iter().all(Option::is_none) && self.tints.is_empty() {
             return Ok(None);
         }
-        let mut reading =
-            Reading { document, images: Vec::new(), left_out: Vec::new(), blended: 0, has_others: false };
+        let mut reading = Reading::new(document, self.reads_all, self.keeps_uvs);
         let mut materials = Vec::with_capacity(self.materials.len());
         for number in &self.materials {
             let material = number.and_then(|number| document.materials().nth(number));
@@ -204,17 +190,19 @@ impl Colors {
             let what = "a picture needs texture coordinates that the mesh lacks: other ones are used";
             notes.push(Remark::new(&omissions::ABSENT_COORDINATES, what));
         }
-        let Reading { left_out, blended, has_others, .. } = reading;
+        let Reading { left_out, unread, blended, has_others, .. } = reading;
+        for what in unread {
+            notes.push(Remark::new(&omissions::UNREAD_MATERIAL, what));
+        }
         if has_others {
             let what = "its pictures of normals, metal, roughness, occlusion and emission are not read";
             notes.push(Remark::new(&omissions::OTHER_PICTURES, what));
         }
         for why in left_out.iter().take(MOST_NAMED) {
-            let what = format!("the picture of its colours is left out: {why}");
-            notes.push(Remark::new(&omissions::UNREAD_PICTURE, what));
+            notes.push(Remark::new(&omissions::UNREAD_PICTURE, why.as_str()));
         }
         if let Some(more) = left_out.len().checked_sub(MOST_NAMED).filter(|more| *more > 0) {
-            let what = format!("{more} more pictures of its colours are left out");
+            let what = format!("{more} more of its pictures are left out");
             notes.push(Remark::new(&omissions::UNREAD_PICTURE, what));
         }
         if blended > 0 {
@@ -230,105 +218,4 @@ impl Colors {
         let Self { of_triangles, uvs, tints, .. } = self;
         Ok(Some(MeshColors { materials, of_triangles, uvs, tints }))
     }
-}
-
-/// Pictures and materials while they are read.
-struct Reading<'a> {
-    document: &'a Document,
-    /// Images that were read, with their numbers.
-    images: Vec<(usize, Arc<Picture>)>,
-    /// Reasons why pictures were left out, each once.
-    left_out: Vec<String>,
-    blended: u64,
-    /// Whether a material has pictures other than its colours.
-    has_others: bool,
-}
-
-impl Reading<'_> {
-    fn material(
-        &mut self,
-        material: &Material<'_>,
-        buffers: &mut Buffers<'_>,
-        builder: &mut Builder,
-    ) -> Result<MeshMaterial, ReadProblem> {
-        let base = material.pbr_metallic_roughness();
-        let part = |part: f32| if part.is_finite() { part.clamp(0.0, 1.0) } else { 1.0 };
-        let factor = base.base_color_factor().map(part);
-        let cutoff = match material.alpha_mode() {
-            AlphaMode::Opaque => None,
-            AlphaMode::Mask => {
-                let cutoff = material.alpha_cutoff().unwrap_or(0.5);
-                if !(cutoff >= 0.0 && cutoff.is_finite()) {
-                    return Err(damaged(format!("an alphaCutoff is {cutoff}, not a number from 0")));
-                }
-                Some(cutoff)
-            }
-            AlphaMode::Blend => {
-                self.blended += 1;
-                Some(BLENDED)
-            }
-        };
-        let name = material.name().map(Arc::from);
-        let plain = MeshMaterial { name, factor, cutoff, ..MeshMaterial::default() };
-        self.has_others |= base.metallic_roughness_texture().is_some()
-            || material.normal_texture().is_some()
-            || material.occlusion_texture().is_some()
-            || material.emissive_texture().is_some();
-        let Some(info) = base.base_color_texture() else { return Ok(plain) };
-        let texture = info.texture();
-        let why = match Image::of(&texture) {
-            Image::Read(number) => {
-                let picture = self.picture(number, buffers, builder)?;
-                let sampler = texture.sampler();
-                let wrap = [sampler.wrap_s(), sampler.wrap_t()].map(|wrap| match wrap {
-                    WrappingMode::ClampToEdge => Wrap::Clamp,
-                    WrappingMode::MirroredRepeat => Wrap::Mirror,
-                    WrappingMode::Repeat => Wrap::Repeat,
-                });
-                let transform = match info.texture_transform() {
-                    Some(given) => transform(given.offset(), given.rotation(), given.scale())?,
-                    None => MeshMaterial::IDENTITY,
-                };
-                return Ok(MeshMaterial { picture: Some(picture), wrap, transform, ..plain });
-            }
-            Image::LeftOut(format) => {
-                format!("{format} is not read (`gltf-transform ktxdecompress` converts Basis to PNG)")
-            }
-            Image::None => "its texture names no image".to_owned(),
-        };
-        if !self.left_out.contains(&why) {
-            self.left_out.push(why);
-        }
-        Ok(plain)
-    }
-
-    /// Returns an image, which is read only once.
-    fn picture(
-        &mut self,
-        number: usize,
-        buffers: &mut Buffers<'_>,
-        builder: &mut Builder,
-    ) -> Result<Arc<Picture>, ReadProblem> {
-        if let Some((_, known)) = self.images.iter().find(|(known, _)| *known == number) {
-            return Ok(Arc::clone(known));
-        }
-        let picture = Arc::new(image::read(self.document, number, buffers, builder)?);
-        self.images.push((number, Arc::clone(&picture)));
-        Ok(picture)
-    }
-}
-
-/// Builds the rows of a texture transform: scaled, then turned counter-clockwise as `v` runs down,
-/// then moved (KHR_texture_transform).
-fn transform([x, y]: [f32; 2], turn: f32, scale: [f32; 2]) -> Result<[[f32; 3]; 2], ReadProblem> {
-    let (sin, cos) = f64::from(turn).sin_cos();
-    let [along_u, along_v] = scale.map(f64::from);
-    let rows = [
-        [(cos * along_u) as f32, (sin * along_v) as f32, x],
-        [(-sin * along_u) as f32, (cos * along_v) as f32, y],
-    ];
-    if rows.iter().flatten().all(|number| number.is_finite()) {
-        return Ok(rows);
-    }
-    Err(damaged("the transform of a texture has numbers that are not finite"))
 }

@@ -1,4 +1,4 @@
-//! Reader of program-specific keys (`extras`) of materials.
+//! Reader of what materials say in the JSON alone: program-specific keys (`extras`) and values.
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -7,6 +7,7 @@ use ::gltf::Material;
 use ::gltf::json::{Value, deserialize, serialize};
 use ::gltf::mesh::Mode;
 
+use super::material::{has_maps, values_of};
 use super::{container, damaged, document, nodes, take_json};
 use crate::mesh::builder::Builder;
 use crate::{ReadProblem, Source};
@@ -20,6 +21,30 @@ pub(in crate::mesh) fn read(
     name: &str,
     builder: &mut Builder,
 ) -> Result<Option<String>, ReadProblem> {
+    let mut values = each_material(source, builder, |material| value(material, name))?.into_iter();
+    let Some(first) = values.next() else { return Ok(None) };
+    if values.any(|value| value != first) {
+        let what = format!("a mesh of several materials with different extras.{name}");
+        return Err(ReadProblem::Unsupported { what, advice: "export a file for each material" });
+    }
+    first.map(|value| serialize::to_string(&value).map_err(damaged)).transpose()
+}
+
+/// Returns whether a material of the triangles needs shading by roughness and metalness.
+pub(in crate::mesh) fn needs_roughness(
+    source: Source<'_>,
+    builder: &mut Builder,
+) -> Result<bool, ReadProblem> {
+    let needs = |material: &Material<'_>| Ok(values_of(material)?.needs_roughness(has_maps(material)));
+    Ok(each_material(source, builder, needs)?.contains(&true))
+}
+
+/// Returns what `value` gives for each material of the triangles, in the order of the file.
+fn each_material<T>(
+    source: Source<'_>,
+    builder: &mut Builder,
+    value: impl Fn(&Material<'_>) -> Result<T, ReadProblem>,
+) -> Result<Vec<T>, ReadProblem> {
     let text = text_of(source, builder)?;
     take_json(&text, builder)?;
     let document = document(&text)?;
@@ -30,17 +55,11 @@ pub(in crate::mesh) fn read(
                 matches!(primitive.mode(), Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan);
             let material = primitive.material();
             if is_of_triangles && !of_materials.contains_key(&material.index()) {
-                of_materials.insert(material.index(), value(&material, name)?);
+                of_materials.insert(material.index(), value(&material)?);
             }
         }
     }
-    let mut values = of_materials.into_values();
-    let Some(first) = values.next() else { return Ok(None) };
-    if values.any(|value| value != first) {
-        let what = format!("a mesh of several materials with different extras.{name}");
-        return Err(ReadProblem::Unsupported { what, advice: "export a file for each material" });
-    }
-    first.map(|value| serialize::to_string(&value).map_err(damaged)).transpose()
+    Ok(of_materials.into_values().collect())
 }
 
 /// Returns the value under `name` in a material's extras.

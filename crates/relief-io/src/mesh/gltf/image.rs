@@ -7,7 +7,7 @@ use super::damaged;
 use crate::mesh::builder::Builder;
 use crate::omissions::ORIENTATION_IN_GLTF;
 use crate::picture::read_gltf_picture;
-use crate::{Picture, ReadProblem, Remark, Source};
+use crate::{Curve, Picture, ReadProblem, Remark, Source};
 
 /// Extensions by which a texture refers to a picture in another format, and whether that is
 /// supported.
@@ -45,10 +45,10 @@ impl Image {
     }
 }
 
-/// Reads the image with the given number.
+/// Reads the image with the given number, and decodes its colours by `curve`.
 pub fn read(
     document: &Document,
-    number: usize,
+    (number, curve): (usize, Curve),
     buffers: &mut Buffers<'_>,
     builder: &mut Builder,
 ) -> Result<Picture, ReadProblem> {
@@ -61,7 +61,7 @@ pub fn read(
         (None, Some(uri)) => buffers.named(&name, uri, builder)?.into_owned(),
         (None, None) => return Err(damaged(format!("{name} has no bytes"))),
     };
-    let read = read_gltf_picture(Source::bytes(&name, &bytes), builder.left());
+    let read = read_gltf_picture(Source::bytes(&name, &bytes), curve, builder.left());
     let (picture, is_turned) = read
         .map_err(|error| ReadProblem::Part { file: error.path.clone(), problem: Box::new(error.problem) })?;
     if is_turned {

@@ -9,6 +9,7 @@ mod colors;
 pub(super) mod container;
 pub(super) mod extras;
 mod image;
+mod material;
 mod nodes;
 mod pose;
 
@@ -56,7 +57,7 @@ pub(super) fn read(
     let document = document(text)?;
     let mut buffers = Buffers::new(source, binary, document.buffers().len());
     let mut poses = Poses::new();
-    let mut colors = options.colors.then(|| Colors::new(&document, options.projection.is_some()));
+    let mut colors = options.colors.then(|| Colors::new(&document, options));
     let (mut triangles, mut others) = (0, false);
     for (node, transform) in nodes::in_scene(&document)? {
         for primitive in node.mesh().into_iter().flat_map(|mesh| mesh.primitives()) {

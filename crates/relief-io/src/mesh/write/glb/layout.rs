@@ -276,7 +276,10 @@ impl GlbLayout {
         let lods = (self.levels.len() > 1).then_some(r#""MSFT_lod""#);
         let is_moved = self.materials.as_ref().is_some_and(GlbMaterials::has_transforms);
         let transforms = is_moved.then_some(r#""KHR_texture_transform""#);
-        let used: Vec<&str> = [quantization, lods, transforms].into_iter().flatten().collect();
+        let of_materials = self.materials.iter().flat_map(GlbMaterials::extensions);
+        let of_materials: Vec<String> = of_materials.map(|name| format!("\"{name}\"")).collect();
+        let used = [quantization, lods, transforms].into_iter().flatten();
+        let used: Vec<&str> = used.chain(of_materials.iter().map(String::as_str)).collect();
         let required = quantization.map(|name| format!(r#""extensionsRequired":[{name}],"#));
         if used.is_empty() {
             return String::new();
