@@ -92,6 +92,8 @@ choice! {
     Rotation = "rotation",
     /// Mean of the normals of the triangles at a vertex, weighted by their angles there.
     Mesh = "mesh",
+    /// Normals and tangents of the base, for a normal map that has the relief's.
+    Base = "base",
 }
 
 choice! {

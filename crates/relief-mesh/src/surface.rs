@@ -358,7 +358,7 @@ impl Relief {
     /// With the displacement `D` along `M` they are `T + D_u M + D M_u`, and likewise for `v`. This
     /// is equation 9 of Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M`
     /// does not turn. The shading `derivative` makes that simplification, too, and `rotation` turns
-    /// `M` by the slopes alone. `T` is the base's derivative in the plane perpendicular to its
+    /// `M` by the slopes alone. With `base` they are the base's. `T` is the base's derivative in the plane perpendicular to its
     /// normal, so that the normal is the base's where there is no relief.
     #[inline(always)]
     fn shaded(&self, position: DVec3, base: &BasePoint, displacement: Displacement, frame: &Frame) -> Vertex {
@@ -369,6 +369,9 @@ impl Relief {
         let length = if self.directions == Directions::Raw { 0.0 } else { base.normal.length() };
         let derivative = |axis: usize| {
             let flat = frame.tangents[axis] - up * up.dot(frame.tangents[axis]);
+            if self.shading == Shading::Base {
+                return flat;
+            }
             let rise = scale_m * displacement.slope[axis];
             let (mut direction, mut turn) = (base.normal, frame.turns[axis]);
             if length > 0.0 {
@@ -380,7 +383,9 @@ impl Relief {
         let [along, down] = [derivative(0), derivative(1)];
         let is_mirrored = frame.tangents[1].cross(frame.tangents[0]).dot(up) < 0.0;
         let handed = if is_mirrored { -1.0 } else { 1.0 };
-        let normal = if self.shading == Shading::Rotation {
+        let normal = if self.shading == Shading::Base {
+            up
+        } else if self.shading == Shading::Rotation {
             let rises = displacement.slope.map(|slope| scale_m * slope);
             turned(up, frame.tangents, rises, handed)
         } else {

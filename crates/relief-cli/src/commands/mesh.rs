@@ -1,6 +1,7 @@
 //! `relief mesh`: displaces a mesh by a height map and writes the triangles to a file.
 
 mod accuracy;
+mod baked_maps;
 mod ground;
 mod level_filter;
 mod parts;
@@ -16,7 +17,7 @@ use clap::{Args, ValueEnum};
 use relief_core::ByteSize;
 use relief_core::registry::UnknownName;
 use relief_io::omissions::{self, OTHER_PICTURES, UNDECLARED_NODATA, UNSHOWN_MATERIAL};
-use relief_io::{DEFAULT_MAX_BYTES, GlbMaterials, MeshFormat, Remark, Up};
+use relief_io::{DEFAULT_MAX_BYTES, GlbMaterials, MeshFormat, MeshMaterial, Remark, Up};
 use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, Mesher, Seams, Shading,
     Side, View,
@@ -24,6 +25,7 @@ use relief_mesh::{
 use relief_scene::{MeshChoice, Scene, SceneSpec, Surface, SurfaceSpec, read_scene};
 
 use self::accuracy::Tolerance;
+use self::baked_maps::MeshMap;
 use self::ground::Metres;
 use self::level_filter::LevelFilter;
 use self::refused::COARSER;
@@ -41,6 +43,9 @@ use crate::{interrupt, say, units, values};
 
 /// Memory for blocks between making and writing them.
 const BYTES_TO_WRITE: u64 = 32 << 20;
+
+/// Materials, and the index of each base triangle's; no indices if all have the first.
+type Materials = (Vec<MeshMaterial>, Vec<u32>);
 
 /// Arguments of `relief mesh`.
 #[derive(Args)]
@@ -185,10 +190,21 @@ pub struct Arguments {
     #[arg(long, value_name = "raw|unit|angle", help_heading = "Triangles", hide_short_help = true)]
     directions: Option<Directions>,
     /// Normals of the vertices: exact, of the relief between the texels; derivative, as if the mesh
-    /// were level; rotation, the mesh's normals turned by two angles; or mesh, of the triangles
-    /// [default: exact]
-    #[arg(long, value_name = "exact|derivative|rotation|mesh", help_heading = "Triangles")]
+    /// were level; rotation, the mesh's normals turned by two angles; mesh, of the triangles; or base,
+    /// of the base mesh [default: exact, with --maps normal base]
+    #[arg(long, value_name = "exact|derivative|rotation|mesh|base", help_heading = "Triangles")]
     shading: Option<Shading>,
+    /// Maps of the relief to bake into the GLB, in the texels of the height map: normal, which shows
+    /// the detail that few triangles lose; occlusion; or both, as in normal,occlusion. They replace
+    /// the material's
+    #[arg(
+        long,
+        value_enum,
+        value_delimiter = ',',
+        value_name = "normal|occlusion",
+        help_heading = "Triangles"
+    )]
+    maps: Vec<MeshMap>,
     /// Displacement at hard edges and seams of the texture: weld gives a position one displacement,
     /// so that a closed mesh stays closed; keep gives each side its own, which leaves gaps
     /// [default: weld]
@@ -267,6 +283,7 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif --texels 1 -o dem.glb                     # one vertex per texel\n  \
     relief mesh dem.tif --error 2m --quantize 12 -o dem.glb       # a third smaller, in integers\n  \
     relief mesh dem.tif --error 2m --strips -o dem.glb            # a fifth smaller, as strips\n  \
+    relief mesh dem.tif --error 5% --maps normal -o dem.glb       # few triangles, all of the shading\n  \
     relief mesh dem.tif --error 1m --lods 4 -o dem.glb            # and three coarser levels\n  \
     relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb  # one vertex per two pixels\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb  # on a textured mesh\n  \
@@ -378,6 +395,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         arguments.notes(&metres, &surface).into_iter().for_each(say::note);
     }
     let cancel = interrupt::catch()?;
+    let materials = baked_maps::baked(arguments, &surface, materials, cancel)?;
+    let of_glb = |(materials, of_base)| GlbMaterials::new(materials, of_base).map_err(Failure::work);
+    let materials = materials.map(of_glb).transpose()?;
     let files = parts::files(&arguments.output, arguments.tiles)?;
     let paths: Vec<&Path> = files.iter().map(|file| file.path.as_path()).collect();
     let mut staged = Staged::open(&paths, arguments.json, cancel)?;
@@ -431,7 +451,7 @@ impl Arguments {
     /// # Errors
     ///
     /// With the reason if they cannot be written.
-    fn materials(&self, surface: &Surface, format: MeshFormat) -> Result<Option<GlbMaterials>, String> {
+    fn materials(&self, surface: &Surface, format: MeshFormat) -> Result<Option<Materials>, String> {
         if surface.file_colors().is_none_or(|colors| colors.colored() == 0) {
             return Ok(None);
         }
@@ -447,7 +467,9 @@ impl Arguments {
         if Mesher::is_plane(surface.mesh()) && !of_base.is_empty() {
             return Err("the base is a plane, which has one material".to_owned());
         }
-        GlbMaterials::new(materials, of_base).map(Some).map_err(|problem| problem.to_string())
+        // A problem with a picture is known before the work.
+        GlbMaterials::new(materials.clone(), of_base.clone()).map_err(|problem| problem.to_string())?;
+        Ok(Some((materials, of_base)))
     }
 
     /// Returns the memory limit in bytes.

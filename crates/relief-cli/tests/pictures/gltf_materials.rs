@@ -4,6 +4,7 @@ use crate::common::command::Folder;
 use crate::common::maps::{Map, encoded};
 use crate::common::meshes::{part, square};
 use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
+use relief_io::{MeshOptions, read_mesh};
 
 /// Picture of the material's square from the front, without a height map.
 fn render(folder: &Folder, mesh: &str, more: &str) -> (RgbImage, String) {
@@ -159,4 +160,61 @@ fn wrong_materials_are_refused_with_the_reason() {
     folder.write("moved.gltf", text.replace(r#"{"index": 3, "#, moved));
     let (_, notes) = render(&folder, "moved.gltf", "");
     assert!(notes.contains("the picture of its occlusion is left out"), "{notes}");
+}
+
+/// Part of the pixels within 3 of 255 in all channels.
+fn near(a: &RgbImage, b: &RgbImage) -> f64 {
+    let pixels = a.pixels().zip(b.pixels());
+    let is_near = |(a, b): &(&Rgb<u8>, &Rgb<u8>)| (0..3).all(|at| a.0[at].abs_diff(b.0[at]) <= 3);
+    pixels.filter(is_near).count() as f64 / f64::from(a.width() * a.height())
+}
+
+#[test]
+fn a_coarse_mesh_with_a_map_of_normals_looks_as_exact_does() {
+    let folder = Folder::new();
+    folder.write("hills.png", Map::many_hills().png());
+    let shown = |what: &str, backend: &str| {
+        let line = format!(
+            "render {what} --projection orthographic --eye 0,2,0.001 --target 0,0,0 --view-height 0.9 \
+             --size 160x160 --samples 4 --shadow none --ambient constant --look plain --shade \
+             metallic-roughness --material base=0.5,0.5,0.5 --material roughness=0.8 --material metallic=0 \
+             --backend {backend} -o out.png"
+        );
+        let ran = folder.relief(&line);
+        assert_eq!(ran.code, Some(0), "{what}: {}", ran.stderr);
+        image::open(folder.path("out.png")).expect("a picture").into_rgb8()
+    };
+    let exact = shown("--height hills.png --scale 0.08 --method exact", "cpu");
+    let mesh = |more: &str, name: &str| {
+        let ran = folder.relief(&format!("mesh hills.png --scale 0.08 --error 5% {more} -o {name}"));
+        assert_eq!(ran.code, Some(0), "{more}: {}", ran.stderr);
+    };
+    mesh("--maps normal", "baked.glb");
+    mesh("", "coarse.glb");
+    mesh("--shading base", "bare.glb");
+    let share = near(&exact, &shown("--mesh baked.glb", "cpu"));
+    println!("{share}");
+    assert!(share >= 0.95, "{share} of the pixels");
+    // Vertices alone are worse, and the normals of the base alone much worse.
+    let coarse = near(&exact, &shown("--mesh coarse.glb", "cpu"));
+    let bare = near(&exact, &shown("--mesh bare.glb", "cpu"));
+    println!("{coarse}, {bare}");
+    assert!(coarse < share && bare < 0.5, "{coarse}, {bare}");
+
+    mesh("--maps normal,occlusion --solid 3 --print-size 100", "both.glb");
+    let options = MeshOptions { colors: true, materials: true, ..MeshOptions::default() };
+    let read = |name: &str| read_mesh(folder.path(name).as_path(), &options).expect("a mesh");
+    let file = read("both.glb");
+    let textures = &file.colors.expect("a material").materials[0].values.textures;
+    assert!(textures.normal.is_some() && textures.occlusion.is_some());
+    let file = read("baked.glb");
+    assert!(file.mesh.vertices().iter().all(|vertex| vertex.normal.y > 0.999_99));
+    for (line, wanted) in [
+        ("--maps normal -o out.ply", "--maps"),
+        ("--maps normal --shading exact -o out.glb", "needs the normals of the base"),
+        ("--maps bumps -o out.glb", "normal"),
+    ] {
+        let ran = folder.relief(&format!("mesh hills.png {line}"));
+        assert!(ran.code == Some(2) && ran.stderr.contains(wanted), "{line}: {}", ran.stderr);
+    }
 }

@@ -6,6 +6,7 @@ use relief_mesh::{
     Weights,
 };
 
+use super::baked_maps::{self, MeshMap};
 use super::refused::of_mesher;
 use super::write::Source;
 use super::{Arguments, BYTES_TO_WRITE, bytes_of};
@@ -53,6 +54,13 @@ impl Arguments {
             )));
         }
         self.check_storage(format)?;
+        if let Some(shading) = self.shading.filter(|shading| *shading != Shading::Base)
+            && self.maps.contains(&MeshMap::Normal)
+        {
+            return Err(Failure::Usage(format!(
+                "--shading {shading}: --maps normal needs the normals of the base: leave one out"
+            )));
+        }
         if self.tiles.is_some() && self.shading == Some(Shading::Mesh) {
             let why = "normals of triangles would differ where two files meet";
             return Err(Failure::Usage(format!(
@@ -68,6 +76,7 @@ impl Arguments {
             ("--quantize", self.quantize.is_some(), "has no scaled integers"),
             ("--lods", self.lods.is_some(), "has no levels of detail"),
             ("--strips", self.strips, "has no triangle strips"),
+            ("--maps", !self.maps.is_empty(), "holds no pictures"),
             ("--place", self.place, "has no node to move"),
         ];
         let asked = for_glb.into_iter().find(|(_, is_asked, _)| *is_asked && format != MeshFormat::Gltf);
@@ -147,7 +156,7 @@ impl Arguments {
             max_bytes: self.limit().saturating_sub(held),
             base: self.base.unwrap_or_default(),
             directions: self.directions.unwrap_or_default(),
-            shading: self.shading.unwrap_or_default(),
+            shading: self.shading.unwrap_or(baked_maps::shading(&self.maps)),
             seams: self.seams.unwrap_or_default(),
             holes: self.holes,
             pose: metres.put(self, surface),
