@@ -10,8 +10,9 @@ use relief_scene::background::Background;
 use relief_scene::depth_buffer::Clip;
 use relief_scene::tone::Tone;
 use relief_scene::{
-    BackendChoice, LightDirection, LightSpec, Look, MeshChoice, PictureSize, ProjectionChoice, RampChoice,
-    Sampling, SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
+    BackendChoice, BaseThickness, LightDirection, LightSpec, Look, MeshChoice, PictureSize, ProjectionChoice,
+    RampChoice, Sampling, SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene,
+    read_scene,
 };
 use relief_shaders::METHODS;
 
@@ -124,6 +125,20 @@ pub struct SceneArguments {
     creases: bool,
     #[command(flatten)]
     placement: PlacementArguments,
+    /// Close the plane to a block, with walls and a bottom. The relief is then traced in the plane's
+    /// shell (--surface prism), and clamped at its edges
+    #[arg(long, help_heading = "Maps and mesh")]
+    walls: bool,
+    /// Thickness of the block below its lowest texel, as in 2cm, or in percent of the plane's shorter
+    /// side. Needs --walls [default: 5%]
+    #[arg(
+        long,
+        value_name = "M|P%",
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+        hide_short_help = true
+    )]
+    base: Option<BaseThickness>,
     #[command(flatten)]
     material: MaterialArguments,
     /// Also draw back faces, with their normals turned over
@@ -371,6 +386,8 @@ impl SceneArguments {
             creases: given(self.creases),
             color: self.color.clone(),
             ramp: self.ramp.clone(),
+            walls: given(self.walls),
+            base: self.base,
             normal: self.normal.clone(),
             green: self.green,
             method: self.method.clone(),

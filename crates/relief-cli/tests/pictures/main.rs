@@ -5,6 +5,7 @@ mod common;
 
 mod around;
 mod bench;
+mod blocks;
 mod compare;
 mod compare_files;
 mod file_materials;

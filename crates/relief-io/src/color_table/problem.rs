@@ -23,8 +23,8 @@ pub enum ColorTableProblem {
     },
     /// There is no entry.
     #[error(
-        "has no colour: give lines such as '1200 190 185 135', with elevation, red, green and blue (lines that \
-         begin with # are comments)"
+        "has no colour: give lines such as '1200 190 185 135', with elevation, red, green and blue (lines \
+         that begin with # are comments)"
     )]
     Empty,
     /// There are too many entries.
@@ -69,7 +69,10 @@ pub enum ColorTableProblem {
     #[error("{0}")]
     UnknownColor(UnknownName),
     /// An elevation is on the wrong side of the one before.
-    #[error("{at} comes after {before}, but elevations {} before: sort the lines", if *rise { "rise" } else { "fall" })]
+    #[error(
+        "{at} comes after {before}, but elevations {} before: sort the lines",
+        if *rise { "rise" } else { "fall" }
+    )]
     Order {
         /// The elevation, as it is written.
         at: String,

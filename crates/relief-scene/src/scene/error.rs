@@ -13,6 +13,7 @@ use relief_io::{ReadError, TextureSetError};
 use relief_maps::MapsError;
 use relief_object::ObjectFileError;
 use relief_shaders::shadow::of_light_views;
+use relief_shaders::surface::Proposal;
 use relief_shaders::{SHADE, STAGES, SURFACE, SelectionError, Variants};
 use std::path::PathBuf;
 
@@ -255,6 +256,16 @@ pub enum ValueProblem {
         /// Name of the shading.
         shading: &'static str,
     },
+    /// Walls are asked for around another mesh than a plane.
+    #[error("closes the built-in plane and square, and no other mesh: leave the walls or the mesh out")]
+    WallsOfMesh,
+    /// Walls are asked for around a relief that does not show its sides.
+    #[error(
+        "needs a relief that is seen from the side: choose a method with a search, and the surface {}, or \
+         displaced triangles",
+        shells().or()
+    )]
+    WallsOfBase,
     /// A search for shadow rays is given, but the shadow variant has no rays.
     #[error(
         "is for shadows with rays toward the light, and the chosen shadow has none: leave it out or choose \
@@ -297,6 +308,11 @@ pub enum ValueProblem {
     /// The method, search, refinement or a setting is not available.
     #[error(transparent)]
     Selection(#[from] Box<SelectionError>),
+}
+
+/// Surfaces that show a relief from the side.
+fn shells() -> Variants {
+    Variants::of(SURFACE, |entry| entry.paths().has_relief() && entry.paths().proposal == Proposal::Shells)
 }
 
 impl ValueError {

@@ -1,6 +1,6 @@
 //! Readers of values in scene files, and the list of a type's keys.
 
-use super::{LightDirection, PictureSize};
+use super::{BaseThickness, LightDirection, PictureSize};
 use crate::background::Background;
 use relief_core::ByteSize;
 use relief_io::HeightRange;
@@ -85,6 +85,33 @@ impl<'de> Deserialize<'de> for Length {
 
         deserializer.deserialize_any(Metres)
     }
+}
+
+/// Reads the thickness of a base: a number of metres, or a text such as `"5cm"` or `"5%"`.
+pub fn base<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<BaseThickness>, D::Error> {
+    struct Base;
+
+    impl Visitor<'_> for Base {
+        type Value = BaseThickness;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("a number of metres, or a text such as \"5cm\" or \"5%\"")
+        }
+
+        fn visit_f64<E: de::Error>(self, metres: f64) -> Result<BaseThickness, E> {
+            Ok(BaseThickness::Metres(metres))
+        }
+
+        fn visit_i64<E: de::Error>(self, metres: i64) -> Result<BaseThickness, E> {
+            Ok(BaseThickness::Metres(metres as f64))
+        }
+
+        fn visit_str<E: de::Error>(self, text: &str) -> Result<BaseThickness, E> {
+            text.parse().map_err(E::custom)
+        }
+    }
+
+    deserializer.deserialize_any(Base).map(Some)
 }
 
 /// Reads the values that become heights 0 and 1: two numbers, or `auto`.

@@ -193,6 +193,13 @@ pub fn keys() -> Vec<Key> {
             "\"plane\"",
             "base mesh: a glTF, OBJ, PLY or STL file, or a built-in one",
         ),
+        surface("walls", Form::Flag, "false", "whether walls and a bottom close the plane to a block"),
+        surface(
+            "base",
+            Form::Length,
+            "",
+            "thickness of the block below its lowest texel, or its part of the shorter side (default: 5%)",
+        ),
         surface(
             "project",
             Form::Name(UvProjection::ALL.map(UvProjection::name).to_vec()),
@@ -410,6 +417,8 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
         "exaggerate" => spec.exaggerate.map(|factor| format!("{factor:?}")),
         "green" => spec.green.map(|green| quoted(green.name())),
         "mesh" => spec.mesh.as_ref().map(|mesh| quoted(&mesh.to_string())),
+        "walls" => spec.walls.map(|flag| flag.to_string()),
+        "base" => spec.base.map(|base| quoted(&base.to_string())),
         "project" => spec.project.map(|projection| quoted(projection.name())),
         "mesh-up" => spec.mesh_up.map(|up| quoted(up.name())),
         "tile" => spec.tile.map(|tile| list(&tile)),

@@ -102,9 +102,14 @@ impl SceneSpec {
             Some(path) => Some(maps.environment(path)?),
             None => None,
         };
-        let mut surfaces = Vec::new();
-        for (number, surface, parts) in each {
-            surfaces.push(surface.load(parts, number, &mut maps)?);
+        let (mut surfaces, mut walls) = (Vec::new(), Vec::new());
+        let (samples, context) = (self.samples.unwrap_or(DEFAULT_SAMPLES), self.context());
+        for (number, spec, parts) in each {
+            let surface = spec.load(parts, number, &mut maps)?;
+            if spec.has_walls() {
+                walls.push(spec.load_walls(&surface, samples, &context, &mut maps)?);
+            }
+            surfaces.push(surface);
         }
         // The size `map` is known only now, so its memory is subtracted now.
         let of_map = match &surfaces[..] {
@@ -115,6 +120,7 @@ impl SceneSpec {
             Some(size) => self.memory_beside_the_picture(maps.left(), size, asked, limit)?,
             None => maps.left(),
         };
+        surfaces.extend(walls);
         let mut builder = self.builder(surfaces)?;
         if let Some([width, height]) = of_map {
             builder = builder.size(width, height);
@@ -126,16 +132,21 @@ impl SceneSpec {
         Ok(Scene { notes: maps.into_notes(), ..scene })
     }
 
-    /// Returns every surface with its parts that need no file, and with its index if there are
-    /// several.
-    fn each_with_parts(&self) -> impl Iterator<Item = Result<SurfaceParts, ValueError>> {
-        let several = !self.surfaces.is_empty();
-        let context = SceneContext {
+    /// Returns the values that surfaces depend on.
+    fn context(&self) -> SceneContext {
+        SceneContext {
             look: self.look(),
             has_environment: self.environment.is_some(),
             several: self.surfaces.len() > 1,
             size: self.pixels().unwrap_or(if self.is_of_map_size() { LARGE_SIZE } else { DEFAULT_SIZE }),
-        };
+        }
+    }
+
+    /// Returns every surface with its parts that need no file, and with its index if there are
+    /// several.
+    fn each_with_parts(&self) -> impl Iterator<Item = Result<SurfaceParts, ValueError>> {
+        let several = !self.surfaces.is_empty();
+        let context = self.context();
         self.each_surface().into_iter().enumerate().map(move |(number, mut surface)| {
             let number = several.then_some(number);
             surface.drop_maps();

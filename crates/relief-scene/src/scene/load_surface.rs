@@ -8,7 +8,8 @@ use super::material_spec::{metallic_roughness, reads_materials};
 use super::metres::{MAX_METRES, check_metres};
 use super::surface_colors::{DrawnColors, DrawnMaterial};
 use super::surface_spec::environment;
-use super::{Look, MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
+use super::walls::{triangles_of_walls, walls};
+use super::{BaseThickness, Look, MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
 use crate::material::{Material, ShadingModel};
 use glam::{Vec2, Vec3};
 use relief_core::mesh::{Builtin, Mesh, Placement, UvProjection, square};
@@ -16,10 +17,12 @@ use relief_core::object::ImageObject;
 use relief_core::{HeightMap, Wrap};
 use relief_io::{Convention, Fill, HeightOptions, HeightRange, MeshColors, MeshMaterial, Remark, omissions};
 use relief_object::{ObjectFile, ObjectOptions};
+use relief_shaders::surface::{Proposal, Shown};
 use relief_shaders::{
-    AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, STAGES, Selection,
+    AMBIENT, DETAIL, Entry, GEOMETRY, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, STAGES, SURFACE,
+    Selection,
 };
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Detail variant for pictures with several samples per pixel, if the search's maps can have levels
@@ -32,6 +35,9 @@ const SHADOW_OF_MESHES: &str = "map";
 
 /// Key that a projection needs.
 const MESH_OF_FILE: &str = "mesh FILE";
+
+/// Linear colour of the walls of blocks: earth.
+const COLOR_OF_WALLS: Vec3 = Vec3::new(0.24, 0.17, 0.12);
 
 /// Default displacement between heights 0 and 1 in metres, if neither the scene nor the height
 /// map's file states one.
@@ -135,7 +141,20 @@ impl SurfaceSpec {
         if self.ramp.is_some() && self.is_mesh_alone() && self.textures.is_none() {
             return Err(ValueProblem::Needs("height").of("ramp"));
         }
+        if self.base.is_some() && self.walls != Some(true) {
+            return Err(ValueProblem::Needs("walls").of("base"));
+        }
+        let (metres, must) = match self.base.unwrap_or_default() {
+            BaseThickness::Metres(metres) => (metres, "above 0 and at most 1e9 metres"),
+            BaseThickness::Share(share) => (share, "above 0 and at most 1e9"),
+        };
+        if !(metres > 0.0 && metres <= MAX_METRES) {
+            return Err(ValueProblem::Number { value: metres, must }.of("base"));
+        }
         let selection = self.selection(samples, context)?;
+        if self.has_walls() {
+            self.check_walls(&selection)?;
+        }
         Ok(Parts {
             mesh: self.placed(self.mesh_without_file([1.0, 1.0])?)?,
             material: self.material_of(None, &selection)?,
@@ -147,6 +166,63 @@ impl SurfaceSpec {
             holes: self.holes.unwrap_or_default(),
             creases: self.creases.unwrap_or_default(),
         })
+    }
+
+    /// Returns whether walls close the relief to a block.
+    pub(super) fn has_walls(&self) -> bool {
+        self.walls == Some(true)
+    }
+
+    /// Refuses walls around another mesh than a plane, or around a relief that shows no sides.
+    fn check_walls(&self, selection: &Selection) -> Result<(), ValueError> {
+        let is_plane = matches!(
+            self.mesh,
+            None | Some(MeshChoice::Builtin(Builtin::Plane)) | Some(MeshChoice::Builtin(Builtin::Square))
+        );
+        if !is_plane {
+            return Err(ValueProblem::WallsOfMesh.of("walls"));
+        }
+        let paths = selection.paths();
+        let is_searched = paths.has_relief() && !selection.choices[SEARCH].entry.is_idle();
+        match paths.shown {
+            Shown::Relief if is_searched && paths.proposal == Proposal::Shells => Ok(()),
+            Shown::Triangles => Ok(()),
+            _ => Err(ValueProblem::WallsOfBase.of("walls")),
+        }
+    }
+
+    /// Makes the walls and the bottom of a loaded surface: a surface without a relief, with its
+    /// shading.
+    pub(super) fn load_walls(
+        &self,
+        surface: &Surface,
+        samples: u32,
+        context: &SceneContext,
+        maps: &mut Maps,
+    ) -> Result<Surface, SceneError> {
+        let shadow = STAGES[SHADOW].first(Entry::is_idle).map(|(_, entry)| entry.name);
+        // Nothing lies beside a block, so only other surfaces cast shadows on its walls.
+        let shadow = shadow.filter(|_| !context.several).map(|name| (STAGES[SHADOW].key, name));
+        let named = |stage: usize| Some((STAGES[stage].key, surface.selection().choices[stage].entry.name));
+        let is_free = surface.selection().choices[AMBIENT].entry.maps.is_empty();
+        let is_named =
+            surface.selection().sees_environment() || self.stages.contains_key(STAGES[AMBIENT].key);
+        let ambient = named(AMBIENT).filter(|_| is_free && is_named);
+        let stages = [named(SHADE), ambient, shadow].into_iter().flatten();
+        let spec = SurfaceSpec {
+            mesh: Some(MeshChoice::File(PathBuf::new())),
+            stages: stages.map(|(key, name)| (key.to_owned(), name.to_owned())).collect(),
+            ..SurfaceSpec::default()
+        };
+        let selection = spec.selection(samples, context)?;
+        let material = spec.material_of(Some(COLOR_OF_WALLS), &selection)?;
+        let path = self.height.as_deref().unwrap_or(Path::new(""));
+        maps.take_triangles(path, surface.height_map(), triangles_of_walls(surface))?;
+        let mesh = walls(surface, self.base.unwrap_or_default())
+            .map_err(|error| ValueProblem::from(error).of("walls"))?;
+        let level = level_map(None)?.with_displacement(0.0, 0.0);
+        let level = level.map_err(|error| ValueProblem::from(error).of("walls"))?;
+        Ok(Surface::new(mesh, level).with_material(material).with_selection(selection))
     }
 
     /// Replaces the mesh of `parts` by a square.
@@ -282,6 +358,9 @@ impl SurfaceSpec {
             }
             _ => (parts, None),
         };
+        // Beyond a block there is no ground, unless its map is shown several times.
+        let is_single = self.tile.is_none_or(|tile| tile.iter().all(|tile| *tile <= 1.0));
+        let wrap_of_block = (self.has_walls() && is_single).then_some(Wrap::Clamp);
         let options = HeightOptions {
             channel: self.channel.clone(),
             convention: self.depth.map(|depth| if depth { Convention::Depth } else { Convention::Height }),
@@ -295,7 +374,7 @@ impl SurfaceSpec {
                 Some(true) => Fill::Always,
                 Some(false) => Fill::Never,
             },
-            wrap: self.wrap,
+            wrap: self.wrap.or(wrap_of_block),
             max_bytes: maps.left(),
         };
         let map = match &self.height {
@@ -469,6 +548,14 @@ impl SurfaceSpec {
         let mut selection = selection.map_err(of_selection)?;
         if let Some(detail) = detail {
             selection.choose(STAGES[DETAIL].key, detail).map_err(of_selection)?;
+        }
+        // The sides of a block are seen, where a relief on polygons shows nothing.
+        let is_named = [GEOMETRY, SURFACE].iter().any(|stage| named(*stage).is_some());
+        if self.has_walls() && !is_named && selection.geometry().is_none() {
+            let shells = STAGES[SURFACE].first(|entry| entry.paths().proposal == Proposal::Shells);
+            if let Some((_, entry)) = shells {
+                selection.choose(STAGES[SURFACE].key, entry.name).map_err(of_selection)?;
+            }
         }
         let model = self.shading_model()?;
         let is_rough =

@@ -289,6 +289,23 @@ impl Maps {
         Ok(environment)
     }
 
+    /// Subtracts the memory of triangles around a height map.
+    pub(super) fn take_triangles(
+        &mut self,
+        path: &Path,
+        map: &HeightMap,
+        count: u64,
+    ) -> Result<(), SceneError> {
+        let (width, height) = (map.width(), map.height());
+        let needed = BYTES_PER_TRIANGLE.saturating_mul(count);
+        let (left, limit) = (self.left, self.limit);
+        self.left = left.checked_sub(needed).ok_or_else(|| {
+            let path = path.to_owned();
+            SceneError::TooMuchToTrace { path, width, height, needed, left, limit }
+        })?;
+        Ok(())
+    }
+
     /// Subtracts the memory of a height map and what is built on it.
     pub(super) fn take(
         &mut self,

@@ -30,6 +30,7 @@ mod surface_colors;
 mod surface_spec;
 mod texture_set;
 mod view;
+mod walls;
 
 pub use builder::SceneBuilder;
 pub use choices::{BackendChoice, ProjectionChoice};
@@ -52,6 +53,7 @@ pub use surface_colors::{DrawnMaterial, SurfaceColors};
 pub use surface_spec::SurfaceSpec;
 pub use texture_set::NO_MAP;
 pub use view::View;
+pub use walls::{BadBase, BaseThickness};
 
 use crate::background::Background;
 use crate::depth_buffer::DepthBuffer;

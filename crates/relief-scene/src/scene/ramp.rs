@@ -64,8 +64,8 @@ impl FromStr for RampChoice {
 pub enum RampError {
     /// The map's elevations are not known.
     #[error(
-        "the table has elevations from {} to {}, and the map's heights have no known unit: state the unit, or \
-         give percentages of the map's range, as in 50%", table[0], table[1]
+        "the table has elevations from {} to {}, and the map's heights have no known unit: state the unit, \
+         or give percentages of the map's range, as in 50%", table[0], table[1]
     )]
     UnknownElevations {
         /// Least and greatest elevation of the table.
@@ -73,8 +73,8 @@ pub enum RampError {
     },
     /// The map's values and the table's elevations have little in common.
     #[error(
-        "the table has elevations from {} to {}, but the map's values go from {} to {} and have no unit: give \
-         percentages of the map's range, as in 50%, or a map in metres", table[0], table[1], map[0], map[1]
+        "the table has elevations from {} to {}, but the map's values go from {} to {} and have no unit: \
+         give percentages of the map's range, as in 50%, or a map in metres", table[0], table[1], map[0], map[1]
     )]
     OtherElevations {
         /// Least and greatest elevation of the table.

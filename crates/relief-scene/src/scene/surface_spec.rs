@@ -1,9 +1,9 @@
 //! Descriptions of surfaces, as in scene files. Missing values have defaults.
 
-use super::keys::{length, lengths, numbers, parsed, range};
+use super::keys::{base, length, lengths, numbers, parsed, range};
 use super::settings::settings;
 use super::texture_set::is_no_map;
-use super::{MaterialSpec, MeshChoice, RampChoice};
+use super::{BaseThickness, MaterialSpec, MeshChoice, RampChoice};
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
 use relief_io::{GivenUnits, GreenSign, HeightRange, RawLayout, Up};
@@ -128,6 +128,16 @@ pub struct SurfaceSpec {
     /// [`read_mesh`](relief_io::read_mesh). The plane has the height map's proportions.
     #[serde(deserialize_with = "parsed")]
     pub mesh: Option<MeshChoice>,
+    /// Whether walls and a bottom close the relief of a plane to a block. Default: `false`.
+    ///
+    /// The surface is then `prism` unless another one is named, and the wrap is `clamp` unless the
+    /// plane has several tiles. The walls follow the described surfaces in
+    /// [`Scene::surfaces`](super::Scene::surfaces).
+    pub walls: Option<bool>,
+    /// Thickness of the block below the lowest texel: a length, or a part of the plane's shorter side
+    /// such as `"5%"`. Needs `walls`. Default: 5 %.
+    #[serde(deserialize_with = "base")]
+    pub base: Option<BaseThickness>,
     /// Projection that replaces the texture coordinates of a mesh file: `box`, `cylinder` or
     /// `sphere`. Default: the file's coordinates.
     #[serde(deserialize_with = "parsed")]
@@ -261,6 +271,8 @@ impl SurfaceSpec {
             glossiness: over.glossiness.or(self.glossiness),
             emission: over.emission.or(self.emission),
             mesh: over.mesh.or(self.mesh),
+            walls: over.walls.or(self.walls),
+            base: over.base.or(self.base),
             project: over.project.or(self.project),
             mesh_up: over.mesh_up.or(self.mesh_up),
             tile: over.tile.or(self.tile),
@@ -393,6 +405,8 @@ impl SurfaceSpec {
             ("emission", self.emission.is_some()),
             ("tile-size", self.tile_size.is_some()),
             ("mesh", self.mesh.is_some()),
+            ("walls", self.walls.is_some()),
+            ("base", self.base.is_some()),
             ("project", self.project.is_some()),
             ("mesh-up", self.mesh_up.is_some()),
             ("tile", self.tile.is_some()),

@@ -7,6 +7,7 @@ mod overriding;
 mod proportions;
 mod ramps;
 mod texture_sets;
+mod walls;
 
 use super::*;
 use crate::depth_buffer::Clip;
@@ -136,6 +137,8 @@ fn every_key_is_read() {
     let surface = SurfaceSpec {
         object: None,
         ramp: None,
+        walls: None,
+        base: None,
         height: Some(folder.path().join("maps/a.exr")),
         channel: Some("height".to_owned()),
         depth: Some(true),

@@ -78,11 +78,14 @@ impl Picture<'_> {
         let (mean, counted) = (self.mean_reads(), what_reads_are(scene, backend));
         let seconds = elapsed.as_secs_f64();
         let [width, height] = scene.size();
-        let run = match scene.surfaces() {
-            [surface] => {
-                format!("{} + {}", surface.selection().search().name, surface.selection().refine().name)
+        let described = spec.each_surface();
+        let walls = if described.len() < scene.surfaces().len() { ", with walls" } else { "" };
+        let run = match (&described[..], scene.surfaces()) {
+            ([_], [surface, ..]) => {
+                let selection = surface.selection();
+                format!("{} + {}{walls}", selection.search().name, selection.refine().name)
             }
-            surfaces => format!("{} surfaces", surfaces.len()),
+            (several, _) => format!("{} surfaces{walls}", several.len()),
         };
         let samples = match scene.samples() {
             1 => "1 sample".to_owned(),
@@ -94,7 +97,7 @@ impl Picture<'_> {
              {counted} a pixel",
             outputs.picture.display()
         )?;
-        for (described, surface) in spec.each_surface().iter().zip(scene.surfaces()) {
+        for (described, surface) in described.iter().zip(scene.surfaces()) {
             let (None, Some(exact)) = (described.scale, surface.true_scale_m()) else { continue };
             let map = surface.height_map();
             let shown = map.scale_m();
