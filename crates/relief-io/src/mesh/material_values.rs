@@ -10,7 +10,7 @@ use crate::Picture;
 /// Values of a metallic-roughness material beside its colour (glTF 2.0, 3.9, and the extensions
 /// `KHR_materials_emissive_strength`, `ior`, `specular` and `transmission`).
 ///
-/// The default is a rough material that is no metal: that of a file without materials.
+/// The default is rough and no metal, like a file without materials.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialValues {
     /// Metalness, from 0 to 1. It multiplies the blue channel of the picture.
@@ -127,7 +127,7 @@ impl MeshMaterial {
         self.picture.is_some() || self.values.textures.has_maps()
     }
 
-    /// Returns all pictures, that of the colours first.
+    /// Returns all pictures, the colour picture first.
     pub fn pictures(&self) -> impl Iterator<Item = &Arc<Picture>> {
         self.picture.iter().chain(self.values.textures.pictures())
     }
