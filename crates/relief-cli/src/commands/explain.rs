@@ -31,7 +31,7 @@ use crate::{interrupt, say, units, values};
     after_help = "Examples:\n  relief explain                          # relief mapping on the sample cobbles\n  \
     relief explain rock.png --method cone --angle 75 -o cone.svg\n  \
     relief explain rock.png --search linear --refine binary --frames -o steps.png\n  \
-    relief explain rock.png --method sphere --at 0.3,0.6 --direction 45\n  \
+    relief explain rock.png --method sphere-tracing --at 0.3,0.6 --direction 45\n  \
     relief explain rock.png --method exact --radius 0.2 --json   # over a base that curves away\n\n\
     The drawing is a cut along the ray. It shows where the ray is at each turn of the method's loops, what \
     the turn looked at (cones, boxes, balls, patches, brackets), the method's hit and the true first hit. The \
