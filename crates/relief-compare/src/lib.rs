@@ -58,4 +58,4 @@ pub use record::{
     About, CostRecord, ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord, RayRecord, Records,
     TimeRecord,
 };
-pub use run::{Compared, MethodPicture, Reference, Renderers};
+pub use run::{Compared, MethodDrawing, MethodPicture, Reference, Renderers};

@@ -52,7 +52,7 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "DEGREES",
-        default_value_t = 75.0,
+        default_value_t = Ray::default().angle_deg,
         allow_hyphen_values = true,
         help_heading = "Ray"
     )]
@@ -61,7 +61,7 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "DEGREES",
-        default_value_t = 20.0,
+        default_value_t = Ray::default().direction_deg,
         allow_hyphen_values = true,
         help_heading = "Ray"
     )]

@@ -35,6 +35,8 @@ fn a_page_and_the_same_figures_for_programs_are_written() {
     assert!(page.contains(r#"<span class="name">vertex</span>"#));
     assert!(page.contains("Relief mapping: linear, then binary search.") && page.contains("Search: "));
     assert!(page.contains("FLIP difference from the reference") && page.contains("1: the greatest"));
+    // Methods that follow rays have a drawing.
+    assert_eq!(page.matches("data:image/svg+xml;base64,").count(), 2);
     assert!(page.contains("went through") && !page.contains("passed %"));
     assert!(ran.stdout.contains("went through %"), "{}", ran.stdout);
     assert!(

@@ -56,7 +56,17 @@ impl<'a> Cut<'a> {
         path: Path,
         explanation: Explanation,
     ) -> Self {
-        let truth = FastTracer::new(heights).trace(&path).hit;
+        Self::with_truth(name, heights, path, explanation, FastTracer::new(heights).trace(&path).hit)
+    }
+
+    /// Creates the cut with an exact first hit that is known.
+    pub fn with_truth(
+        name: impl Into<String>,
+        heights: &'a HeightMap,
+        path: Path,
+        explanation: Explanation,
+        truth: Hit,
+    ) -> Self {
         Self { name: name.into(), heights, path, explanation, truth }
     }
 

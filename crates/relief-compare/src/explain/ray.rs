@@ -16,6 +16,13 @@ pub struct Ray {
     pub radius_m: Option<f64>,
 }
 
+impl Default for Ray {
+    /// A ray that grazes the relief at 75 degrees, off the axes and the diagonals of the map.
+    fn default() -> Self {
+        Self { at: [0.2, 0.8], angle_deg: 75.0, direction_deg: 20.0, radius_m: None }
+    }
+}
+
 /// A ray's number that cannot be.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum RayError {

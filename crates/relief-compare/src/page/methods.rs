@@ -1,13 +1,17 @@
-//! What the compared methods are: a sentence for each.
+//! What the compared methods are: a sentence for each, and a drawing of its way to a hit.
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use maud::{Markup, html};
 use relief_shaders::{REFINE, SEARCH, STAGES, method};
 
 use crate::columns::Row;
-use crate::record::{MethodRecord, Records};
+use crate::record::MethodRecord;
+use crate::run::Compared;
 
 /// Returns the list of the methods, in the order in which they were compared.
-pub fn methods(records: &Records) -> Markup {
+pub fn methods(compared: &Compared) -> Markup {
+    let Compared { records, drawings, .. } = compared;
     let mut known: Vec<&MethodRecord> = Vec::new();
     for of in Row::all(records).map(|row| row.method()) {
         if !known.iter().any(|other| other.method == of.method) {
@@ -19,7 +23,17 @@ pub fn methods(records: &Records) -> Markup {
             h2 { "The methods" }
             dl.methods { @for of in known {
                 dt { (of.method) }
-                dd { (sentence(of)) }
+                dd {
+                    (sentence(of))
+                    @for drawing in drawings.iter().filter(|drawing| drawing.method == of.method) {
+                        details {
+                            summary { "How it finds a hit" }
+                            img class="drawing" alt=(format!("A cut along a ray, with the turns of {}", of.method))
+                                src=(format!("data:image/svg+xml;base64,{}", STANDARD.encode(&drawing.svg)));
+                            p { code { "relief explain" } " draws it along any ray, turn by turn." }
+                        }
+                    }
+                }
             } }
         }
     }

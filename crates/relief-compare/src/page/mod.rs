@@ -46,7 +46,7 @@ pub fn page(compared: &Compared) -> Result<String, ImageError> {
             body {
                 h1 { (title) }
                 (about(&records.about))
-                (methods(records))
+                (methods(compared))
                 (plot())
                 (table(records))
                 (left_out(&records.left_out))
@@ -152,7 +152,7 @@ fn left_out(left_out: &[LeftOut]) -> Markup {
 
 /// Pictures, grouped by reference, each with its difference image.
 fn pictures(compared: &Compared) -> Result<Markup, ImageError> {
-    let Compared { records, shown, references, shown_look } = compared;
+    let Compared { records, shown, references, shown_look, .. } = compared;
     let mut groups = Vec::new();
     for (place, reference) in references.iter().enumerate() {
         let of_reference = records.pictures.iter().zip(shown).filter(|(_, shown)| shown.reference == place);

@@ -31,9 +31,21 @@ pub struct Compared {
     pub shown: Vec<MethodPicture>,
     /// Reference pictures.
     pub references: Vec<Reference>,
+    /// Drawings of how methods find a hit, one for each method that follows rays.
+    pub drawings: Vec<MethodDrawing>,
     /// Look whose light and background the displayed pictures have, unless they are the scene's
     /// own.
     pub shown_look: Option<Look>,
+}
+
+/// Drawing of a method's way to a hit, on the [default ray](crate::explain::Ray) through the first
+/// map that is compared.
+#[derive(Clone, Debug)]
+pub struct MethodDrawing {
+    /// Name of the method.
+    pub method: String,
+    /// Drawing as SVG.
+    pub svg: String,
 }
 
 /// Picture of a method.

@@ -1,14 +1,16 @@
 //! Comparison of methods along rays at given angles.
 
+use relief_core::exact::FastTracer;
 use relief_core::metrics::CostReport;
 use relief_shaders::cpu::MethodTracer;
 
 use super::subject::Subject;
-use super::{MapsOf, Work};
+use super::{MapsOf, MethodDrawing, Work};
 use crate::case::{Case, hits};
 use crate::comparison::Comparison;
 use crate::contender::Contender;
 use crate::error::CompareError;
+use crate::explain::{Cut, Ray};
 use crate::record::{MethodRecord, RayRecord};
 
 impl Comparison {
@@ -24,6 +26,9 @@ impl Comparison {
         let heights = &**surface.height_map();
         let tile_m = surface.metric().tile_m;
         let case = |&degrees: &f64| Case::new(heights, tile_m, degrees, self.rays as usize);
+        // A relief without depth has no ray to draw.
+        let drawn = Ray::default().path(heights, surface.metric()).ok();
+        let drawn = drawn.map(|path| (path, FastTracer::new(heights).trace(&path).hit));
         let cases: Vec<Case> = self.angles_deg.iter().map(case).collect();
         for contender in contenders {
             work.next(&contender.name)?;
@@ -35,6 +40,13 @@ impl Comparison {
             let provided =
                 work.baked.provide(&contender.selection, contender.format(), surface, &mut maps, watch)?;
             let tracer = MethodTracer::over(heights, &contender.selection, provided.slots());
+            let is_drawn = work.compared.drawings.iter().any(|known| known.method == contender.name);
+            if let Some((path, truth)) = drawn.filter(|_| !is_drawn) {
+                let (name, explanation) = (contender.name.clone(), tracer.explain(&path));
+                let cut = Cut::with_truth(&name, heights, path, explanation, truth);
+                let svg = cut.figure(None).svg();
+                work.compared.drawings.push(MethodDrawing { method: name, svg });
+            }
             let method = MethodRecord::of(contender, subject, &maps);
             for (case, &angle_deg) in cases.iter().zip(&self.angles_deg) {
                 watch.check()?;
