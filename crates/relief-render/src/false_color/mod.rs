@@ -9,7 +9,7 @@
 //! use relief_core::{HeightMap, Watch, Wrap, mesh::square};
 //! use relief_maps::Maps;
 //! use relief_render::Renderer;
-//! use relief_render::false_color::{Gathered, Group, Panel, Sheet, quantity};
+//! use relief_render::false_color::{Gathered, Group, Sheet, quantity};
 //! use relief_scene::{Scene, Surface};
 //!
 //! let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
