@@ -25,6 +25,9 @@ impl Figure {
     }
 }
 
+/// Width of a character of the fonts, as a part of their size.
+const ADVANCE: f64 = 0.6;
+
 fn hex([red, green, blue]: Color) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
@@ -68,9 +71,9 @@ fn write(out: &mut String, shape: &Shape) {
             let escaped = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
             writeln!(
                 out,
-                "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{anchor}\">{escaped}\
+                "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{:.1}\" fill=\"{}\" text-anchor=\"{anchor}\">{escaped}\
                  </text>",
-                size.height(),
+                size.advance() / ADVANCE,
                 hex(*color)
             )
         }
