@@ -130,7 +130,8 @@ const TIMED_FRAMES: u32 = 7;
 const TIMED_PIXELS: u32 = 8;
 
 impl Comparison {
-    /// Creates a comparison of the [usual](Contender::usual) methods on a scene, with the defaults of `relief compare`.
+    /// Creates a comparison of the [usual](Contender::usual) methods on a scene, with the defaults
+    /// of `relief compare`.
     ///
     /// `name` is the height map's name, for tables. Displacement and camera are the scene's own.
     ///

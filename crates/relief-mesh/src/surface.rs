@@ -358,8 +358,8 @@ impl Relief {
     /// With the displacement `D` along `M` they are `T + D_u M + D M_u`, and likewise for `v`. This
     /// is equation 9 of Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M`
     /// does not turn. The shading `derivative` makes that simplification, too, and `rotation` turns
-    /// `M` by the slopes alone. With `base` they are the base's. `T` is the base's derivative in the plane perpendicular to its
-    /// normal, so that the normal is the base's where there is no relief.
+    /// `M` by the slopes alone. With `base` they are the base's. `T` is the base's derivative in the
+    /// plane perpendicular to its normal, so that the normal is the base's where there is no relief.
     #[inline(always)]
     fn shaded(&self, position: DVec3, base: &BasePoint, displacement: Displacement, frame: &Frame) -> Vertex {
         let up = frame.normal.normalize_or_zero();

@@ -23,6 +23,7 @@ mod error;
 pub mod false_color;
 mod frame_cache;
 mod frame_time;
+pub mod glyphs;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 pub mod job;

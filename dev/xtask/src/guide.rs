@@ -3,8 +3,9 @@
 //! A page's commands stand in blocks of `sh`. They run in a scratch folder that holds copies of `data/` and
 //! `scenes/`, on the CPU backend, which makes the same pictures on each machine. A block of `toml` that begins
 //! with `# NAME.toml` is written to that file. A picture on a page is made by the command whose output has
-//! its name, apart from the ending; the page shows it reduced, as a JPEG. Drawings are shown as SVG. The page of methods is made by
-//! the same program, so it is written here, too. All links between pages are followed.
+//! its name, apart from the ending; the page shows it reduced, as a JPEG. Drawings are shown as SVG. The
+//! page of methods is made by the same program, so it is written here, too. All links between pages are
+//! followed.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};

@@ -270,9 +270,11 @@ impl Arguments {
     fn record(&self, cut: &Cut, frames: usize) -> Value {
         let explanation = cut.explanation();
         let hit = &explanation.hit;
+        let names: Vec<String> =
+            (1..=frames).map(|turn| self.frame(turn, frames).display().to_string()).collect();
         json!({
             "output": self.output.display().to_string(),
-            "frames": (1..=frames).map(|turn| self.frame(turn, frames).display().to_string()).collect::<Vec<_>>(),
+            "frames": names,
             "summary": cut.summary(),
             "turns": explanation.turns(),
             "reads": hit.cost.reads,

@@ -64,6 +64,20 @@ impl Arguments {
     pub fn files(&mut self) -> Files<'_> {
         Files { read: [&mut self.file].into_iter().chain(&mut self.normal).collect(), ..Files::default() }
     }
+
+    /// Refuses flags for height maps, where the file is something else.
+    fn refuse_flags_of_maps(&self) -> Result<(), Failure> {
+        let of_maps = [
+            ("--normal", self.normal.is_some()),
+            ("--channel", self.reading.channel.is_some()),
+            ("--raw", self.reading.raw.is_some()),
+            ("--fill", self.reading.fill),
+        ];
+        match of_maps.into_iter().find(|(_, given)| *given) {
+            Some((flag, _)) => Err(Failure::Usage(format!("{flag} is for height maps: leave it out"))),
+            None => Ok(()),
+        }
+    }
 }
 
 /// Reads and prints.

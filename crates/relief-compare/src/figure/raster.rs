@@ -1,6 +1,6 @@
 //! Drawings as pixels.
 
-use noto_sans_mono_bitmap::{FontWeight, RasterHeight, RasterizedChar, get_raster, get_raster_width};
+use relief_render::glyphs::{GlyphSize, inked};
 use tiny_skia::{FillRule, Mask, Paint, Path, PathBuilder, Pixmap, Rect, Stroke, StrokeDash, Transform};
 
 use super::{Anchor, Color, Figure, Place, Shape, TextSize};
@@ -11,19 +11,16 @@ const SCALE: u32 = 2;
 /// Dashes and gaps in units.
 const DASHES: [f32; 2] = [5.0, 3.0];
 
-/// Stands for characters that the font lacks.
-const UNKNOWN: char = '?';
-
-const fn raster_height(size: TextSize) -> RasterHeight {
+const fn glyphs(size: TextSize) -> GlyphSize {
     match size {
-        TextSize::Small => RasterHeight::Size24,
-        TextSize::Large => RasterHeight::Size32,
+        TextSize::Small => GlyphSize::Medium,
+        TextSize::Large => GlyphSize::Large,
     }
 }
 
 /// The width of a character in units.
 pub fn advance(size: TextSize) -> f64 {
-    get_raster_width(FontWeight::Regular, raster_height(size)) as f64 / f64::from(SCALE)
+    f64::from(glyphs(size).advance()) / f64::from(SCALE)
 }
 
 impl Figure {
@@ -95,7 +92,6 @@ impl Canvas {
 
     /// Blends a line of text into the pixels.
     fn text(&mut self, [x, y]: Place, text: &str, size: TextSize, color: Color, anchor: Anchor) {
-        let height = raster_height(size);
         let scale = f64::from(SCALE);
         let long = text.chars().count() as f64 * advance(size);
         let left = match anchor {
@@ -105,30 +101,18 @@ impl Canvas {
         };
         // The baseline of the font is a fifth of its height above the lower edge.
         let top = ((y - 0.8 * size.height()) * scale).round() as i64;
-        for (number, character) in text.chars().enumerate() {
-            let left = ((left + number as f64 * advance(size)) * scale).round() as i64;
-            let raster = |character| get_raster(character, FontWeight::Regular, height);
-            if let Some(raster) = raster(character).or_else(|| raster(UNKNOWN)) {
-                self.glyph([left, top], &raster, color);
-            }
-        }
-    }
-
-    fn glyph(&mut self, [left, top]: [i64; 2], raster: &RasterizedChar, color: Color) {
+        let left = (left * scale).round() as i64;
         let (width, height) = (i64::from(self.pixels.width()), i64::from(self.pixels.height()));
-        for (row, line) in raster.rows().enumerate() {
-            for (column, coverage) in line.iter().enumerate() {
-                let (x, y) = (left + column as i64, top + row as i64);
-                if (0..width).contains(&x) && (0..height).contains(&y) {
-                    let at = 4 * (y * width + x) as usize;
-                    let pixel = &mut self.pixels.data_mut()[at..at + 3];
-                    for (value, ink) in pixel.iter_mut().zip(color) {
-                        let [under, ink, part] = [*value, ink, *coverage].map(u32::from);
-                        *value = ((under * (255 - part) + ink * part + 127) / 255) as u8;
-                    }
+        glyphs(size).draw(text, |[x, y], coverage| {
+            let (x, y) = (left + i64::from(x), top + i64::from(y));
+            if (0..width).contains(&x) && (0..height).contains(&y) {
+                let at = 4 * (y * width + x) as usize;
+                let pixel = &mut self.pixels.data_mut()[at..at + 3];
+                for (value, ink) in pixel.iter_mut().zip(color) {
+                    *value = inked(*value, ink, coverage);
                 }
             }
-        }
+        });
     }
 }
 

@@ -28,7 +28,8 @@ pub fn methods(compared: &Compared) -> Markup {
                     @for drawing in drawings.iter().filter(|drawing| drawing.method == of.method) {
                         details {
                             summary { "How it finds a hit" }
-                            img class="drawing" alt=(format!("A cut along a ray, with the turns of {}", of.method))
+                            img class="drawing"
+                                alt=(format!("A cut along a ray, with the turns of {}", of.method))
                                 src=(format!("data:image/svg+xml;base64,{}", STANDARD.encode(&drawing.svg)));
                             p { code { "relief explain" } " draws it along any ray, turn by turn." }
                         }

@@ -1,6 +1,6 @@
 //! Canvas of sRGB pixels, with text.
 
-use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
+use crate::glyphs::{GlyphSize, inked};
 
 /// Colour of paper and of text.
 const PAPER: [u8; 3] = [255; 3];
@@ -20,22 +20,21 @@ pub enum TextSize {
 }
 
 impl TextSize {
-    const fn raster(self) -> RasterHeight {
+    const fn glyphs(self) -> GlyphSize {
         match self {
-            TextSize::Small => RasterHeight::Size16,
-            TextSize::Large => RasterHeight::Size32,
+            TextSize::Small => GlyphSize::Small,
+            TextSize::Large => GlyphSize::Large,
         }
     }
 
     /// Returns the height of a line in pixels.
     pub const fn height(self) -> u32 {
-        self.raster().val() as u32
+        self.glyphs().height()
     }
 
     /// Returns the width of a text in pixels.
     pub fn width(self, text: &str) -> u32 {
-        let glyph = get_raster_width(FontWeight::Regular, self.raster());
-        (text.chars().count() * glyph) as u32
+        text.chars().count() as u32 * self.glyphs().advance()
     }
 }
 
@@ -102,23 +101,12 @@ impl Canvas {
 
     /// Draws a text from its upper left corner. Characters without a glyph are question marks.
     pub(super) fn text(&mut self, [left, top]: [u32; 2], text: &str, size: TextSize) {
-        let mut left = left;
-        for character in text.chars() {
-            let raster = |character| get_raster(character, FontWeight::Regular, size.raster());
-            let Some(glyph) = raster(character).or_else(|| raster('?')) else { continue };
-            for (y, row) in (top..).zip(glyph.pixels().chunks(glyph.width())) {
-                for (x, &ink) in (left..).zip(row) {
-                    let Some(at) = self.place([x, y]).filter(|_| ink > 0) else { continue };
-                    let mixed = |paper: u8, color: u8| {
-                        let (paper, color, ink) = (u32::from(paper), u32::from(color), u32::from(ink));
-                        ((paper * (255 - ink) + color * ink + 127) / 255) as u8
-                    };
-                    let below = self.pixels[at];
-                    self.pixels[at] = [0, 1, 2].map(|part| mixed(below[part], INK[part]));
-                }
+        size.glyphs().draw(text, |[x, y], coverage| {
+            if let Some(at) = self.place([left + x, top + y]) {
+                let below = self.pixels[at];
+                self.pixels[at] = [0, 1, 2].map(|part| inked(below[part], INK[part], coverage));
             }
-            left += glyph.width() as u32;
-        }
+        });
     }
 
     fn place(&self, [x, y]: [u32; 2]) -> Option<usize> {

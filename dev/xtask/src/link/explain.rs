@@ -12,8 +12,8 @@ const HEAD: &str = "    fn v_";
 /// The line on which it ends.
 const END: &str = "    }";
 
-/// The text of a Rust module with the functions that reach a mark. The marks themselves are left out: they are
-/// written by hand.
+/// The text of a Rust module with the functions that reach a mark. The marks themselves are left out: they
+/// are written by hand.
 pub fn marked(text: &str) -> Result<String, String> {
     let functions = functions(text);
     let is_mark = |name: &str| name.starts_with(MARK);
@@ -72,8 +72,10 @@ mod tests {
 
     #[test]
     fn functions_that_reach_a_mark_are_kept_and_marks_are_not() {
-        let text = "    fn v_mark_turn(\n        &self,\n    ) {\n    }\n    fn v_a(&self) {\n        self.v_mark_turn();\n    }\n\
-                    \u{20}   fn v_b(&self) {\n        self.v_a();\n    }\n    fn v_c(&self) {\n        self.v_d();\n    }\n";
+        let text = "    fn v_mark_turn(\n        &self,\n    ) {\n    }\n\
+                    \u{20}   fn v_a(&self) {\n        self.v_mark_turn();\n    }\n\
+                    \u{20}   fn v_b(&self) {\n        self.v_a();\n    }\n\
+                    \u{20}   fn v_c(&self) {\n        self.v_d();\n    }\n";
         let marked = marked(text).expect("a mark");
         assert!(marked.contains("fn v_a(&self) {\n        self.v_mark_turn();"), "{marked}");
         assert!(marked.contains("fn v_b(") && !marked.contains("fn v_c(") && !marked.contains("fn v_mark"));

@@ -15,16 +15,7 @@ use crate::values::six_digits;
 
 /// Reads the mesh and prints its measures.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let reading = &arguments.reading;
-    let of_maps = [
-        ("--normal", arguments.normal.is_some()),
-        ("--channel", reading.channel.is_some()),
-        ("--raw", reading.raw.is_some()),
-        ("--fill", reading.fill),
-    ];
-    if let Some((flag, _)) = of_maps.into_iter().find(|(_, given)| *given) {
-        return Err(Failure::Usage(format!("{flag} is for height maps: leave it out")));
-    }
+    arguments.refuse_flags_of_maps()?;
     let max_bytes = arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0);
     let (projection, up) = (arguments.project, arguments.mesh_up);
     let options = MeshOptions { projection, up, max_bytes, ..MeshOptions::default() };

@@ -18,16 +18,7 @@ const CHANNELS: [&str; 4] = ["red", "green", "blue", "opacity"];
 
 /// Finds the textures, reads their headers and prints both.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let reading = &arguments.reading;
-    let of_maps = [
-        ("--normal", arguments.normal.is_some()),
-        ("--channel", reading.channel.is_some()),
-        ("--raw", reading.raw.is_some()),
-        ("--fill", reading.fill),
-    ];
-    if let Some((flag, _)) = of_maps.into_iter().find(|(_, given)| *given) {
-        return Err(Failure::Usage(format!("{flag} is for height maps: leave it out")));
-    }
+    arguments.refuse_flags_of_maps()?;
     let set = find_textures(&arguments.file, arguments.udim)
         .map_err(|error| Failure::Work(advice::with_flag(&error, advice::of_textures(&error))))?;
     let max_bytes = arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0);
