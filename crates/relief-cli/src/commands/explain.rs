@@ -28,7 +28,7 @@ use crate::{interrupt, say, units, values};
 /// Arguments of `relief explain`. Flags override the scene file.
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  relief explain                          # relief mapping on the sample cobbles\n  \
+    after_help = "Examples:\n  relief explain                          # the exact method on the sample cobbles\n  \
     relief explain rock.png --method cone --angle 75 -o cone.svg\n  \
     relief explain rock.png --search linear --refine binary --frames -o steps.png\n  \
     relief explain rock.png --method sphere-tracing --at 0.3,0.6 --direction 45\n  \
