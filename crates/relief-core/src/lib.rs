@@ -48,6 +48,7 @@ pub mod rng;
 mod slice_axis;
 mod tangent_frame;
 mod texel_mask;
+mod volume;
 mod watch;
 mod wrap;
 
@@ -71,5 +72,6 @@ pub use pyramid::{MaxPyramid, MinPyramid};
 pub use slice_axis::SliceAxis;
 pub use tangent_frame::{TangentFrame, TangentFrameError};
 pub use texel_mask::TexelMask;
+pub use volume::{MAX_SLICES, SliceLayout, Volume, VolumeCell, VolumeError};
 pub use watch::{Cancelled, Watch};
 pub use wrap::Wrap;
