@@ -47,6 +47,7 @@ mod texel_pyramid;
 mod transpose;
 mod upper_hulls;
 mod upper_planes;
+pub mod volumes;
 
 pub use bake::{bake, bake_last, bits_of_heights};
 pub use baked_map::{WantedMap, baked_map};

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use relief_core::mesh::FramingError;
 use relief_core::registry::UnknownName;
-use relief_core::{Cancelled, HeightMapError};
+use relief_core::{Cancelled, HeightMapError, VolumeError};
 
 use crate::{ColorTableProblem, ForeignFormat, RawLayout};
 
@@ -74,6 +74,24 @@ pub enum ReadProblem {
         /// Bytes that may be used.
         limit: u64,
     },
+    /// Reading a volume would take more memory than allowed.
+    #[error(
+        "{}x{}x{} voxels need {} MiB of memory, but {} MiB are allowed: make the volume smaller or raise the limit",
+        size[0], size[1], size[2],
+        needed.div_ceil(1 << 20),
+        limit >> 20
+    )]
+    VolumeMemory {
+        /// Columns, rows and slices.
+        size: [u32; 3],
+        /// Bytes that reading needs.
+        needed: u64,
+        /// Bytes that may be used.
+        limit: u64,
+    },
+    /// The content does not make a volume.
+    #[error("cannot be used: {0}")]
+    Volume(VolumeError),
     /// The system has no more memory.
     #[error("needs {needed} bytes of memory, which the system refuses: make the file smaller")]
     OutOfMemory {

@@ -100,7 +100,10 @@ mod webp;
 mod write;
 mod write_whole;
 
-pub use self::ktx2::{Ktx2File, Ktx2Level, Ktx2Texture, TexelFormat, read_ktx2, write_ktx2};
+pub use self::ktx2::{
+    Ktx2File, Ktx2Level, Ktx2Texture, TexelFormat, VolumeFile, VolumeFormat, VolumeOptions, read_ktx2,
+    read_volume, write_ktx2, write_volume,
+};
 pub use color_table::{
     BuiltinRamp, ColorEntry, ColorRamp, ColorTable, ColorTableProblem, TableElevation, read_color_table,
 };
@@ -127,7 +130,8 @@ pub use mesh::{
     FileFrame, GlbLayout, GlbLevel, GlbMaterials, GlbNode, MAX_SHELLS, MaterialTextures, MaterialValues,
     MeshColors, MeshCounts, MeshFile, MeshFormat, MeshMaterial, MeshOptions, MeshSink, NormalTexture,
     OcclusionTexture, Quantization, Shells, Up, beside_file, files_of_mesh, mesh_needs_roughness, read_mesh,
-    read_mesh_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_in_frame, write_shells,
+    read_mesh_extras, read_node_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_in_frame,
+    write_shells,
 };
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use omissions::{OMISSIONS, Omission, ReadNote, Remark, read_notes};

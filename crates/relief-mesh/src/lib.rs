@@ -41,6 +41,7 @@ mod filling;
 mod folds;
 mod interior;
 mod mesher;
+pub mod motif;
 mod patch;
 mod plan;
 mod plane;

@@ -12,7 +12,8 @@ mod targets;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use targets::{
-    BAKE, MESH, OBJECT, READ_HEIGHT, READ_MESH, READ_NORMALS, READ_PICTURE, READ_TEXTURE, SCENE, TARGETS,
+    BAKE, MESH, OBJECT, READ_HEIGHT, READ_MESH, READ_NORMALS, READ_PICTURE, READ_TEXTURE, READ_VOLUME, SCENE,
+    TARGETS,
 };
 
 /// A fuzz target.

@@ -45,6 +45,11 @@ fn textures_from_any_bytes() {
 }
 
 #[test]
+fn volumes_from_any_bytes() {
+    assert_no_failure(&READ_VOLUME);
+}
+
+#[test]
 fn meshes_from_any_bytes() {
     assert_no_failure(&READ_MESH);
 }

@@ -13,10 +13,12 @@
 mod blocks;
 mod format;
 mod read;
+mod volume;
 mod write;
 
 pub use self::format::TexelFormat;
 pub use self::read::{Ktx2File, Ktx2Level, read_ktx2};
+pub use self::volume::{VolumeFile, VolumeFormat, VolumeOptions, read_volume, write_volume};
 pub use self::write::{Ktx2Texture, write_ktx2};
 
 pub(crate) use self::read::metadata;

@@ -13,7 +13,7 @@ use crate::texture::Metadata;
 use crate::{ReadError, ReadProblem, Source};
 
 /// Name of the format in messages.
-const NAME: &str = "KTX2";
+pub(super) const NAME: &str = "KTX2";
 
 /// Greatest number of bytes of key/value data that are read.
 const MOST_METADATA: u64 = 1 << 20;
@@ -83,7 +83,7 @@ pub(crate) fn metadata(file: &mut SourceReader<'_>, file_len: u64) -> Result<Met
     metadata_of(&header, file, file_len)
 }
 
-fn header(file: &mut SourceReader<'_>) -> Result<Header, ReadProblem> {
+pub(super) fn header(file: &mut SourceReader<'_>) -> Result<Header, ReadProblem> {
     let mut bytes = [0; Header::LENGTH];
     let mut read = 0;
     while read < bytes.len() {
@@ -101,7 +101,11 @@ fn header(file: &mut SourceReader<'_>) -> Result<Header, ReadProblem> {
     Header::from_bytes(&bytes).map_err(damaged)
 }
 
-fn metadata_of(header: &Header, file: &mut SourceReader<'_>, file_len: u64) -> Result<Metadata, ReadProblem> {
+pub(super) fn metadata_of(
+    header: &Header,
+    file: &mut SourceReader<'_>,
+    file_len: u64,
+) -> Result<Metadata, ReadProblem> {
     let (offset, length) = (u64::from(header.index.kvd_byte_offset), u64::from(header.index.kvd_byte_length));
     if offset + length > file_len {
         return Err(damaged("its metadata reach beyond its end"));
@@ -120,15 +124,15 @@ fn metadata_of(header: &Header, file: &mut SourceReader<'_>, file_len: u64) -> R
 }
 
 /// Content of a checked header.
-struct Layout {
-    format: TexelFormat,
-    size: [u32; 3],
-    levels: u32,
+pub(super) struct Layout {
+    pub format: TexelFormat,
+    pub size: [u32; 3],
+    pub levels: u32,
     zstd: bool,
 }
 
 impl Layout {
-    fn of(header: &Header) -> Result<Self, ReadProblem> {
+    pub fn of(header: &Header) -> Result<Self, ReadProblem> {
         let format = header.format.and_then(TexelFormat::of_vulkan);
         let format = format.ok_or_else(|| unsupported("a texel format that Relief does not write"))?;
         let zstd = match header.supercompression_scheme {
@@ -159,10 +163,14 @@ impl Layout {
         texels.saturating_mul(self.format.channels() as u64)
     }
 
+    /// Memory in bytes that decompression takes beside the texels.
+    pub fn window(&self) -> u64 {
+        if self.zstd { MOST_WINDOW } else { 0 }
+    }
+
     fn check_memory(&self, limit: u64) -> Result<(), ReadProblem> {
         let values = (0..self.levels).map(|level| self.values(level)).fold(0, u64::saturating_add);
-        let window = if self.zstd { MOST_WINDOW } else { 0 };
-        let needed = values.saturating_mul(4).saturating_add(window);
+        let needed = values.saturating_mul(4).saturating_add(self.window());
         let [width, height, _] = self.size;
         if needed > limit {
             return Err(ReadProblem::TooMuchMemory { width, height, needed, limit });

@@ -205,6 +205,27 @@ pub fn read_mesh_extras<'a>(
     extras.map_err(|problem| source.error(problem))
 }
 
+/// Reads the value under `name` in the `extras` of a mesh's nodes, as JSON text: of the first node
+/// with a mesh that has it. None if no node has it, and in all formats but glTF. Of a GLB only the
+/// JSON is read. [`GlbNode::extras`] writes such values.
+///
+/// # Errors
+///
+/// When the file cannot be read, is not a mesh, is damaged, or needs more than `max_bytes`.
+pub fn read_node_extras<'a>(
+    source: impl Into<Source<'a>>,
+    name: &str,
+    max_bytes: u64,
+) -> Result<Option<String>, ReadError> {
+    let source = source.into();
+    let extras = match MeshFormat::by_name(source.name()) {
+        Some(MeshFormat::Gltf) => gltf::extras::read_of_nodes(source, name, &mut Builder::new(max_bytes)),
+        Some(_) => Ok(None),
+        None => Err(ReadProblem::NoMesh),
+    };
+    extras.map_err(|problem| source.error(problem))
+}
+
 /// Reads whether a mesh's file has a material that Blinn-Phong shading cannot show: a metal with a
 /// roughness of its own, maps of roughness, metalness, occlusion or emission, light of its own, or an
 /// extension on transparency or reflection. False in all formats but glTF. Of a GLB only the JSON is

@@ -25,4 +25,5 @@ mod sources;
 mod texts;
 mod textures;
 mod units;
+mod volumes;
 mod writers;

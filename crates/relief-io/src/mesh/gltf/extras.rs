@@ -30,6 +30,25 @@ pub(in crate::mesh) fn read(
     first.map(|value| serialize::to_string(&value).map_err(damaged)).transpose()
 }
 
+/// Returns the JSON under `name` in the extras of the first node with a mesh that has it, as text.
+pub(in crate::mesh) fn read_of_nodes(
+    source: Source<'_>,
+    name: &str,
+    builder: &mut Builder,
+) -> Result<Option<String>, ReadProblem> {
+    let text = text_of(source, builder)?;
+    take_json(&text, builder)?;
+    let document = document(&text)?;
+    for (node, _) in nodes::in_scene(&document)? {
+        let Some(extras) = node.extras().as_ref().filter(|_| node.mesh().is_some()) else { continue };
+        let extras: Value = deserialize::from_str(extras.get()).map_err(damaged)?;
+        if let Some(value) = extras.get(name) {
+            return Ok(Some(serialize::to_string(value).map_err(damaged)?));
+        }
+    }
+    Ok(None)
+}
+
 /// Returns whether a material of the triangles needs shading by roughness and metalness.
 pub(in crate::mesh) fn needs_roughness(
     source: Source<'_>,
