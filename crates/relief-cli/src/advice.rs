@@ -98,6 +98,19 @@ pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
     } else if *row == omissions::BANDED {
         let text = "; `relief height deband` turns them into slopes";
         Some([text.to_owned(), text.to_owned()])
+    } else if *row == omissions::DEEP_RELIEF {
+        Some([
+            ": give a smaller --scale; for ground give its metres instead, with --elevation LOW,HIGH and --tile-size \
+             U,V"
+            .to_owned(),
+            ": give a smaller scale; for ground give its metres instead, with the keys elevation and tile-size"
+                .to_owned(),
+        ])
+    } else if *row == omissions::OUTSIDE_TABLE {
+        Some([
+            ": state the elevations of heights 0 and 1 with --elevation LOW,HIGH".to_owned(),
+            ": state the elevations of heights 0 and 1 with the key elevation".to_owned(),
+        ])
     } else if *row == omissions::NAMED_LIKE_DEPTH {
         Some([" give --depth".to_owned(), " give depth = true".to_owned()])
     } else {
@@ -133,8 +146,10 @@ pub fn of_scene(error: &SceneError) -> Option<Advice> {
         SceneError::Read(error) => of_read(&error.problem),
         SceneError::Picture(error) => of_picture(&error.problem),
         SceneError::Ramp { .. } => Some(Advice {
-            flag: "if the map's values are metres, use --unit m",
-            key: "if the map's values are metres, use the key unit = \"m\"",
+            flag: "if its heights 0 and 1 stand for elevations, state them with --elevation LOW,HIGH; if its values \
+                   are metres themselves, use --unit m",
+            key: "if its heights 0 and 1 stand for elevations, state them with the key elevation = [LOW, HIGH]; if its \
+                  values are metres themselves, use the key unit = \"m\"",
         }),
         SceneError::Mesh(error) => of_mesh(&error.problem),
         SceneError::Io { source, .. }

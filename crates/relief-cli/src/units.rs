@@ -70,6 +70,13 @@ pub fn two_lengths(text: &str) -> Result<[f64; 2], String> {
     Ok([length(first)?, length(second)?])
 }
 
+/// Reads two elevations `LOW,HIGH`, the second above the first.
+pub fn elevations(text: &str) -> Result<[f64; 2], String> {
+    let wrong = "write it as LOW,HIGH, in metres or with units, as in 236,1076 or 0.2km,1km";
+    let both = two_lengths(text).map_err(|_| wrong.to_owned())?;
+    if both[0] < both[1] { Ok(both) } else { Err("the second must be above the first".to_owned()) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -85,5 +92,7 @@ mod tests {
         assert_eq!(two_lengths("1ft, 2"), Ok([0.3048, 2.0]));
         assert_eq!((one_or_two_lengths("5cm"), one_or_two_lengths("1,2")), (Ok([0.05; 2]), Ok([1.0, 2.0])));
         assert!(["", "1", "1,2,3", "1,x"].iter().all(|bad| two_lengths(bad).is_err()));
+        assert_eq!(elevations("-10.5,0.2km"), Ok([-10.5, 200.0]));
+        assert!(["1", "2,1", "3,3", "1,inf", "nan,1"].iter().all(|bad| elevations(bad).is_err()));
     }
 }

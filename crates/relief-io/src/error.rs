@@ -259,6 +259,12 @@ pub enum ReadProblem {
         /// The range given.
         range: [f64; 2],
     },
+    /// The elevations given are not valid.
+    #[error("the elevations {} to {} are not usable: both must be finite, the first below the second", range[0], range[1])]
+    BadElevations {
+        /// Elevations of heights 0 and 1, in metres.
+        range: [f64; 2],
+    },
 }
 
 impl ReadProblem {

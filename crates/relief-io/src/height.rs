@@ -92,6 +92,9 @@ pub struct HeightOptions {
     pub convention: Option<Convention>,
     /// Raw values that become heights 0 and 1. None: see [`read_height`].
     pub range: Option<HeightRange>,
+    /// Elevations in metres that heights 0 and 1 stand for: finite, the second above the first. They
+    /// replace the file's own, and make the file an elevation model. None: see [`read_height`].
+    pub elevation_m: Option<[f64; 2]>,
     /// Raw value, as stored in the file, that marks texels without a value, in addition to the
     /// nodata value that the file itself declares. It must be finite.
     pub nodata: Option<f64>,
@@ -115,6 +118,7 @@ impl Default for HeightOptions {
             channel: None,
             convention: None,
             range: None,
+            elevation_m: None,
             nodata: None,
             unit: None,
             raw: None,
@@ -211,6 +215,11 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<(HeightMap, Vec<R
     {
         return Err(ReadProblem::BadRange { range });
     }
+    if let Some(range) = options.elevation_m
+        && !(range[0] < range[1] && (range[1] - range[0]).is_finite())
+    {
+        return Err(ReadProblem::BadElevations { range });
+    }
     let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
     let file = file.in_units(options.unit);
     let mut layout = file.layout().clone();
@@ -229,7 +238,8 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<(HeightMap, Vec<R
     let downward = elevation.is_some_and(|elevation| elevation.downward);
     let of_file = if downward { Convention::Depth } else { Convention::Height };
     let convention = options.convention.unwrap_or(of_file);
-    let map = height_map(samples, range, elevation.is_some(), convention, options)?;
+    let is_elevation = elevation.is_some() || options.elevation_m.is_some();
+    let map = height_map(samples, range, is_elevation, convention, options)?;
     let range = match convention {
         Convention::Height => range,
         Convention::Depth => [range[1], range[0]],
@@ -257,6 +267,9 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<(HeightMap, Vec<R
         map = map.with_texel_size_m(size_m)?;
     } else if let Some(size) = terrain.and_then(|terrain| terrain.relative_texel_size) {
         map = map.with_texel_size_m(size)?.with_unnamed_unit();
+    }
+    if let Some(range) = options.elevation_m {
+        map = map.with_physical_range(range)?.with_named_heights();
     }
     Ok((map, remarks))
 }

@@ -135,9 +135,15 @@ omissions! {
     LEFT_TEXTURES: "left-textures", "folders of textures",
         "files that have no name of a texture, or that another file replaces",
         "they are not read";
+    DEEP_RELIEF: "deep-relief", "surfaces",
+        "a relief more than ten times as deep as its tiles are long",
+        "it is displaced as far as the scale says";
     TABLE_OPACITY: "table-opacity", "tables of colours",
         "colours that are not opaque, except of texels without a value",
         "they are shown opaque";
+    OUTSIDE_TABLE: "outside-table", "tables of colours",
+        "heights of which less than a tenth lies between the table's elevations",
+        "heights beyond them have the colours of its ends";
     IDLE_FACTOR: "idle-factor", "material maps",
         "a factor on a map that is 0 everywhere",
         "the product is 0: a map of its own replaces the channel";

@@ -348,13 +348,14 @@ impl<'a> Job<'a> {
         };
         let options = arguments.reading.options(arguments.max_memory);
         let file = read_height_file(&arguments.height, &options).map_err(Failure::of_map)?;
-        let notes = maps::of_file(&arguments.height, &file, &arguments.reading);
-        if !arguments.json {
-            notes.iter().for_each(say::note);
-        }
+        let mut notes = maps::of_file(&arguments.height, &file, &arguments.reading);
         let map = file.map;
         let metric = metric(arguments, &map)?;
         let map = map.with_displacement(metric.scale_m, -metric.scale_m).map_err(Failure::usage)?;
+        notes.extend(maps::of_depth(&arguments.height, &map, metric));
+        if !arguments.json {
+            notes.iter().for_each(say::note);
+        }
         let source_hash = map.heights_hash().to_string();
         let (size, wrap) = ([map.width(), map.height()], map.wrap());
         let (folder, tasks) = (arguments.folder(), Vec::new());

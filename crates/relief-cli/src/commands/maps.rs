@@ -5,16 +5,16 @@ use std::fmt;
 use std::path::Path;
 
 use clap::Args;
-use relief_core::{ByteSize, HeightMap, Wrap};
+use relief_core::{ByteSize, HeightMap, Metric, Wrap};
 use relief_io::{
     Convention, DEFAULT_MAX_BYTES, Fill, GivenUnits, Ground, HeightFile, HeightOptions, HeightRange,
     Omission, RawLayout, ReadNote, Remark, guess_by_name, omissions, read_ground, read_notes,
 };
-use relief_scene::{Scene, SceneSpec, SurfaceSpec};
+use relief_scene::{Scene, SceneSpec, SurfaceSpec, depth_remark};
 use serde_json::{Value, json};
 
 use super::lengths;
-use crate::{advice, values};
+use crate::{advice, units, values};
 
 /// Flags for reading a height map's file.
 #[derive(Args)]
@@ -68,6 +68,17 @@ pub struct HeightArguments {
         hide_short_help = true,
     )]
     pub range: Option<HeightRange>,
+    /// Elevations that heights 0 and 1 stand for, in metres or with units, as in 236,1076: for a
+    /// picture of ground without a unit. Colour tables in metres then apply, and with --tile-size the
+    /// relief is true to the ground
+    #[arg(
+        long,
+        value_name = "LOW,HIGH",
+        value_parser = units::elevations,
+        allow_hyphen_values = true,
+        hide_short_help = true,
+    )]
+    pub elevation: Option<[f64; 2]>,
     /// Continuation of the maps beyond their edges: repeat, clamp or mirror [default: clamp for
     /// elevation models, else repeat]
     #[arg(long, value_name = "WRAP")]
@@ -88,6 +99,7 @@ impl HeightArguments {
             channel: self.file.channel.clone(),
             convention: self.depth.then_some(Convention::Depth),
             range: self.range,
+            elevation_m: self.elevation,
             nodata: self.file.nodata,
             unit: self.file.unit,
             raw: self.file.raw,
@@ -199,6 +211,11 @@ pub fn of_file_read_as(
     file.notes.iter().cloned().chain(more).map(|note| By::Flags.note(&note)).collect()
 }
 
+/// Returns a note on a map whose relief is too deep for its tile.
+pub fn of_depth(path: &Path, map: &HeightMap, metric: Metric) -> Option<Note> {
+    depth_remark(map, metric).map(|remark| By::Flags.note(&remark.of(path)))
+}
+
 /// Returns notes on a picture without heights: header fields that are not followed. A file that
 /// cannot be read is an error elsewhere.
 pub fn of_picture(path: &Path) -> BTreeSet<Note> {
@@ -239,7 +256,8 @@ pub fn of_reading(spec: &SceneSpec, scene: &Scene, by: By) -> BTreeSet<Note> {
     let surfaces = spec.each_surface().into_iter().zip(scene.surfaces());
     let notes = surfaces.flat_map(|(described, surface)| {
         let ground = ground_of(&described);
-        let path = described.height.unwrap_or_default();
+        // Heights of a folder of textures have no name of their own here.
+        let path = described.height.or(described.textures).unwrap_or_default();
         let is_depth = ground.as_ref().is_some_and(is_depth);
         let turned = inside_out(&path).filter(|_| described.depth.is_none() && !is_depth);
         let count = surface.height_map().filled_texels();

@@ -10,8 +10,9 @@ use relief_compare::{
 };
 use relief_core::Watch;
 use relief_core::registry::UnknownName;
+use relief_io::material_name;
 use relief_render::{RenderError, Renderer};
-use relief_scene::{BackendChoice, Look, Sampling, SceneSpec};
+use relief_scene::{BackendChoice, Look, Sampling, SceneSpec, SurfaceSpec};
 use relief_shaders::{
     Choice, DETAIL, Entry, Family, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection,
 };
@@ -220,9 +221,15 @@ impl MethodSet {
         if !quiet {
             maps::of_reading(&self.spec, &scene, By::Flags).iter().for_each(say::note);
         }
-        let map = self.spec.each_surface().into_iter().find_map(|surface| surface.height);
-        let name = map.as_deref().and_then(|path| path.file_stem()).unwrap_or_default();
-        let mut comparison = Comparison::new(name.to_string_lossy(), scene);
+        let named = |surface: SurfaceSpec| {
+            let of_file = surface.height.as_ref().and_then(|path| path.file_stem());
+            let of_file = of_file.map(|stem| stem.to_string_lossy().into_owned());
+            // A folder such as `.` has its name in its whole path.
+            let folder = surface.textures.map(|folder| folder.canonicalize().unwrap_or(folder));
+            of_file.or_else(|| folder.as_deref().map(material_name))
+        };
+        let name = self.spec.each_surface().into_iter().find_map(named).unwrap_or_default();
+        let mut comparison = Comparison::new(name, scene);
         comparison.contenders.clone_from(&self.contenders);
         comparison.shadows.clone_from(&self.shadows);
         comparison.machines.clone_from(&self.machines);

@@ -94,6 +94,7 @@ impl PlacementArguments {
             channel: reading.file.channel.clone(),
             depth: given(reading.depth),
             range: reading.range,
+            elevation: reading.elevation,
             nodata: reading.file.nodata,
             unit: reading.file.unit,
             raw: reading.file.raw,

@@ -64,6 +64,29 @@ fn each_turn_gets_a_drawing_and_both_formats_are_written() {
 }
 
 #[test]
+fn a_folder_of_textures_gives_its_own_heights() {
+    let folder = folder();
+    folder.write("stones/Stones_Height.png", Map::hills().png());
+    folder.write("stones/Stones_Color.png", Map::constant(0.7).png());
+    let drawn = |of: &str| {
+        let line = format!("explain {of} --scale 0.2 --method relief --no-cache -q -o cut.svg --json");
+        let about = json_of(&folder.relief(&line).fine());
+        (
+            about["t"].clone(),
+            about["reads"].clone(),
+            std::fs::read(folder.path("cut.svg")).expect("a drawing"),
+        )
+    };
+    let of_map = drawn("map.png");
+    assert_eq!(drawn("stones"), of_map);
+    assert_eq!(drawn("--textures stones"), of_map);
+    // The sample map has another hit.
+    assert_ne!(drawn("").2, of_map.2);
+    let ran = folder.relief("explain stones --method relief --no-cache -o cut.svg");
+    assert!(ran.code == Some(0) && ran.stderr.contains("height from Stones_Height.png"), "{}", ran.stderr);
+}
+
+#[test]
 fn methods_without_a_search_say_so() {
     let folder = folder();
     let ran = folder.relief("explain map.png --scale 0.2 --method bump -o cut.svg").fine();

@@ -57,6 +57,26 @@ fn without_a_map_the_sample_is_compared_and_the_page_has_a_name() {
 }
 
 #[test]
+fn a_folder_of_textures_is_compared_by_its_heights_and_name() {
+    let folder = folder();
+    folder.write("stones/Stones_Height.png", Map::hills().png());
+    folder.write("hills.png", Map::hills().png());
+    let figures = |of: &str| {
+        let line = format!("compare {of} --methods relief {SMALL} --scales 0.1 -o page.html --json -q");
+        json_of(&folder.relief(&line))
+    };
+    let [map, set] = ["--height hills.png", "stones"].map(figures);
+    assert_eq!(
+        (&set["about"]["map"], &set["about"]["map_size"]),
+        (&"stones".into(), &map["about"]["map_size"])
+    );
+    let reads = |figures: &Value| figures["rays"][0]["reads"].clone();
+    assert!(reads(&set).is_number() && reads(&set) == reads(&map), "{set:#}");
+    let page = std::fs::read_to_string(folder.path("page.html")).expect("a page");
+    assert!(page.contains("Displacement methods on stones"));
+}
+
+#[test]
 fn eight_methods_are_compared_unless_others_are_named() {
     let folder = folder();
     let methods = |flags: &str| {

@@ -193,10 +193,19 @@ const FEEDS: &[Feed] = &[
         folder.write("Stones_Unknown.pgm", "P2 2 1 255 51 255");
         "render . --size 8x8 --backend cpu -o out.jpg"
     }),
+    ("deep-relief", |folder| {
+        folder.write("map.png", integers(0, 65535));
+        "render map.png --scale 840m --backend cpu --size 32x24 -o out.png"
+    }),
     ("table-opacity", |folder| {
         folder.write("map.png", integers(0, 65535));
         folder.write("tints.txt", "0% green 128\n100% white\n");
         "render map.png --ramp tints.txt --backend cpu --size 32x24 -o out.png"
+    }),
+    ("outside-table", |folder| {
+        folder.write("map.png", integers(0, 65535));
+        folder.write("tints.txt", "236 green\n1076 white\n");
+        "render map.png --ramp tints.txt --unit m --backend cpu --size 32x24 -o out.png"
     }),
     ("idle-factor", |folder| {
         folder.write("map.pgm", "P2 2 1 255 51 255");

@@ -111,6 +111,12 @@ pub fn keys() -> Vec<Key> {
             "two values of the file that become heights 0 and 1, or \"auto\": its least and greatest",
         ),
         surface(
+            "elevation",
+            Form::Lengths(2),
+            "",
+            "elevations in metres that heights 0 and 1 stand for (default: the file's, if it states metres)",
+        ),
+        surface(
             "nodata",
             Form::Number,
             "",
@@ -408,6 +414,7 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
             HeightRange::Between(range) => list(&range),
             auto @ HeightRange::Extremes => quoted(&auto.to_string()),
         }),
+        "elevation" => spec.elevation.map(|both| list(&both)),
         "nodata" => spec.nodata.map(|nodata| format!("{nodata:?}")),
         "unit" => spec.unit.map(|unit| quoted(&unit.to_string())),
         "raw" => spec.raw.map(|raw| quoted(&raw.to_string())),

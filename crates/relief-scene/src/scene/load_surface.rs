@@ -1,6 +1,7 @@
 //! Loading of surfaces: defaults, checks and files.
 
 use super::builder::{AMBIENT_ENVIRONMENT, DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, of_selection};
+use super::depth::depth_remark;
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::file_material::FileMaterials;
 use super::maps::{LoadedMesh, Maps};
@@ -124,6 +125,13 @@ impl SurfaceSpec {
             let (value, must) =
                 if low.is_finite() { (high, "finite and above the first") } else { (low, "finite") };
             return Err(ValueProblem::Number { value, must }.of("range"));
+        }
+        if let Some([low, high]) = self.elevation {
+            check_metres("elevation", &[low, high])?;
+            if low >= high {
+                let must = "above the first";
+                return Err(ValueProblem::Number { value: high, must }.of("elevation"));
+            }
         }
         if let Some(value) = self.nodata.filter(|value| !value.is_finite()) {
             let must = "finite, as texels that are NaN or infinite never have a value";
@@ -365,6 +373,7 @@ impl SurfaceSpec {
             channel: self.channel.clone(),
             convention: self.depth.map(|depth| if depth { Convention::Depth } else { Convention::Height }),
             range: self.range,
+            elevation_m: self.elevation,
             nodata: self.nodata,
             unit: self.unit,
             raw: self.raw,
@@ -428,6 +437,9 @@ impl SurfaceSpec {
         };
         let surface = self.with_heights(parts, map);
         let mut surface = surface.map_err(of_number)?;
+        if let Some(path) = &self.height {
+            maps.remark(path, depth_remark(surface.height_map(), surface.metric()).into_iter().collect());
+        }
         if let Some(path) = &self.color {
             surface = surface.with_color(maps.color(path)?);
         }

@@ -1,7 +1,7 @@
 //! Reader of a scene's files. It reads each file once, within the memory limit.
 
 use super::file_material::add_pictures;
-use super::ramp::tinted;
+use super::ramp::{outside_remark, tinted};
 use super::{MeshChoice, RampChoice, SceneError, SurfaceSpec};
 use crate::environment::Environment;
 use crate::material_maps::{MaterialMap, MaterialMapError, MaterialMaps, MaterialPictures};
@@ -139,6 +139,7 @@ impl Maps {
             let what = "its opacities are left out: colours by height are opaque";
             self.remark(path, vec![Remark::new(&omissions::TABLE_OPACITY, what)]);
         }
+        self.remark(path, outside_remark(map, &table).into_iter().collect());
         let tints = Arc::new(tints);
         self.take_picture(&tints);
         self.tints.push((ramp.clone(), map.clone(), Arc::clone(&tints)));

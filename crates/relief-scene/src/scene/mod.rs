@@ -3,6 +3,7 @@
 mod builder;
 mod choices;
 mod color_place;
+mod depth;
 mod error;
 mod file;
 mod file_material;
@@ -35,6 +36,7 @@ mod walls;
 pub use builder::SceneBuilder;
 pub use choices::{BackendChoice, ProjectionChoice};
 pub use color_place::ColorPlace;
+pub use depth::depth_remark;
 pub use error::{SceneError, ValueError, ValueProblem};
 pub use file::{parse_scene, read_scene};
 pub use framing::Framing;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use relief_core::HeightMap;
 use relief_core::registry::UnknownName;
-use relief_io::{BuiltinRamp, ColorTable, Picture, srgb_to_linear};
+use relief_io::{BuiltinRamp, ColorTable, Picture, Remark, omissions, srgb_to_linear};
 
 use super::Surface;
 
@@ -74,7 +74,7 @@ pub enum RampError {
     /// The map's values and the table's elevations have little in common.
     #[error(
         "the table has elevations from {} to {}, but the map's values go from {} to {} and have no unit: \
-         give percentages of the map's range, as in 50%, or a map in metres", table[0], table[1], map[0], map[1]
+         give percentages of the map's range, as in 50%, or the elevations that its heights stand for", table[0], table[1], map[0], map[1]
     )]
     OtherElevations {
         /// Least and greatest elevation of the table.
@@ -100,22 +100,8 @@ pub fn tinted(map: &HeightMap, table: &ColorTable) -> Result<Picture, RampError>
         (None, Some(table)) => return Err(RampError::UnknownElevations { table }),
     };
     let elevation = |texel: f32| zero + f64::from(texel) * (one - zero);
-    let holes = map.holes();
-    let width = map.width() as usize;
-    let is_hole =
-        |at: usize| holes.is_some_and(|holes| holes.contains((at % width) as u32, (at / width) as u32));
-    let wider = |[low, high]: [f32; 2], [l, h]: [f32; 2]| [low.min(l), high.max(h)];
-    let none = [f32::INFINITY, f32::NEG_INFINITY];
     let texels = map.texels();
-    let extremes = match holes {
-        None => map.extremes(),
-        Some(_) => texels
-            .par_iter()
-            .enumerate()
-            .map(|(at, &texel)| if is_hole(at) { none } else { [texel; 2] })
-            .reduce(|| none, wider),
-    };
-    let ends = extremes.map(elevation);
+    let ends = extremes(map).map(elevation);
     let range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
     let has_unit = map.texel_size_m().is_some() || map.has_named_heights();
     if let Some(table) = table.absolute_range().filter(|[low, high]| low < high && !has_unit) {
@@ -132,10 +118,44 @@ pub fn tinted(map: &HeightMap, table: &ColorTable) -> Result<Picture, RampError>
     };
     let of_hole = table.nodata().map(|color| linear(color.map(f64::from)));
     let texels = texels.par_iter().enumerate().map(|(at, &texel)| match of_hole {
-        Some(color) if is_hole(at) => color,
+        Some(color) if is_hole(map, at) => color,
         _ => linear(ramp.color(elevation(texel))),
     });
     Ok(Picture { width: map.width(), height: map.height(), texels: texels.collect() })
+}
+
+/// Returns whether a texel of a map is a hole.
+fn is_hole(map: &HeightMap, at: usize) -> bool {
+    let width = map.width() as usize;
+    map.holes().is_some_and(|holes| holes.contains((at % width) as u32, (at / width) as u32))
+}
+
+/// Returns the least and the greatest texel of a map that is no hole.
+fn extremes(map: &HeightMap) -> [f32; 2] {
+    if map.holes().is_none() {
+        return map.extremes();
+    }
+    let wider = |[low, high]: [f32; 2], [l, h]: [f32; 2]| [low.min(l), high.max(h)];
+    let none = [f32::INFINITY, f32::NEG_INFINITY];
+    let texels = map.texels().par_iter().enumerate();
+    texels.map(|(at, &texel)| if is_hole(map, at) { none } else { [texel; 2] }).reduce(|| none, wider)
+}
+
+/// Returns a remark on a map whose elevations lie nearly all beyond a table's.
+pub(super) fn outside_remark(map: &HeightMap, table: &ColorTable) -> Option<Remark> {
+    let ([zero, one], table) = (map.physical_range()?, table.absolute_range()?);
+    let ends = extremes(map).map(|texel| zero + f64::from(texel) * (one - zero));
+    let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+    let shared = table[1].min(high) - table[0].max(low);
+    let is_outside = low < high && table[0] < table[1] && shared < LEAST_SHARED * (high - low);
+    is_outside.then(|| {
+        let text = format!(
+            "its heights go from {low} to {high}, and the table of colours from {} to {}: most of them have \
+             the colour of an end",
+            table[0], table[1]
+        );
+        Remark::new(&omissions::OUTSIDE_TABLE, text)
+    })
 }
 
 impl Surface {

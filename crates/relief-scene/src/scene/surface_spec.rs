@@ -42,6 +42,10 @@ pub struct SurfaceSpec {
     /// Default: 0 and the type's maximum for integers, `auto` for floats and elevation models.
     #[serde(deserialize_with = "range")]
     pub range: Option<HeightRange>,
+    /// Elevations in metres that heights 0 and 1 stand for, the second above the first. They replace
+    /// the file's own. Default: the file's, if it states metres.
+    #[serde(deserialize_with = "lengths")]
+    pub elevation: Option<[f64; 2]>,
     /// Stored value that marks texels without a value, in addition to the value that the file
     /// declares. Default: only the declared one.
     pub nodata: Option<f64>,
@@ -201,7 +205,8 @@ impl SurfaceSpec {
     ///
     /// Values that belong to a replaced value are dropped:
     ///
-    /// * Another `height` drops `channel`, `depth`, `range`, `nodata`, `unit`, `raw` and `fill`.
+    /// * Another `height` drops `channel`, `depth`, `range`, `elevation`, `nodata`, `unit`, `raw` and
+    ///   `fill`.
     /// * `color` and `ramp` replace each other.
     /// * Another `normal` drops `green`; another `mesh` drops `project` and `mesh-up`.
     /// * Another method or stage drops its settings; another shadow drops its search.
@@ -213,6 +218,7 @@ impl SurfaceSpec {
         if over.height.is_some() {
             (self.channel, self.depth, self.raw, self.fill) = (None, None, None, None);
             (self.range, self.nodata, self.unit) = (None, None, None);
+            self.elevation = None;
         }
         if over.object.is_some() {
             self.forget_relief();
@@ -246,6 +252,7 @@ impl SurfaceSpec {
             channel: over.channel.or(self.channel),
             depth: over.depth.or(self.depth),
             range: over.range.or(self.range),
+            elevation: over.elevation.or(self.elevation),
             nodata: over.nodata.or(self.nodata),
             unit: over.unit.or(self.unit),
             raw: over.raw.or(self.raw),
@@ -380,6 +387,7 @@ impl SurfaceSpec {
             ("channel", self.channel.is_some()),
             ("depth", self.depth.is_some()),
             ("range", self.range.is_some()),
+            ("elevation", self.elevation.is_some()),
             ("nodata", self.nodata.is_some()),
             ("unit", self.unit.is_some()),
             ("raw", self.raw.is_some()),

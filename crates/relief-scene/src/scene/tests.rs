@@ -61,6 +61,7 @@ height = "maps/a.exr"
 channel = "height"
 depth = true
 range = [236, 1076.5]
+elevation = [-20, "0.5km"]
 nodata = -9999
 unit = "cm,us-ft"
 raw = "403x344,le"
@@ -143,6 +144,7 @@ fn every_key_is_read() {
         channel: Some("height".to_owned()),
         depth: Some(true),
         range: Some([236.0, 1076.5].into()),
+        elevation: Some([-20.0, 500.0]),
         nodata: Some(-9999.0),
         unit: "cm,us-ft".parse().ok(),
         raw: "403x344,le".parse().ok(),

@@ -128,7 +128,9 @@ impl Metres {
         let map = surface.height_map();
         let none = Heights { zero_m: None, exaggeration: None };
         // The values of a file without metres may be anything, such as the codes of a picture.
-        let are_metres = self.source == MetresSource::File || map.stated_displacement_m().is_some();
+        let are_metres = self.source == MetresSource::File
+            || map.stated_displacement_m().is_some()
+            || arguments.reading.elevation.is_some();
         let (Some([zero, one]), true) = (map.physical_range(), self.is_known() && are_metres) else {
             return none;
         };

@@ -99,6 +99,43 @@ fn elevations_need_a_map_that_has_them() {
 }
 
 #[test]
+fn elevations_that_heights_stand_for_have_the_colours_of_a_table() {
+    // Texels 0, 0.4, 0.8 and 1 stand for 200, 600, 1000 and 1200 m.
+    let table = "200 0 0 0\n600 100 50 0\n1000 200 50 0\n1200 250 50 0\n";
+    let scene = loaded(table, "ramp = 'tints.txt'\nelevation = [200, '1.2km']").expect("a scene");
+    let surface = &scene.surfaces()[0];
+    assert_eq!(colors(surface), [[0, 0, 0], [100, 50, 0], [200, 50, 0], [250, 50, 0]]);
+    assert_eq!(surface.height_map().physical_range(), Some([200.0, 1200.0]));
+    assert!(scene.notes().is_empty(), "{:?}", scene.notes());
+    // On ground of that size the relief has its true proportions.
+    let ground = "elevation = [200, 1200]\ntile-size = [4000, 1000]";
+    let scene = loaded("", ground).expect("a scene");
+    let surface = &scene.surfaces()[0];
+    assert!((surface.height_map().scale_m() - 0.25).abs() < 1e-12, "{}", surface.height_map().scale_m());
+    // Values that are no metres are noted.
+    let scene = loaded("236 green\n1076 white\n", "ramp = 'tints.txt'\nelevation = [0, 20000]");
+    let notes: Vec<_> = scene.expect("a scene").notes().iter().map(|note| note.remark.row).collect();
+    assert_eq!(notes, [&omissions::OUTSIDE_TABLE]);
+    for bad in ["[3, 3]", "[2, 1]", "[1]", "[nan, 1]", "[0, 1e12]", "7"] {
+        let error = loaded("", &format!("elevation = {bad}")).expect_err(bad).to_string();
+        assert!(error.contains("elevation"), "{bad}: {error}");
+    }
+}
+
+#[test]
+fn a_relief_too_deep_for_its_surface_is_noted() {
+    let rows = |text: &str| {
+        let scene = loaded("", text).expect(text);
+        scene.notes().iter().map(|note| note.remark.row.name).collect::<Vec<_>>()
+    };
+    assert_eq!(rows("scale = 840"), ["deep-relief"]);
+    assert_eq!(rows("scale = 2\nexaggerate = 100"), ["deep-relief"]);
+    for fine in ["", "scale = 3", "scale = 840\nmesh-scale = 1000", "elevation = [0, 840]"] {
+        assert!(rows(fine).is_empty(), "{fine}: {:?}", rows(fine));
+    }
+}
+
+#[test]
 fn ramp_and_colour_map_exclude_each_other_and_replace_each_other() {
     let error = loaded("", "ramp = 'grey'\ncolor = 'map.pgm'").expect_err("both").to_string();
     assert!(error.contains("ramp: cannot be given together with color"), "{error}");

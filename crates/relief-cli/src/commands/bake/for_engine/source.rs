@@ -80,13 +80,14 @@ impl MaterialSource {
         let mut options = arguments.reading.options(arguments.max_memory);
         options.convention = self.is_depth.then_some(Convention::Depth);
         let file = read_height_file(&self.height, &options).map_err(Failure::of_map)?;
-        let notes = maps::of_file_read_as(&self.height, &file, &arguments.reading, self.is_depth);
+        let mut notes = maps::of_file_read_as(&self.height, &file, &arguments.reading, self.is_depth);
         let map = file.map;
         let metric = metric(arguments, &map)?;
         // Heights of a mesh have a level of their own.
         let stated = map.stated_displacement_m().filter(|_| arguments.scale.is_none());
         let [low, high] = stated.unwrap_or([-metric.scale_m, 0.0]);
         let map = map.with_displacement(high - low, low).map_err(Failure::usage)?;
+        notes.extend(maps::of_depth(&self.height, &map, metric));
         Ok((map, metric, notes))
     }
 
