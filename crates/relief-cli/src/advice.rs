@@ -73,7 +73,9 @@ pub fn of_read(problem: &ReadProblem) -> Option<Advice> {
 /// Returns what lets a picture or a normal map be read. Their reading has no options.
 pub fn of_picture(problem: &ReadProblem) -> Option<Advice> {
     match problem {
-        ReadProblem::TooMuchMemory { .. } => Some(Advice::everywhere("use --max-memory")),
+        ReadProblem::TooMuchMemory { .. } | ReadProblem::VolumeMemory { .. } => {
+            Some(Advice::everywhere("use --max-memory"))
+        }
         ReadProblem::Mask { problem, .. } => of_picture(problem),
         _ => None,
     }

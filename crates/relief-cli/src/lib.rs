@@ -82,14 +82,18 @@ enum Command {
     Render(Box<commands::render::Arguments>),
     /// Write a scene file of render's flags, with every key
     Scene(Box<commands::scene::Arguments>),
-    /// Report on a height map (size, depth, range, used levels, histogram, whether it tiles) or a
-    /// mesh (size, charts, seams, hard edges, tile sizes)
+    /// Report on a height map (size, depth, range, used levels, histogram, whether it tiles), a mesh
+    /// (size, charts, seams, hard edges, tile sizes) or a volume
     Inspect(commands::inspect::Arguments),
     /// Bake a height map into the maps that methods read: cones, normals, horizons and more
     Bake(Box<commands::bake::Arguments>),
     /// Make a height map from a normal map, photographs under known lights, a simple and a detailed
     /// mesh, a depth object, or a formula
     Height(commands::height::Arguments),
+    /// Make a volume of a closed mesh, a height map, numbered pictures or a formula
+    Volume(Box<commands::volume::Arguments>),
+    /// Make a closed mesh of cloth, chain mail or grass that surfaces repeat
+    Motif(commands::motif::Arguments),
     /// Displace a mesh by a height map, without cracks, and write a GLB, PLY, OBJ or STL file
     Mesh(Box<commands::mesh::Arguments>),
     /// Capture a mesh as a depth object: images with depth from several views
@@ -160,6 +164,8 @@ impl Command {
             Command::Inspect(arguments) => arguments.files(),
             Command::Bake(arguments) => arguments.files(),
             Command::Height(arguments) => arguments.files(),
+            Command::Volume(arguments) => arguments.files(),
+            Command::Motif(arguments) => arguments.files(),
             Command::Mesh(arguments) => arguments.files(),
             Command::Capture(arguments) => arguments.files(),
             Command::Slices(arguments) => arguments.files(),
@@ -179,6 +185,8 @@ impl Command {
             Command::Inspect(arguments) => arguments.json,
             Command::Bake(arguments) => arguments.json,
             Command::Height(arguments) => arguments.json(),
+            Command::Volume(arguments) => arguments.json,
+            Command::Motif(arguments) => arguments.json,
             Command::Mesh(arguments) => arguments.json,
             Command::Capture(arguments) => arguments.json,
             Command::Slices(arguments) => arguments.json,
@@ -198,6 +206,8 @@ impl Command {
             Command::Inspect(arguments) => commands::inspect::run(arguments),
             Command::Bake(arguments) => commands::bake::run(arguments),
             Command::Height(arguments) => commands::height::run(arguments),
+            Command::Volume(arguments) => commands::volume::run(arguments),
+            Command::Motif(arguments) => commands::motif::run(arguments),
             Command::Mesh(arguments) => commands::mesh::run(arguments),
             Command::Capture(arguments) => commands::capture::run(arguments),
             Command::Slices(arguments) => commands::slices::run(arguments),

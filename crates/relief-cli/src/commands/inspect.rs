@@ -1,7 +1,8 @@
-//! `relief inspect`: reports the contents of a height map or a mesh.
+//! `relief inspect`: reports the contents of a height map, a mesh or a volume.
 
 mod mesh;
 mod textures;
+mod volume;
 
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -30,10 +31,11 @@ use crate::{say, values};
 #[command(after_help = "Examples:\n  relief inspect dem.tif\n  \
     relief inspect rock.png --normal rock_normal.png    # height or depth, +y or -y\n  \
     relief inspect tree.obj --json\n  \
+    relief inspect sponge.ktx2    # a volume\n  \
     relief inspect Bricks090    # a folder of textures")]
 pub struct Arguments {
-    /// Height map, mesh by its ending (.gltf, .glb, .obj, .ply, .stl), or folder of textures; - for
-    /// standard input
+    /// Height map, mesh by its ending (.gltf, .glb, .obj, .ply, .stl), volume (.ktx2), or folder of
+    /// textures; - for standard input
     file: PathBuf,
     /// Normal map of the height map. How the two fit tells height from depth and +y from -y
     #[arg(long, value_name = "FILE")]
@@ -90,6 +92,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if arguments.mesh_up.is_some() {
         return Err(Failure::usage("--mesh-up is for meshes: leave it out"));
+    }
+    if arguments.file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2")) {
+        return volume::run(arguments);
     }
     let is_textures = arguments.file.is_dir() && FileKind::of(&arguments.file)? == FileKind::Textures;
     if is_textures {

@@ -15,7 +15,7 @@ use image::{ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
 use relief_core::mesh::{sphere, square, torus};
 
 /// Commands with examples, as help is asked for.
-const COMMANDS: [&str; 22] = [
+const COMMANDS: [&str; 24] = [
     "render",
     "scene",
     "inspect",
@@ -28,6 +28,8 @@ const COMMANDS: [&str; 22] = [
     "height procedure",
     "height for-mesh",
     "height deband",
+    "volume",
+    "motif",
     "mesh",
     "capture",
     "slices",
@@ -191,6 +193,13 @@ fn stand_ins() -> Folder {
     folder
         .relief("capture spot.obj --views octahedral --grid 3 --size 16 --verify 0 --cover centre -q -o grid")
         .fine();
+    folder.relief("motif mail -q -o mail.glb").fine();
+    folder.relief("volume sponge --size 16x16x8 -q -o sponge.ktx2").fine();
+    for number in 0..5u8 {
+        let slice =
+            RgbaImage::from_fn(12, 8, |x, y| Rgba([0, 0, 0, (x as u8 * 20).max(y as u8 * 9 * number)]));
+        folder.write(&format!("slice_{number:03}.png"), encoded(&slice.into(), ImageFormat::Png));
+    }
     // Photographs of hills under four lights, by the renderer.
     let lights = [[0.5, 0.1, 0.8], [-0.5, 0.2, 0.8], [0.0, 0.55, 0.8], [0.1, -0.5, 0.7]];
     let mut text = String::new();
@@ -314,7 +323,7 @@ fn examples_of_pictures_run() {
 
 #[test]
 fn examples_of_meshes_run() {
-    run(|line| begins(line, &["mesh", "slices"]));
+    run(|line| begins(line, &["mesh", "slices", "volume", "motif"]));
 }
 
 #[test]
@@ -340,6 +349,8 @@ fn every_example_belongs_to_one_of_these() {
         "scene",
         "mesh",
         "slices",
+        "volume",
+        "motif",
         "bake",
         "height",
         "inspect",

@@ -18,3 +18,4 @@ mod height_files;
 mod height_photos;
 mod metres;
 mod normal_holes;
+mod volume;

@@ -1,0 +1,160 @@
+//! `relief volume` and `relief motif`: volumes come back as they were made, and bad input is refused.
+
+use crate::common::command::{Folder, json_of};
+use crate::common::maps::{Map, encoded};
+use crate::common::meshes::obj;
+use image::{GrayImage, ImageFormat, Luma, Rgba, RgbaImage};
+use relief_core::mesh::sphere;
+use relief_core::{Volume, Wrap};
+use relief_io::{VolumeOptions, read_volume};
+
+fn read(folder: &Folder, name: &str) -> Volume {
+    read_volume(folder.path(name).as_path(), &VolumeOptions::default()).expect("a volume").volume
+}
+
+#[test]
+fn a_motif_becomes_a_volume_that_tiles() {
+    let folder = Folder::new();
+    for kind in ["mail", "weave", "grass"] {
+        let motif = json_of(&folder.relief(&format!("motif {kind} -o {kind}.glb --json")).fine());
+        let depth = motif["depth"].as_f64().expect("a depth");
+        let about = json_of(
+            &folder.relief(&format!("volume {kind}.glb --size 48x48x24 -o {kind}.ktx2 --json")).fine(),
+        );
+        let zero = ["open_edges", "turned_edges", "odd_columns", "beyond"].map(|name| about[name].as_u64());
+        assert_eq!(zero, [Some(0); 4], "{about}");
+        assert_eq!((about["fit"].as_str(), about["solid_by"].as_str()), (Some("tile"), Some("winding")));
+        let volume = read(&folder, &format!("{kind}.ktx2"));
+        assert_eq!(
+            (volume.size(), volume.wrap(), volume.atlas().scale_m()),
+            ([48, 48, 24], Wrap::Repeat, depth)
+        );
+        let solid = about["solid"].as_f64().expect("a share");
+        assert!((0.005..0.7).contains(&solid), "{kind}: {solid}");
+        // Steps over the tile's edge are no greater than inside.
+        let step = |i: i64| -> f64 {
+            let all = (0..24).flat_map(|k| (0..48).map(move |j| (j, k)));
+            all.map(|(j, k)| f64::from((volume.voxel(i, j, k) - volume.voxel(i + 1, j, k)).abs())).sum()
+        };
+        let inside = (0..47).map(step).fold(0.0, f64::max);
+        assert!(step(47) <= 1.2 * inside, "{kind}: {} {inside}", step(47));
+    }
+    let told = folder.relief("inspect mail.ktx2").fine().stdout;
+    assert!(
+        told.contains("48x48x24 voxels") && told.contains("16-bit") && told.contains("--wrap repeat"),
+        "{told}"
+    );
+}
+
+#[test]
+fn the_same_command_gives_the_same_bytes() {
+    let folder = Folder::new();
+    folder.relief("motif mail -o a.glb").fine();
+    folder.relief("motif mail -o b.glb").fine();
+    let bytes = |name: &str| std::fs::read(folder.path(name)).expect("a file");
+    assert_eq!(bytes("a.glb"), bytes("b.glb"));
+    folder.relief("volume a.glb --size 24x20x12 --threads 1 -o a.ktx2").fine();
+    folder.relief("volume a.glb --size 24x20x12 --threads 4 -o b.ktx2").fine();
+    assert_eq!(bytes("a.ktx2"), bytes("b.ktx2"));
+}
+
+#[test]
+fn meshes_keep_their_proportions_and_open_ones_are_told() {
+    let folder = Folder::new();
+    let ball = obj(&sphere(32, 16).expect("a sphere"));
+    folder.write("ball.obj", &ball);
+    let about =
+        json_of(&folder.relief("volume ball.obj --size 32x32x32 --tile 2 -o ball.ktx2 --json").fine());
+    let [scale, solid] = ["scale_m", "solid"].map(|name| about[name].as_f64().expect("a number"));
+    // A ball of 30 of 32 voxels in a tile of 2 m.
+    assert!((scale - 2.0).abs() < 0.05 && (solid - 0.43).abs() < 0.02, "{about}");
+    let faces = ball.lines().filter(|line| line.starts_with("f ")).count();
+    let mut left = faces - 3;
+    let open: String = ball
+        .lines()
+        .filter(|line| {
+            left = left.saturating_sub(usize::from(line.starts_with("f ")));
+            !line.starts_with("f ") || left > 0
+        })
+        .map(|line| format!("{line}\n"))
+        .collect();
+    folder.write("open.obj", open);
+    let ran = folder.relief("volume open.obj --size 16x16x16 -o open.ktx2");
+    assert!(ran.code == Some(0) && ran.stderr.contains("edges are open"), "{}", ran.stderr);
+}
+
+#[test]
+fn height_maps_keep_their_metres() {
+    let folder = Folder::new();
+    folder.write("hills.png", Map::hills().png());
+    folder.relief("volume hills.png --size 32x32x16 --scale 10cm --bias -2cm -o hills.ktx2").fine();
+    let volume = read(&folder, "hills.ktx2");
+    let (scale, bias) = (volume.atlas().scale_m(), volume.atlas().bias_m());
+    // Height 0 of the map lies a voxel above the floor, and height 1 a voxel below the top.
+    assert!((bias + scale / 16.0 + 0.02).abs() < 1e-12 && (bias + scale * 15.0 / 16.0 - 0.08).abs() < 1e-12);
+}
+
+#[test]
+fn numbered_pictures_are_slices() {
+    let folder = Folder::new();
+    for number in 1..=4u8 {
+        let grey = GrayImage::from_fn(6, 5, |x, _| Luma([number * 10 + x as u8]));
+        folder.write(&format!("grey{number}.png"), encoded(&grey.into(), ImageFormat::Png));
+        let clear = RgbaImage::from_fn(6, 5, |x, _| Rgba([255, 0, 0, number * 10 + x as u8]));
+        folder.write(&format!("clear{number}.png"), encoded(&clear.into(), ImageFormat::Png));
+    }
+    for name in ["grey", "clear"] {
+        folder.relief(&format!("volume {name}%d.png --bits 8 -o {name}.ktx2")).fine();
+        let volume = read(&folder, &format!("{name}.ktx2"));
+        assert_eq!(volume.size(), [6, 5, 4]);
+        assert_eq!(volume.voxel(3, 2, 1), 23.0 / 255.0);
+    }
+    folder.write("grey3.png", encoded(&GrayImage::new(6, 4).into(), ImageFormat::Png));
+    let ran = folder.relief("volume grey%d.png -o other.ktx2");
+    assert!(ran.code == Some(1) && ran.stderr.contains("one size"), "{}", ran.stderr);
+}
+
+#[test]
+fn bad_input_is_refused_and_leaves_no_file() {
+    let folder = Folder::new();
+    folder.write("ball.obj", obj(&sphere(16, 8).expect("a sphere")));
+    folder.write("hills.png", Map::hills().png());
+    for (line, code, expected) in [
+        ("volume ball.obj --size 0x8x8", 2, "at least one voxel"),
+        ("volume ball.obj --size 8x8", 2, "WxHxD"),
+        ("volume ball.obj --size 100000x100000x4000", 2, "too large"),
+        ("volume ball.obj --size 8x8x5000", 2, "4096 slices"),
+        ("volume ball.obj --size 512x512x512 --max-memory 64MiB", 1, "--max-memory"),
+        ("volume ball.obj --size 8x8x8 --margin 4", 1, "margin"),
+        ("volume ball.obj --reach 0", 2, "the reach is 0"),
+        ("volume ball.obj --pores 3", 2, "--pores is for the sponge"),
+        ("volume hills.png --fit stretch", 2, "--fit is for meshes"),
+        ("volume ball.obj --channel r", 2, "--channel is for height maps"),
+        ("volume ball.obj --scale -1", 2, "--scale"),
+        ("volume ball.obj --tile 0", 2, "--tile"),
+        ("volume sponge --pores 0", 2, "from 1 to 10000"),
+        ("volume missing.obj", 1, "missing.obj"),
+        ("volume slice_%03d.png", 1, "slice_000.png"),
+        ("volume hills.png --size 8x8x2", 2, "at least 3"),
+        ("volume ball.obj --bits 12", 2, "12"),
+    ] {
+        let ran = folder.relief(&format!("{line} -o out.ktx2"));
+        assert_eq!(ran.code, Some(code), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains(expected), "{line}: {}", ran.stderr);
+        assert!(!folder.path("out.ktx2").exists(), "{line}");
+    }
+    for (line, expected) in [
+        ("motif mail --links 0", "from 1 to 128"),
+        ("motif weave --yarns 3", "an even number"),
+        ("motif grass --thickness 2", "thickness"),
+        ("motif mail --yarns 4", "--yarns is for weave"),
+        ("motif knit", "knit"),
+        ("motif weave --yarns 256 --detail 64", "--detail"),
+    ] {
+        let ran = folder.relief(&format!("{line} -o out.glb"));
+        assert_eq!(ran.code, Some(2), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains(expected) && !folder.path("out.glb").exists(), "{line}: {}", ran.stderr);
+    }
+    let ran = folder.relief("motif mail -o out.obj");
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+}
