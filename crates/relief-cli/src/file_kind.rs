@@ -17,6 +17,8 @@ pub enum FileKind {
     Object,
     /// Picture whose values are heights.
     HeightMap,
+    /// A volume.
+    Volume,
     /// A mesh.
     Mesh,
     /// A folder with the maps of a material.
@@ -39,6 +41,9 @@ impl FileKind {
     pub fn of(path: &Path) -> Result<Self, Failure> {
         if MeshFormat::by_name(path).is_some() {
             return Ok(FileKind::Mesh);
+        }
+        if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2")) {
+            return Ok(FileKind::Volume);
         }
         if !path.exists() {
             return Ok(Self::by_name(path));
@@ -80,6 +85,7 @@ impl FileKind {
             FileKind::Scene => "scene",
             FileKind::Object => "--object",
             FileKind::HeightMap => "--height",
+            FileKind::Volume => "--volume",
             FileKind::Mesh => "--mesh",
             FileKind::Textures => "--textures",
         }

@@ -200,6 +200,9 @@ impl Comparison {
         }
         let levels = self.map_sides.len().max(1);
         for surface in self.scene.surfaces() {
+            if surface.volume().is_some() {
+                return Err(CompareError::Volume);
+            }
             if surface.object().is_some() {
                 return Err(CompareError::Object);
             }

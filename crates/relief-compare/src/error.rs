@@ -29,6 +29,9 @@ pub enum CompareError {
     /// A surface is a depth object.
     #[error("a surface is an object of images: compare methods on a height map on a mesh")]
     Object,
+    /// A surface is a volume.
+    #[error("a surface is a volume: compare methods on a height map on a mesh")]
+    Volume,
     /// The exact hits of a scene's pixels are unknown.
     #[error(
         "errors of hits need a scene with one height map on a mesh, where the exact hit is known, and this \

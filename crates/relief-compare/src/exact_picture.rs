@@ -51,7 +51,7 @@ impl ExactPicture {
     ///
     /// # Errors
     ///
-    /// When the scene has several surfaces, which hide each other, or a depth object.
+    /// When the scene has several surfaces, which hide each other, a depth object, or a volume.
     pub fn check(scene: &Scene) -> Result<(), CompareError> {
         Self::only(scene).map(|_| ())
     }
@@ -61,6 +61,7 @@ impl ExactPicture {
             [surface] if surface.object().is_some() => {
                 Err(CompareError::NoExactHits("a depth object".to_owned()))
             }
+            [surface] if surface.volume().is_some() => Err(CompareError::NoExactHits("a volume".to_owned())),
             [surface] => Ok(surface),
             surfaces => Err(CompareError::NoExactHits(format!("a scene of {} surfaces", surfaces.len()))),
         }

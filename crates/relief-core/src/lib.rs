@@ -72,6 +72,6 @@ pub use pyramid::{MaxPyramid, MinPyramid};
 pub use slice_axis::SliceAxis;
 pub use tangent_frame::{TangentFrame, TangentFrameError};
 pub use texel_mask::TexelMask;
-pub use volume::{MAX_SLICES, SliceLayout, Volume, VolumeCell, VolumeError};
+pub use volume::{MAX_SLICES, SliceLayout, Volume, VolumeCell, VolumeError, VolumeHit};
 pub use watch::{Cancelled, Watch};
 pub use wrap::Wrap;

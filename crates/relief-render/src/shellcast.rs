@@ -40,8 +40,8 @@ pub struct Bounds {
 impl Bounds {
     /// Returns the bounds of a surface; objects fill the boxes.
     pub fn of(surface: &JobSurface) -> Self {
-        let JobSurface { settings, selection, height_map, .. } = surface;
-        let texels = height_map.width().max(height_map.height()) as f32;
+        let JobSurface { settings, selection, .. } = surface;
+        let texels = settings.height_size.x.max(settings.height_size.y) as f32;
         Self {
             shell_m: [settings.shell_m.x, settings.shell_m.y],
             both_sides: surface.two_sided,

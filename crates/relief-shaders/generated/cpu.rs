@@ -957,6 +957,27 @@ impl Prism {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// a + b x + c x² + d x³ + e x⁴
+pub struct Quartic {
+    pub a: f32,
+    pub b: f32,
+    pub c: f32,
+    pub d: f32,
+    pub e: f32,
+}
+impl Quartic {
+    pub fn new(
+        a: impl rt::Into<f32>,
+        b: impl rt::Into<f32>,
+        c: impl rt::Into<f32>,
+        d: impl rt::Into<f32>,
+        e: impl rt::Into<f32>,
+    ) -> Self {
+        Self { a: rt::into(a), b: rt::into(b), c: rt::into(c), d: rt::into(d), e: rt::into(e) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The result of a search. `status` is one of FOUND_*. `near` and `far` are parameters of the path,
 /// and the gaps are its heights above the surface there.
 pub struct SearchResult {
@@ -1083,7 +1104,7 @@ impl ShellPoint {
 /// Settings of a surface: its maps, displacement, material and method.
 pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
-    pub choices: [Choice; 11],
+    pub choices: [Choice; 12],
     /// For each slot of baked maps.
     pub maps: [MapSettings; 8],
     /// Linear RGB. For `metallic-roughness`, the base colour, and the reflection of materials that
@@ -1160,12 +1181,15 @@ pub struct SurfaceSettings {
     /// One of CELLS_*, and the difference of heights beyond which a cell of an image jumps.
     pub cells: u32,
     pub jump: f32,
+    /// Columns, rows and slices of a volume, whose slices lie side by side in the height map, and the
+    /// slices in a row of that map; zeros for heights.
+    pub volume: rt::Vec4<u32>,
     /// Opacities of the colour map below this are holes.
     pub cutoff: f32,
 }
 impl SurfaceSettings {
     pub fn new(
-        choices: impl rt::Into<[Choice; 11]>,
+        choices: impl rt::Into<[Choice; 12]>,
         maps: impl rt::Into<[MapSettings; 8]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
@@ -1210,9 +1234,10 @@ impl SurfaceSettings {
         solids: impl rt::Into<u32>,
         cells: impl rt::Into<u32>,
         jump: impl rt::Into<f32>,
+        volume: impl rt::Into<rt::Vec4<u32>>,
         cutoff: impl rt::Into<f32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), emission: rt::into(emission), color_u: rt::into(color_u), color_v: rt::into(color_v), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), material_size: rt::into(material_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), material_levels: rt::into(material_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), material_texels: rt::into(material_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), color_wrap_u: rt::into(color_wrap_u), color_wrap_v: rt::into(color_wrap_v), shininess: rt::into(shininess), roughness: rt::into(roughness), metallic: rt::into(metallic), has_material: rt::into(has_material), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels), images: rt::into(images), solids: rt::into(solids), cells: rt::into(cells), jump: rt::into(jump), cutoff: rt::into(cutoff) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), emission: rt::into(emission), color_u: rt::into(color_u), color_v: rt::into(color_v), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), material_size: rt::into(material_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), material_levels: rt::into(material_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), material_texels: rt::into(material_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), color_wrap_u: rt::into(color_wrap_u), color_wrap_v: rt::into(color_wrap_v), shininess: rt::into(shininess), roughness: rt::into(roughness), metallic: rt::into(metallic), has_material: rt::into(has_material), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels), images: rt::into(images), solids: rt::into(solids), cells: rt::into(cells), jump: rt::into(jump), volume: rt::into(volume), cutoff: rt::into(cutoff) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -1440,6 +1465,38 @@ impl Voxel {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// The values at the corners of a dual cell, in the order of `height_cell`: in the lower and in the upper slice.
+pub struct VoxelCell {
+    pub low: rt::Vec4<f32>,
+    pub high: rt::Vec4<f32>,
+}
+impl VoxelCell {
+    pub fn new(
+        low: impl rt::Into<rt::Vec4<f32>>,
+        high: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { low: rt::into(low), high: rt::into(high) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A path in voxels: its place at t = 0, its change, and the bend of its height.
+pub struct VoxelPath {
+    pub origin: rt::Vec3<f32>,
+    pub step: rt::Vec3<f32>,
+    pub bend: f32,
+}
+impl VoxelPath {
+    pub fn new(
+        origin: impl rt::Into<rt::Vec3<f32>>,
+        step: impl rt::Into<rt::Vec3<f32>>,
+        bend: impl rt::Into<f32>,
+    ) -> Self {
+        Self { origin: rt::into(origin), step: rt::into(step), bend: rt::into(bend) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The line through the shell: coefficients, by powers of the offset, of the weights over their sum.
 pub struct Way {
     pub first: rt::Vec3<f32>,
@@ -1555,6 +1612,8 @@ pub const FOUND_UNBRACKETED: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
 pub const FRAMES: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
+pub const HALVINGS: rt::Scalar<u32> = rt::Scalar(24u32);
+#[allow(non_upper_case_globals)]
 pub const HEIGHTS_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(16u32));
 #[allow(non_upper_case_globals)]
 pub const HEIGHT_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(4u32));
@@ -1627,7 +1686,7 @@ pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
-pub const STAGES: rt::Scalar<u32> = rt::Scalar(11u32);
+pub const STAGES: rt::Scalar<u32> = rt::Scalar(12u32);
 #[allow(non_upper_case_globals)]
 pub const TOP_BEFORE: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -1636,6 +1695,8 @@ pub const TOP_NEXT: rt::Scalar<u32> = rt::Scalar(0u32);
 pub const TOP_ROOF: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const TURN_STEPS: rt::Scalar<u32> = rt::Scalar(12u32);
+#[allow(non_upper_case_globals)]
+pub const VOXELS_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(32u32));
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -1829,13 +1890,13 @@ impl<'g> Resources<'g> {
         let descent_1 = (rt::Scalar(0f32) - at_1.normal.dot(direction_1));
         let aside_1 = (at_1.normal + (direction_1 * descent_1));
         let sine = aside_1.length().max(rt::Scalar(0.0009765625f32));
-        let q_1 = at_1.of_surface.xyz();
+        let q_8 = at_1.of_surface.xyz();
         let _e18 = self.v_climb(at_1, (aside_1 / rt::Vec3::splat_from_scalar(sine)));
         let beside_2 = _e18.xy();
-        let _e20 = self.v_quadric_slope(q_1, duv_3);
+        let _e20 = self.v_quadric_slope(q_8, duv_3);
         let mixed_1 = _e20.dot(beside_2);
-        let _e22 = self.v_quadric_at(q_1, duv_3);
-        let _e23 = self.v_quadric_at(q_1, beside_2);
+        let _e22 = self.v_quadric_at(q_8, duv_3);
+        let _e23 = self.v_quadric_at(q_8, beside_2);
         return <Across>::new(duv_3, descent_1, _e22, _e23, mixed_1, sine);
     }
     pub(crate) fn reached(
@@ -1959,12 +2020,12 @@ impl<'g> Resources<'g> {
         let discriminant_1 = ((c_1.y() * c_1.y()) - ((rt::Scalar(4f32) * c_1.z()) * c_1.x()));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_2 = discriminant_1.sqrt();
-            let q_2 = (rt::Scalar(-0.5f32) * (c_1.y() + (rt::Scalar(0f32) - root_2).select(root_2, c_1.y().elementwise_ge(rt::Scalar(0f32)))));
+            let q_9 = (rt::Scalar(-0.5f32) * (c_1.y() + (rt::Scalar(0f32) - root_2).select(root_2, c_1.y().elementwise_ge(rt::Scalar(0f32)))));
             if rt::Scalar::into_branch_condition(c_1.z().elementwise_ne(rt::Scalar(0f32))) {
-                a = (q_2 / c_1.z());
+                a = (q_9 / c_1.z());
             }
-            if rt::Scalar::into_branch_condition(q_2.elementwise_ne(rt::Scalar(0f32))) {
-                b = (c_1.x() / q_2);
+            if rt::Scalar::into_branch_condition(q_9.elementwise_ne(rt::Scalar(0f32))) {
+                b = (c_1.x() / q_9);
             }
             let _e37 = a;
             let _e38 = a;
@@ -2008,8 +2069,8 @@ impl<'g> Resources<'g> {
         } else {
             local_1 = rt::Scalar(false);
         }
-        let below_2 = local_1;
-        return rt::Scalar(300000000000000000000000000000000000000f32).select(_e4, below_2);
+        let below_3 = local_1;
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(_e4, below_3);
     }
     pub(crate) fn across_span(
         &self,
@@ -2032,15 +2093,15 @@ impl<'g> Resources<'g> {
 
         let nowhere = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
         let _e6 = self.v_traced_scale_m();
-        let height_13 = at_2.of_surface.w();
-        let over = ((height_13 - rt::Scalar(1f32)) * _e6);
+        let height_16 = at_2.of_surface.w();
+        let over = ((height_16 - rt::Scalar(1f32)) * _e6);
         let _e12 = self.v_down_across(ray_7, over);
         let _e13 = self.v_down_along(ray_7, over);
         let _e15 = self.v_jumps_below(ray_7, over);
-        let begin_3 = _e12.min(_e13).min(_e15);
-        if rt::Scalar::into_branch_condition((!(!begin_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
-            if rt::Scalar::into_branch_condition(height_13.elementwise_ge(rt::Scalar(1f32))) {
-                local_3 = begin_3.elementwise_lt(rt::Scalar(0f32));
+        let begin_4 = _e12.min(_e13).min(_e15);
+        if rt::Scalar::into_branch_condition((!(!begin_4.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
+            if rt::Scalar::into_branch_condition(height_16.elementwise_ge(rt::Scalar(1f32))) {
+                local_3 = begin_4.elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_3 = rt::Scalar(false);
             }
@@ -2053,8 +2114,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e32) {
             return nowhere;
         }
-        let enter_2 = begin_3.max(eye);
-        let floor = (height_13 * _e6);
+        let enter_2 = begin_4.max(eye);
+        let floor = (height_16 * _e6);
         let _e35 = self.v_down_across(ray_7, floor);
         let _e36 = self.v_down_along(ray_7, floor);
         let _e37 = self.v_jumps_below(ray_7, floor);
@@ -2096,23 +2157,46 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         return (sum + (color * weight));
     }
+    pub(crate) fn along_slice(
+        &self,
+        h: impl rt::Into<rt::Vec4<f32>>,
+        at_3: impl rt::Into<rt::Vec2<f32>>,
+        dx: impl rt::Into<rt::Scalar<f32>>,
+        dy: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_along_slice(rt::into(h), rt::into(at_3), rt::into(dx), rt::into(dy)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_along_slice(
+        &self,
+        h: rt::Vec4<f32>,
+        at_3: rt::Vec2<f32>,
+        dx: rt::Scalar<f32>,
+        dy: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let bx = (h.y() - h.x());
+        let by_3 = (h.z() - h.x());
+        let twist = ((h.x() - h.y()) + (h.w() - h.z()));
+        return <rt::Vec3<f32>>::from_scalars((((h.x() + (bx * at_3.x())) + (by_3 * at_3.y())) + ((twist * at_3.x()) * at_3.y())), (((bx * dx) + (by_3 * dy)) + (twist * ((at_3.x() * dy) + (at_3.y() * dx)))), ((twist * dx) * dy));
+    }
     pub(crate) fn from_tangent_space(
         &self,
-        at_3: Entered,
+        at_4: Entered,
         n: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_from_tangent_space(at_3, rt::into(n)))
+        rt::into(self.v_from_tangent_space(at_4, rt::into(n)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_from_tangent_space(
         &self,
-        at_3: Entered,
+        at_4: Entered,
         n: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u = at_3.tangent.normalize();
-        let along_v = at_3.bitangent.normalize();
-        return (((along_u * n.x()) - (along_v * n.y())) + (at_3.normal * n.z()));
+        let along_u = at_4.tangent.normalize();
+        let along_v = at_4.bitangent.normalize();
+        return (((along_u * n.x()) - (along_v * n.y())) + (at_4.normal * n.z()));
     }
     pub(crate) fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_cell_of(rt::into(point)))
@@ -2289,57 +2373,57 @@ impl<'g> Resources<'g> {
         let seen_6 = first_10.select(level_3, level_3.elementwise_gt(first_10));
         let _e9 = self.v_height_texels(seen_6);
         let _e10 = self.v_texels_around(uv_1, _e9);
-        let k_41 = (seen_6 - first_10).to_i32();
-        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_41);
-        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_41);
-        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_41);
-        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_41);
+        let k_44 = (seen_6 - first_10).to_i32();
+        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_44);
+        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_44);
+        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_44);
+        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_44);
         let _e42 = self.v_bilinear(_e19, _e26, _e33, _e40, _e10.part);
         return _e42;
     }
     pub(crate) fn ambient_bent_normal(
         &self,
-        at_4: Entered,
+        at_5: Entered,
         hit: Hit,
         normal: impl rt::Into<rt::Vec3<f32>>,
         view: impl rt::Into<rt::Vec3<f32>>,
         material: Material,
         params: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_bent_normal(at_4, hit, rt::into(normal), rt::into(view), material, rt::into(params)))
+        rt::into(self.v_ambient_bent_normal(at_5, hit, rt::into(normal), rt::into(view), material, rt::into(params)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ambient_bent_normal(
         &self,
-        at_4: Entered,
+        at_5: Entered,
         hit: Hit,
         normal: rt::Vec3<f32>,
         view: rt::Vec3<f32>,
         material: Material,
         params: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e8 = self.v_ambient_texel_between(hit.uv, rt::Scalar(at_4.level));
-        let _e10 = self.v_from_tangent_space(at_4, _e8.xyz());
+        let _e8 = self.v_ambient_texel_between(hit.uv, rt::Scalar(at_5.level));
+        let _e10 = self.v_from_tangent_space(at_5, _e8.xyz());
         let _e13 = self.frame.ambient;
         return ((_e13.xyz() * material.around) * normal.dot(_e10).max(rt::Scalar(0f32)));
     }
     pub(crate) fn ambient_bounce(
         &self,
-        at_5: Entered,
+        at_6: Entered,
         hit_1: Hit,
         normal_1: impl rt::Into<rt::Vec3<f32>>,
         view_1: impl rt::Into<rt::Vec3<f32>>,
         material_1: Material,
         params_1: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_bounce(at_5, hit_1, rt::into(normal_1), rt::into(view_1), material_1, rt::into(params_1)))
+        rt::into(self.v_ambient_bounce(at_6, hit_1, rt::into(normal_1), rt::into(view_1), material_1, rt::into(params_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ambient_bounce(
         &self,
-        at_5: Entered,
+        at_6: Entered,
         hit_1: Hit,
         normal_1: rt::Vec3<f32>,
         view_1: rt::Vec3<f32>,
@@ -2347,25 +2431,25 @@ impl<'g> Resources<'g> {
         params_1: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        let _e14 = self.v_ambient_texel_between(hit_1.uv, rt::Scalar(at_5.level));
+        let _e14 = self.v_ambient_texel_between(hit_1.uv, rt::Scalar(at_6.level));
         return ((_e8.xyz() * material_1.around) * _e14.x());
     }
     pub(crate) fn ambient_constant(
         &self,
-        at_6: Entered,
+        at_7: Entered,
         hit_2: Hit,
         normal_2: impl rt::Into<rt::Vec3<f32>>,
         view_2: impl rt::Into<rt::Vec3<f32>>,
         material_2: Material,
         params_2: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_constant(at_6, hit_2, rt::into(normal_2), rt::into(view_2), material_2, rt::into(params_2)))
+        rt::into(self.v_ambient_constant(at_7, hit_2, rt::into(normal_2), rt::into(view_2), material_2, rt::into(params_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ambient_constant(
         &self,
-        at_6: Entered,
+        at_7: Entered,
         hit_2: Hit,
         normal_2: rt::Vec3<f32>,
         view_2: rt::Vec3<f32>,
@@ -2436,20 +2520,20 @@ impl<'g> Resources<'g> {
         alpha: rt::Scalar<f32>,
         roughness: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let x_4 = (cosine_3 / (cosine_3 + (rt::Scalar(0.65f32) * alpha)));
+        let x_6 = (cosine_3 / (cosine_3 + (rt::Scalar(0.65f32) * alpha)));
         let a6_ = (rt::Scalar(0.1878f32) + (alpha * (rt::Scalar(-0.9742f32) + (alpha * (rt::Scalar(1.3709f32) + (alpha * rt::Scalar(-0.6017f32)))))));
         let a0_ = (rt::Scalar(1.0034f32) + (alpha * (rt::Scalar(0.0071f32) + (alpha * a6_))));
         let a1_ = (rt::Scalar(-0.4137f32) + (alpha * (rt::Scalar(-0.4144f32) + (alpha * (rt::Scalar(-0.877f32) + (alpha * (rt::Scalar(-1.6058f32) + (alpha * rt::Scalar(0.9124f32)))))))));
         let a2_ = (rt::Scalar(2.5855f32) + (alpha * (rt::Scalar(0.3239f32) + (alpha * (rt::Scalar(2.4708f32) + (alpha * rt::Scalar(0.7166f32)))))));
         let a3_ = (rt::Scalar(-8.9277f32) + (alpha * (rt::Scalar(-0.5518f32) + (alpha * rt::Scalar(-3.0114f32)))));
         let a4_ = (rt::Scalar(11.8249f32) + (alpha * rt::Scalar(0.937f32)));
-        let all_1 = (a0_ + (x_4 * (a1_ + (x_4 * (a2_ + (x_4 * (a3_ + (x_4 * (a4_ + (x_4 * rt::Scalar(-5.0796f32)))))))))));
+        let all_1 = (a0_ + (x_6 * (a1_ + (x_6 * (a2_ + (x_6 * (a3_ + (x_6 * (a4_ + (x_6 * rt::Scalar(-5.0796f32)))))))))));
         let b5_ = (rt::Scalar(3.4396f32) + (roughness * (rt::Scalar(-0.7093f32) + (roughness * rt::Scalar(-0.4004f32)))));
         let b0_ = (rt::Scalar(1.1487f32) + (roughness * (rt::Scalar(-3.4586f32) + (roughness * b5_))));
         let b1_ = (rt::Scalar(-0.6771f32) + (roughness * (rt::Scalar(5.7828f32) + (roughness * (rt::Scalar(-8.8951f32) + (roughness * rt::Scalar(4.2115f32)))))));
         let b2_ = (rt::Scalar(0.558f32) + (roughness * (rt::Scalar(-7.0899f32) + (roughness * rt::Scalar(4.2721f32)))));
         let b3_ = (rt::Scalar(0.1714f32) + (roughness * rt::Scalar(5.0718f32)));
-        let rest_3 = (b0_ + (x_4 * (b1_ + (x_4 * (b2_ + (x_4 * (b3_ + (x_4 * rt::Scalar(-0.1958f32)))))))));
+        let rest_3 = (b0_ + (x_6 * (b1_ + (x_6 * (b2_ + (x_6 * (b3_ + (x_6 * rt::Scalar(-0.1958f32)))))))));
         let slant = (rt::Scalar(1f32) - cosine_3.min(rt::Scalar(1f32)));
         let squared = (slant * slant);
         let grazing = (((squared * squared) * slant) * rest_3);
@@ -2493,10 +2577,10 @@ impl<'g> Resources<'g> {
         let white = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let _e11 = self.v_facet_reflection(rt::Scalar(material_4.upright), rt::Scalar(material_4.alpha), rt::Scalar(material_4.roughness));
         let _e13 = self.v_reflected_by(_e11, material_4.specular);
-        let part_9 = (_e13 * (white + (material_4.specular * rt::Scalar(material_4.again))));
+        let part_10 = (_e13 * (white + (material_4.specular * rt::Scalar(material_4.again))));
         let alpha_2 = rt::Scalar(material_4.alpha);
         let turn_4 = (alpha_2 * rt::Scalar(material_4.roughness));
-        return <Mirrored>::new(part_9, alpha_2, <rt::Vec2<f32>>::from_scalars((rt::Scalar(1.4f32) * alpha_2), (rt::Scalar(5.6f32) * alpha_2)), rt::Scalar(0.25f32), turn_4);
+        return <Mirrored>::new(part_10, alpha_2, <rt::Vec2<f32>>::from_scalars((rt::Scalar(1.4f32) * alpha_2), (rt::Scalar(5.6f32) * alpha_2)), rt::Scalar(0.25f32), turn_4);
     }
     pub(crate) fn shade_mirrored_stage(
         &self,
@@ -2514,15 +2598,15 @@ impl<'g> Resources<'g> {
         mean_2: rt::Scalar<f32>,
         cosine_5: rt::Scalar<f32>,
     ) -> Mirrored {
-        let _e7 = rt::Scalar(self.surface_settings.choices[7usize].number);
+        let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
-                let _e12 = self.surface_settings.choices[7usize].params;
+                let _e12 = self.surface_settings.choices[8usize].params;
                 let _e13 = self.v_shade_blinn_phong_mirrored(material_5, mean_2, cosine_5, _e12);
                 return _e13;
             }
             _ => {
-                let _e18 = self.surface_settings.choices[7usize].params;
+                let _e18 = self.surface_settings.choices[8usize].params;
                 let _e19 = self.v_shade_metallic_roughness_mirrored(material_5, mean_2, cosine_5, _e18);
                 return _e19;
             }
@@ -2658,11 +2742,11 @@ impl<'g> Resources<'g> {
         let most_3 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
         let corner_3 = point_23.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
         let texel_5 = corner_3.to_i32();
-        let k_42 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_42);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_42);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_42);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_42);
+        let k_45 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_45);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_45);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_45);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_45);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_23 - corner_3));
         return _e55.xyz();
     }
@@ -2703,19 +2787,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ambient_environment(
         &self,
-        at_7: Entered,
+        at_8: Entered,
         hit_3: Hit,
         normal_4: impl rt::Into<rt::Vec3<f32>>,
         view_3: impl rt::Into<rt::Vec3<f32>>,
         material_6: Material,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_environment(at_7, hit_3, rt::into(normal_4), rt::into(view_3), material_6, rt::into(params_5)))
+        rt::into(self.v_ambient_environment(at_8, hit_3, rt::into(normal_4), rt::into(view_3), material_6, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_ambient_environment(
         &self,
-        at_7: Entered,
+        at_8: Entered,
         hit_3: Hit,
         normal_4: rt::Vec3<f32>,
         view_3: rt::Vec3<f32>,
@@ -2775,20 +2859,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ambient_hemisphere(
         &self,
-        at_8: Entered,
+        at_9: Entered,
         hit_4: Hit,
         normal_6: impl rt::Into<rt::Vec3<f32>>,
         view_4: impl rt::Into<rt::Vec3<f32>>,
         material_7: Material,
         params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_hemisphere(at_8, hit_4, rt::into(normal_6), rt::into(view_4), material_7, rt::into(params_6)))
+        rt::into(self.v_ambient_hemisphere(at_9, hit_4, rt::into(normal_6), rt::into(view_4), material_7, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ambient_hemisphere(
         &self,
-        at_8: Entered,
+        at_9: Entered,
         hit_4: Hit,
         normal_6: rt::Vec3<f32>,
         view_4: rt::Vec3<f32>,
@@ -2801,20 +2885,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ambient_occlusion(
         &self,
-        at_9: Entered,
+        at_10: Entered,
         hit_5: Hit,
         normal_7: impl rt::Into<rt::Vec3<f32>>,
         view_5: impl rt::Into<rt::Vec3<f32>>,
         material_8: Material,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_occlusion(at_9, hit_5, rt::into(normal_7), rt::into(view_5), material_8, rt::into(params_7)))
+        rt::into(self.v_ambient_occlusion(at_10, hit_5, rt::into(normal_7), rt::into(view_5), material_8, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ambient_occlusion(
         &self,
-        at_9: Entered,
+        at_10: Entered,
         hit_5: Hit,
         normal_7: rt::Vec3<f32>,
         view_5: rt::Vec3<f32>,
@@ -2822,93 +2906,93 @@ impl<'g> Resources<'g> {
         params_7: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        let _e14 = self.v_ambient_texel_between(hit_5.uv, rt::Scalar(at_9.level));
+        let _e14 = self.v_ambient_texel_between(hit_5.uv, rt::Scalar(at_10.level));
         return ((_e8.xyz() * material_8.around) * _e14.x());
     }
     pub(crate) fn ambient_sky(
         &self,
-        at_10: Entered,
+        at_11: Entered,
         hit_6: Hit,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
         view_6: impl rt::Into<rt::Vec3<f32>>,
         material_9: Material,
         params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_sky(at_10, hit_6, rt::into(normal_8), rt::into(view_6), material_9, rt::into(params_8)))
+        rt::into(self.v_ambient_sky(at_11, hit_6, rt::into(normal_8), rt::into(view_6), material_9, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ambient_sky(
         &self,
-        at_10: Entered,
+        at_11: Entered,
         hit_6: Hit,
         normal_8: rt::Vec3<f32>,
         view_6: rt::Vec3<f32>,
         material_9: Material,
         params_8: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e8 = self.v_ambient_texel_between(hit_6.uv, rt::Scalar(at_10.level));
-        let _e10 = self.v_from_tangent_space(at_10, _e8.xyz());
+        let _e8 = self.v_ambient_texel_between(hit_6.uv, rt::Scalar(at_11.level));
+        let _e10 = self.v_from_tangent_space(at_11, _e8.xyz());
         let toward_7 = (rt::Scalar(0.5f32) * ((_e10 / rt::Vec3::splat_from_scalar(_e10.length().max(rt::Scalar(0.000001f32)))) + normal_8));
-        let part_10 = normal_8.dot(_e10).max(rt::Scalar(0f32));
+        let part_11 = normal_8.dot(_e10).max(rt::Scalar(0f32));
         let _e24 = self.frame.ambient;
         let _e29 = self.v_hemisphere_grade(toward_7, params_8.x());
-        return ((_e24.xyz() * material_9.around) * (part_10 * _e29));
+        return ((_e24.xyz() * material_9.around) * (part_11 * _e29));
     }
     pub(crate) fn ambient_stage(
         &self,
-        at_11: Entered,
+        at_12: Entered,
         hit_7: Hit,
         normal_9: impl rt::Into<rt::Vec3<f32>>,
         view_7: impl rt::Into<rt::Vec3<f32>>,
         material_10: Material,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_stage(at_11, hit_7, rt::into(normal_9), rt::into(view_7), material_10))
+        rt::into(self.v_ambient_stage(at_12, hit_7, rt::into(normal_9), rt::into(view_7), material_10))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_ambient_stage(
         &self,
-        at_11: Entered,
+        at_12: Entered,
         hit_7: Hit,
         normal_9: rt::Vec3<f32>,
         view_7: rt::Vec3<f32>,
         material_10: Material,
     ) -> rt::Vec3<f32> {
-        let _e9 = rt::Scalar(self.surface_settings.choices[10usize].number);
+        let _e9 = rt::Scalar(self.surface_settings.choices[11usize].number);
         match rt::Scalar::into_inner(_e9) {
             0u32 => {
-                let _e14 = self.surface_settings.choices[10usize].params;
-                let _e15 = self.v_ambient_constant(at_11, hit_7, normal_9, view_7, material_10, _e14);
+                let _e14 = self.surface_settings.choices[11usize].params;
+                let _e15 = self.v_ambient_constant(at_12, hit_7, normal_9, view_7, material_10, _e14);
                 return _e15;
             }
             1u32 => {
-                let _e20 = self.surface_settings.choices[10usize].params;
-                let _e21 = self.v_ambient_occlusion(at_11, hit_7, normal_9, view_7, material_10, _e20);
+                let _e20 = self.surface_settings.choices[11usize].params;
+                let _e21 = self.v_ambient_occlusion(at_12, hit_7, normal_9, view_7, material_10, _e20);
                 return _e21;
             }
             2u32 => {
-                let _e26 = self.surface_settings.choices[10usize].params;
-                let _e27 = self.v_ambient_bent_normal(at_11, hit_7, normal_9, view_7, material_10, _e26);
+                let _e26 = self.surface_settings.choices[11usize].params;
+                let _e27 = self.v_ambient_bent_normal(at_12, hit_7, normal_9, view_7, material_10, _e26);
                 return _e27;
             }
             3u32 => {
-                let _e32 = self.surface_settings.choices[10usize].params;
-                let _e33 = self.v_ambient_bounce(at_11, hit_7, normal_9, view_7, material_10, _e32);
+                let _e32 = self.surface_settings.choices[11usize].params;
+                let _e33 = self.v_ambient_bounce(at_12, hit_7, normal_9, view_7, material_10, _e32);
                 return _e33;
             }
             4u32 => {
-                let _e38 = self.surface_settings.choices[10usize].params;
-                let _e39 = self.v_ambient_environment(at_11, hit_7, normal_9, view_7, material_10, _e38);
+                let _e38 = self.surface_settings.choices[11usize].params;
+                let _e39 = self.v_ambient_environment(at_12, hit_7, normal_9, view_7, material_10, _e38);
                 return _e39;
             }
             5u32 => {
-                let _e44 = self.surface_settings.choices[10usize].params;
-                let _e45 = self.v_ambient_hemisphere(at_11, hit_7, normal_9, view_7, material_10, _e44);
+                let _e44 = self.surface_settings.choices[11usize].params;
+                let _e45 = self.v_ambient_hemisphere(at_12, hit_7, normal_9, view_7, material_10, _e44);
                 return _e45;
             }
             _ => {
-                let _e50 = self.surface_settings.choices[10usize].params;
-                let _e51 = self.v_ambient_sky(at_11, hit_7, normal_9, view_7, material_10, _e50);
+                let _e50 = self.surface_settings.choices[11usize].params;
+                let _e51 = self.v_ambient_sky(at_12, hit_7, normal_9, view_7, material_10, _e50);
                 return _e51;
             }
         }
@@ -2949,14 +3033,14 @@ impl<'g> Resources<'g> {
     pub(super) fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
         let mut turn: rt::Scalar<f32>;
 
-        let x_5 = v.x().abs();
+        let x_7 = v.x().abs();
         let y_1 = v.y().abs();
-        if rt::Scalar::into_branch_condition((!(x_5 + y_1).elementwise_gt(rt::Scalar(0f32)))) {
+        if rt::Scalar::into_branch_condition((!(x_7 + y_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e13 = self.v_eighth_turn((x_5.min(y_1) / x_5.max(y_1)));
+        let _e13 = self.v_eighth_turn((x_7.min(y_1) / x_7.max(y_1)));
         turn = _e13;
-        if rt::Scalar::into_branch_condition(y_1.elementwise_gt(x_5)) {
+        if rt::Scalar::into_branch_condition(y_1.elementwise_gt(x_7)) {
             let _e16 = turn;
             turn = (rt::Scalar(0.25f32) - _e16);
         }
@@ -3005,8 +3089,8 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_depth_in_image(image_2, point_3);
         let u = ((image_2.u.xyz().dot(point_3) + image_2.u.w()) / _e2).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let v_2 = ((image_2.v.xyz().dot(point_3) + image_2.v.w()) / _e2).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let h_4 = ((image_2.height.xyz().dot(point_3) + image_2.height.w()) / _e2);
-        return <rt::Vec3<f32>>::new_21((image_2.corner + (image_2.extent * <rt::Vec2<f32>>::from_scalars(u, v_2))), h_4);
+        let h_5 = ((image_2.height.xyz().dot(point_3) + image_2.height.w()) / _e2);
+        return <rt::Vec3<f32>>::new_21((image_2.corner + (image_2.extent * <rt::Vec2<f32>>::from_scalars(u, v_2))), h_5);
     }
     pub(crate) fn tangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
         rt::into(self.v_tangent_of_image(image_3))
@@ -3066,15 +3150,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_43 = level_8.to_i32();
+        let k_46 = level_8.to_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_43));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_43));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_43));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_43));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_46));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_46));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_46));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_46));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_cell(
@@ -3171,19 +3255,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn axis_of(
         &self,
-        at_12: impl rt::Into<rt::Vec3<i32>>,
+        at_13: impl rt::Into<rt::Vec3<i32>>,
         axis: impl rt::Into<rt::Scalar<u32>>,
     ) -> i32 {
-        rt::into(self.v_axis_of(rt::into(at_12), rt::into(axis)))
+        rt::into(self.v_axis_of(rt::into(at_13), rt::into(axis)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_axis_of(
         &self,
-        at_12: rt::Vec3<i32>,
+        at_13: rt::Vec3<i32>,
         axis: rt::Scalar<u32>,
     ) -> rt::Scalar<i32> {
-        return at_12.z().select(at_12.y(), axis.elementwise_eq(rt::Scalar(1u32))).select(at_12.x(), axis.elementwise_eq(rt::Scalar(0u32)));
+        return at_13.z().select(at_13.y(), axis.elementwise_eq(rt::Scalar(1u32))).select(at_13.x(), axis.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel)))
@@ -3265,9 +3349,9 @@ impl<'g> Resources<'g> {
         way: Way,
         offset: rt::Scalar<f32>,
     ) -> WayPoint {
-        let low_1 = self.surface_settings.shell_m.x();
+        let low_2 = self.surface_settings.shell_m.x();
         let _e11 = self.surface_settings.shell_m.y();
-        let width_2 = (_e11 - low_1).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_2 = (_e11 - low_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let _e16 = self.v_quadratic(way.first, offset);
         let _e18 = self.v_quadratic(way.second, offset);
         let _e20 = self.v_quadratic(way.third, offset);
@@ -3275,14 +3359,14 @@ impl<'g> Resources<'g> {
         let limited = parts_4.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_27 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_27 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
-        let t_35 = place_27.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let place_29 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
+        let t_41 = place_29.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_1.cross(third_1).dot(normal_27) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
-        let height_14 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_27 - (along * t_35)).length(), volume);
+        let height_17 = (((offset - low_2) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_17), t_41, (place_29 - (along * t_41)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -3410,34 +3494,34 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_path_slope(path_3, t_7);
         return <Path>::new(_e2, path_3.duv, <rt::Vec3<f32>>::from_scalars(_e4, _e5, path_3.h.z()), (rt::Scalar(path_3.exit) - t_7), rt::Scalar(path_3.base), path_3.metric, rt::Scalar(path_3.ray), rt::Scalar(path_3.level), (rt::Scalar(path_3.start) + t_7), rt::Scalar(path_3.share), rt::Scalar(path_3.bend));
     }
-    pub(crate) fn bent_exit(&self, h: impl rt::Into<rt::Vec3<f32>>) -> f32 {
-        rt::into(self.v_bent_exit(rt::into(h)))
+    pub(crate) fn bent_exit(&self, h_1: impl rt::Into<rt::Vec3<f32>>) -> f32 {
+        rt::into(self.v_bent_exit(rt::into(h_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_bent_exit(&self, h: rt::Vec3<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_bent_exit(&self, h_1: rt::Vec3<f32>) -> rt::Scalar<f32> {
         let mut exit: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let floor_1 = (h.x() + rt::Scalar(0.000001f32));
-        let under_2 = ((h.y() * h.y()) - ((rt::Scalar(4f32) * h.z()) * floor_1));
+        let floor_1 = (h_1.x() + rt::Scalar(0.000001f32));
+        let under_2 = ((h_1.y() * h_1.y()) - ((rt::Scalar(4f32) * h_1.z()) * floor_1));
         if rt::Scalar::into_branch_condition(under_2.elementwise_ge(rt::Scalar(0f32))) {
-            if rt::Scalar::into_branch_condition(h.y().elementwise_lt(rt::Scalar(0f32))) {
-                exit = ((rt::Scalar(2f32) * floor_1) / (under_2.sqrt() - h.y()));
+            if rt::Scalar::into_branch_condition(h_1.y().elementwise_lt(rt::Scalar(0f32))) {
+                exit = ((rt::Scalar(2f32) * floor_1) / (under_2.sqrt() - h_1.y()));
             } else {
-                if rt::Scalar::into_branch_condition(h.z().elementwise_lt(rt::Scalar(0f32))) {
-                    exit = ((h.y() + under_2.sqrt()) / (rt::Scalar(-2f32) * h.z()));
+                if rt::Scalar::into_branch_condition(h_1.z().elementwise_lt(rt::Scalar(0f32))) {
+                    exit = ((h_1.y() + under_2.sqrt()) / (rt::Scalar(-2f32) * h_1.z()));
                 }
             }
         }
-        let room = (rt::Scalar(1f32) - h.x());
-        let above_3 = ((h.y() * h.y()) + ((rt::Scalar(4f32) * h.z()) * room));
-        if rt::Scalar::into_branch_condition(above_3.elementwise_ge(rt::Scalar(0f32))) {
-            if rt::Scalar::into_branch_condition(h.y().elementwise_gt(rt::Scalar(0f32))) {
+        let room = (rt::Scalar(1f32) - h_1.x());
+        let above_4 = ((h_1.y() * h_1.y()) + ((rt::Scalar(4f32) * h_1.z()) * room));
+        if rt::Scalar::into_branch_condition(above_4.elementwise_ge(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition(h_1.y().elementwise_gt(rt::Scalar(0f32))) {
                 let _e51 = exit;
-                exit = _e51.min(((rt::Scalar(2f32) * room) / (h.y() + above_3.sqrt())));
+                exit = _e51.min(((rt::Scalar(2f32) * room) / (h_1.y() + above_4.sqrt())));
             } else {
-                if rt::Scalar::into_branch_condition(h.z().elementwise_gt(rt::Scalar(0f32))) {
+                if rt::Scalar::into_branch_condition(h_1.z().elementwise_gt(rt::Scalar(0f32))) {
                     let _e62 = exit;
-                    exit = _e62.min(((above_3.sqrt() - h.y()) / (rt::Scalar(2f32) * h.z())));
+                    exit = _e62.min(((above_4.sqrt() - h_1.y()) / (rt::Scalar(2f32) * h_1.z())));
                 }
             }
         }
@@ -3518,10 +3602,10 @@ impl<'g> Resources<'g> {
         a_2: ShellPoint,
         m: ShellPoint,
         b_2: ShellPoint,
-        at_13: ShellPoint,
+        at_14: ShellPoint,
         part_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_beside_chord(pixel_3, a_2, m, b_2, at_13, rt::into(part_1)))
+        rt::into(self.v_beside_chord(pixel_3, a_2, m, b_2, at_14, rt::into(part_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3531,17 +3615,17 @@ impl<'g> Resources<'g> {
         a_2: ShellPoint,
         m: ShellPoint,
         b_2: ShellPoint,
-        at_13: ShellPoint,
+        at_14: ShellPoint,
         part_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let line = (a_2.weights + ((b_2.weights - a_2.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_1));
-        let _e19 = self.v_uv_of(pixel_3, (at_13.weights - line));
+        let _e19 = self.v_uv_of(pixel_3, (at_14.weights - line));
         let _e21 = self.v_height_size(rt::Scalar(0u32));
         let apart = (_e19 * _e21).abs();
         let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_2.height) + rt::Scalar(b_2.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
         let slope_5 = ((rt::Scalar(b_2.height) - rt::Scalar(a_2.height)) - bend_3);
-        let height_15 = (rt::Scalar(a_2.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
-        return apart.x().max(apart.y()).max(((rt::Scalar(at_13.height) - height_15).abs() / rt::Scalar(0.0625f32)));
+        let height_18 = (rt::Scalar(a_2.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
+        return apart.x().max(apart.y()).max(((rt::Scalar(at_14.height) - height_18).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
         &self,
@@ -3549,9 +3633,9 @@ impl<'g> Resources<'g> {
         a_3: WayPoint,
         b_3: WayPoint,
         bend_1: impl rt::Into<rt::Scalar<f32>>,
-        at_14: WayPoint,
+        at_15: WayPoint,
     ) -> f32 {
-        rt::into(self.v_beside_way(pixel_4, a_3, b_3, rt::into(bend_1), at_14))
+        rt::into(self.v_beside_way(pixel_4, a_3, b_3, rt::into(bend_1), at_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3561,16 +3645,16 @@ impl<'g> Resources<'g> {
         a_3: WayPoint,
         b_3: WayPoint,
         bend_1: rt::Scalar<f32>,
-        at_14: WayPoint,
+        at_15: WayPoint,
     ) -> rt::Scalar<f32> {
-        let part_11 = ((rt::Scalar(at_14.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
-        let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_11));
-        let _e29 = self.v_uv_of(pixel_4, (at_14.point.weights - line_1));
+        let part_12 = ((rt::Scalar(at_15.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
+        let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_12));
+        let _e29 = self.v_uv_of(pixel_4, (at_15.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
         let slope_6 = ((rt::Scalar(b_3.point.height) - rt::Scalar(a_3.point.height)) - bend_1);
-        let height_16 = (rt::Scalar(a_3.point.height) + (part_11 * (slope_6 + (part_11 * bend_1))));
-        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_14.point.height) - height_16).abs() / rt::Scalar(0.0625f32)));
+        let height_19 = (rt::Scalar(a_3.point.height) + (part_12 * (slope_6 + (part_12 * bend_1))));
+        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_15.point.height) - height_19).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_4: ShellPoint, b_4: ShellPoint) -> ShellPoint {
         rt::into(self.v_between(a_4, b_4))
@@ -3650,57 +3734,229 @@ impl<'g> Resources<'g> {
         let discriminant_2 = ((c_3.y() * c_3.y()) - ((rt::Scalar(4f32) * c_3.z()) * c_3.x()));
         if rt::Scalar::into_branch_condition(discriminant_2.elementwise_ge(rt::Scalar(0f32))) {
             let root_3 = discriminant_2.sqrt();
-            let q_3 = (rt::Scalar(-0.5f32) * (c_3.y() + (rt::Scalar(0f32) - root_3).select(root_3, c_3.y().elementwise_ge(rt::Scalar(0f32)))));
+            let q_10 = (rt::Scalar(-0.5f32) * (c_3.y() + (rt::Scalar(0f32) - root_3).select(root_3, c_3.y().elementwise_ge(rt::Scalar(0f32)))));
             if rt::Scalar::into_branch_condition(c_3.z().elementwise_ne(rt::Scalar(0f32))) {
-                roots.set_x((q_3 / c_3.z()));
+                roots.set_x((q_10 / c_3.z()));
             }
-            if rt::Scalar::into_branch_condition(q_3.elementwise_ne(rt::Scalar(0f32))) {
-                roots.set_y((c_3.x() / q_3));
+            if rt::Scalar::into_branch_condition(q_10.elementwise_ne(rt::Scalar(0f32))) {
+                roots.set_y((c_3.x() / q_10));
             }
         }
         let _e38 = roots;
         return _e38;
     }
-    pub(crate) fn path_gap(
+    pub(crate) fn field_heights_gap(
         &self,
         path_4: Path,
         t_8: impl rt::Into<rt::Scalar<f32>>,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_gap(path_4, rt::into(t_8)))
+        rt::into(self.v_field_heights_gap(path_4, rt::into(t_8), rt::into(params_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_heights_gap(
+        &self,
+        path_4: Path,
+        t_8: rt::Scalar<f32>,
+        params_9: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e3 = self.v_path_height(path_4, t_8);
+        let _e4 = self.v_path_uv(path_4, t_8);
+        let _e6 = self.v_height_at(_e4, rt::Scalar(path_4.level));
+        return (_e3 - _e6);
+    }
+    pub(crate) fn slice_cell(
+        &self,
+        cell_2: impl rt::Into<rt::Vec2<i32>>,
+        slice: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_slice_cell(rt::into(cell_2), rt::into(slice)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_slice_cell(
+        &self,
+        cell_2: rt::Vec2<i32>,
+        slice: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = self.surface_settings.volume;
+        let size_1 = _e4.xyz().to_i32();
+        let _e10 = self.surface_settings.volume.w();
+        let in_row = _e10.to_i32();
+        let k_47 = slice.clamp(rt::Scalar(0i32), (size_1.z() - rt::Scalar(1i32)));
+        let row_8 = ((k_47.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
+        let x_8 = ((k_47 - (row_8 * in_row)) * size_1.x());
+        let y_2 = (row_8 * size_1.y());
+        let _e31 = self.v_wrap_index(cell_2.x(), size_1.x());
+        let i0_ = (x_8 + _e31);
+        let _e37 = self.v_wrap_index((cell_2.x() + rt::Scalar(1i32)), size_1.x());
+        let i1_ = (x_8 + _e37);
+        let _e41 = self.v_wrap_index(cell_2.y(), size_1.y());
+        let j0_ = (y_2 + _e41);
+        let _e47 = self.v_wrap_index((cell_2.y() + rt::Scalar(1i32)), size_1.y());
+        let j1_ = (y_2 + _e47);
+        let _e52 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i0_, j0_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e57 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i1_, j0_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e62 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i0_, j1_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e67 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i1_, j1_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        return <rt::Vec4<f32>>::from_scalars(_e52.x(), _e57.x(), _e62.x(), _e67.x());
+    }
+    pub(crate) fn voxel_cell(&self, cell_3: impl rt::Into<rt::Vec3<i32>>) -> VoxelCell {
+        rt::into(self.v_voxel_cell(rt::into(cell_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_voxel_cell(&self, cell_3: rt::Vec3<i32>) -> VoxelCell {
+        let _e3 = self.v_slice_cell(cell_3.xy(), cell_3.z());
+        let _e8 = self.v_slice_cell(cell_3.xy(), (cell_3.z() + rt::Scalar(1i32)));
+        return <VoxelCell>::new(_e3, _e8);
+    }
+    pub(crate) fn in_slice(
+        &self,
+        corners: impl rt::Into<rt::Vec4<f32>>,
+        part_2: impl rt::Into<rt::Vec2<f32>>,
+    ) -> f32 {
+        rt::into(self.v_in_slice(rt::into(corners), rt::into(part_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_in_slice(
+        &self,
+        corners: rt::Vec4<f32>,
+        part_2: rt::Vec2<f32>,
+    ) -> rt::Scalar<f32> {
+        let top_4 = (corners.x() + ((corners.y() - corners.x()) * part_2.x()));
+        let bottom_2 = (corners.z() + ((corners.w() - corners.z()) * part_2.x()));
+        return (top_4 + ((bottom_2 - top_4) * part_2.y()));
+    }
+    pub(crate) fn field_at_voxel(&self, place_4: impl rt::Into<rt::Vec3<f32>>) -> f32 {
+        rt::into(self.v_field_at_voxel(rt::into(place_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_at_voxel(&self, place_4: rt::Vec3<f32>) -> rt::Scalar<f32> {
+        let first_11 = place_4.floor();
+        let part_13 = (place_4 - first_11);
+        let _e4 = self.v_voxel_cell(first_11.to_i32());
+        let _e7 = self.v_in_slice(_e4.low, part_13.xy());
+        let _e10 = self.v_in_slice(_e4.high, part_13.xy());
+        return (_e7 + ((_e10 - _e7) * part_13.z()));
+    }
+    pub(crate) fn volume_size(&self) -> rt::Vec3<f32> {
+        rt::into(self.v_volume_size())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_volume_size(&self) -> rt::Vec3<f32> {
+        let _e2 = self.surface_settings.volume;
+        return _e2.xyz().to_f32();
+    }
+    pub(crate) fn voxel_place(&self, at_16: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_voxel_place(rt::into(at_16)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_voxel_place(&self, at_16: rt::Vec3<f32>) -> rt::Vec3<f32> {
+        let _e1 = self.v_volume_size();
+        return ((at_16 * _e1) - <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+    }
+    pub(crate) fn field_at(&self, at_17: impl rt::Into<rt::Vec3<f32>>) -> f32 {
+        rt::into(self.v_field_at(rt::into(at_17)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_at(&self, at_17: rt::Vec3<f32>) -> rt::Scalar<f32> {
+        let _e1 = self.v_voxel_place(at_17);
+        let _e2 = self.v_field_at_voxel(_e1);
+        return _e2;
+    }
+    pub(crate) fn field_volume_gap(
+        &self,
+        path_5: Path,
+        t_9: impl rt::Into<rt::Scalar<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_field_volume_gap(path_5, rt::into(t_9), rt::into(params_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_volume_gap(
+        &self,
+        path_5: Path,
+        t_9: rt::Scalar<f32>,
+        params_10: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e3 = self.v_path_uv(path_5, t_9);
+        let _e4 = self.v_path_height(path_5, t_9);
+        let _e6 = self.v_field_at(<rt::Vec3<f32>>::new_21(_e3, _e4));
+        return (rt::Scalar(0.5f32) - _e6);
+    }
+    pub(crate) fn field_gap_stage(
+        &self,
+        path_6: Path,
+        t_10: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_field_gap_stage(path_6, rt::into(t_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_gap_stage(
+        &self,
+        path_6: Path,
+        t_10: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        match rt::Scalar::into_inner(_e6) {
+            0u32 => {
+                let _e11 = self.surface_settings.choices[4usize].params;
+                let _e12 = self.v_field_heights_gap(path_6, t_10, _e11);
+                return _e12;
+            }
+            _ => {
+                let _e17 = self.surface_settings.choices[4usize].params;
+                let _e18 = self.v_field_volume_gap(path_6, t_10, _e17);
+                return _e18;
+            }
+        }
+    }
+    pub(crate) fn path_gap(
+        &self,
+        path_7: Path,
+        t_11: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_gap(path_7, rt::into(t_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_path_gap(
         &self,
-        path_4: Path,
-        t_8: rt::Scalar<f32>,
+        path_7: Path,
+        t_11: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_path_height(path_4, t_8);
-        let _e3 = self.v_path_uv(path_4, t_8);
-        let _e5 = self.v_height_at(_e3, rt::Scalar(path_4.level));
-        return (_e2 - _e5);
+        let _e2 = self.v_field_gap_stage(path_7, t_11);
+        return _e2;
     }
     pub(crate) fn bracket_between(
         &self,
-        path_5: Path,
+        path_8: Path,
         near: impl rt::Into<rt::Scalar<f32>>,
         far: impl rt::Into<rt::Scalar<f32>>,
         cost: impl rt::Into<rt::Vec3<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_bracket_between(path_5, rt::into(near), rt::into(far), rt::into(cost)))
+        rt::into(self.v_bracket_between(path_8, rt::into(near), rt::into(far), rt::into(cost)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_bracket_between(
         &self,
-        path_5: Path,
+        path_8: Path,
         near: rt::Scalar<f32>,
         far: rt::Scalar<f32>,
         cost: rt::Vec3<u32>,
     ) -> SearchResult {
         let mut local_8: rt::Scalar<bool>;
 
-        let _e4 = self.v_path_gap(path_5, near);
+        let _e4 = self.v_path_gap(path_8, near);
         if rt::Scalar::into_branch_condition(near.elementwise_eq(rt::Scalar(0f32))) {
             local_8 = _e4.elementwise_lt(rt::Scalar(0f32));
         } else {
@@ -3710,104 +3966,104 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e12) {
             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e4, _e4, (cost + HEIGHTS_READ));
         }
-        let _e20 = self.v_path_gap(path_5, far);
+        let _e20 = self.v_path_gap(path_8, far);
         return <SearchResult>::new(FOUND_BRACKET, near, far, _e4, _e20, ((cost + HEIGHTS_READ) + HEIGHTS_READ));
     }
     pub(crate) fn cell_after(
         &self,
         grid: Grid,
-        cell_2: impl rt::Into<rt::Vec2<f32>>,
+        cell_4: impl rt::Into<rt::Vec2<f32>>,
         leave_1: impl rt::Into<rt::Vec2<f32>>,
         forward: impl rt::Into<rt::Vec2<bool>>,
-        t_9: impl rt::Into<rt::Scalar<f32>>,
+        t_12: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_after(grid, rt::into(cell_2), rt::into(leave_1), rt::into(forward), rt::into(t_9)))
+        rt::into(self.v_cell_after(grid, rt::into(cell_4), rt::into(leave_1), rt::into(forward), rt::into(t_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_cell_after(
         &self,
         grid: Grid,
-        cell_2: rt::Vec2<f32>,
+        cell_4: rt::Vec2<f32>,
         leave_1: rt::Vec2<f32>,
         forward: rt::Vec2<bool>,
-        t_9: rt::Scalar<f32>,
+        t_12: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_9)));
-        let ahead = _e9.max((cell_2 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_9, t_9)))));
-        let behind = _e9.min((cell_2 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_9, t_9)))));
+        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_12)));
+        let ahead = _e9.max((cell_4 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_12, t_12)))));
+        let behind = _e9.min((cell_4 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_12, t_12)))));
         return behind.select(ahead, forward);
     }
     pub(crate) fn gap_to(
         &self,
-        path_6: Path,
+        path_9: Path,
         grid_1: Grid,
-        cell_3: impl rt::Into<rt::Vec2<f32>>,
-        h_1: impl rt::Into<rt::Vec4<f32>>,
-        t_10: impl rt::Into<rt::Scalar<f32>>,
+        cell_5: impl rt::Into<rt::Vec2<f32>>,
+        h_2: impl rt::Into<rt::Vec4<f32>>,
+        t_13: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_gap_to(path_6, grid_1, rt::into(cell_3), rt::into(h_1), rt::into(t_10)))
+        rt::into(self.v_gap_to(path_9, grid_1, rt::into(cell_5), rt::into(h_2), rt::into(t_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gap_to(
         &self,
-        path_6: Path,
+        path_9: Path,
         grid_1: Grid,
-        cell_3: rt::Vec2<f32>,
-        h_1: rt::Vec4<f32>,
-        t_10: rt::Scalar<f32>,
+        cell_5: rt::Vec2<f32>,
+        h_2: rt::Vec4<f32>,
+        t_13: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let bx = (h_1.y() - h_1.x());
-        let by_3 = (h_1.z() - h_1.x());
-        let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_148 = ((grid_1.origin - cell_3) + (grid_1.step * t_10));
-        let z_1 = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
-        let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_148.x())) + (by_3 * at_148.y())) + ((twist * at_148.x()) * at_148.y()))), (dz - (((bx * grid_1.step.x()) + (by_3 * grid_1.step.y())) + (twist * ((at_148.x() * grid_1.step.y()) + (at_148.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        let bx_1 = (h_2.y() - h_2.x());
+        let by_4 = (h_2.z() - h_2.x());
+        let twist_1 = ((h_2.x() - h_2.y()) + (h_2.w() - h_2.z()));
+        let at_159 = ((grid_1.origin - cell_5) + (grid_1.step * t_13));
+        let z_1 = (path_9.h.x() + (t_13 * (path_9.h.y() + (t_13 * path_9.h.z()))));
+        let dz = (path_9.h.y() + ((rt::Scalar(2f32) * t_13) * path_9.h.z()));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_2.x() + (bx_1 * at_159.x())) + (by_4 * at_159.y())) + ((twist_1 * at_159.x()) * at_159.y()))), (dz - (((bx_1 * grid_1.step.x()) + (by_4 * grid_1.step.y())) + (twist_1 * ((at_159.x() * grid_1.step.y()) + (at_159.y() * grid_1.step.x()))))), (path_9.h.z() - ((twist_1 * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn object_none_cell(
         &self,
-        cell_4: impl rt::Into<rt::Vec2<i32>>,
+        cell_6: impl rt::Into<rt::Vec2<i32>>,
         level_11: impl rt::Into<rt::Scalar<u32>>,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_none_cell(rt::into(cell_4), rt::into(level_11), rt::into(params_9)))
+        rt::into(self.v_object_none_cell(rt::into(cell_6), rt::into(level_11), rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_none_cell(
         &self,
-        cell_4: rt::Vec2<i32>,
+        cell_6: rt::Vec2<i32>,
         level_11: rt::Scalar<u32>,
-        params_9: rt::Vec4<f32>,
+        params_11: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_cell(cell_4, level_11);
+        let _e3 = self.v_height_cell(cell_6, level_11);
         return _e3;
     }
     pub(crate) fn cell_of_images(
         &self,
-        cell_5: impl rt::Into<rt::Vec2<i32>>,
+        cell_7: impl rt::Into<rt::Vec2<i32>>,
         level_12: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_cell_of_images(rt::into(cell_5), rt::into(level_12)))
+        rt::into(self.v_cell_of_images(rt::into(cell_7), rt::into(level_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_cell_of_images(
         &self,
-        cell_5: rt::Vec2<i32>,
+        cell_7: rt::Vec2<i32>,
         level_12: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let mut local_9: rt::Scalar<bool>;
 
         let _e4 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(CELLS_BILINEAR)) {
-            let _e7 = self.v_height_cell(cell_5, level_12);
+            let _e7 = self.v_height_cell(cell_7, level_12);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(CELLS_HIGHEST)) {
-            let _e13 = self.v_height_cell(cell_5, level_12);
+            let _e13 = self.v_height_cell(cell_7, level_12);
             let most_4 = _e13.x().max(_e13.y()).max(_e13.z().max(_e13.w()));
             let least_1 = _e13.x().min(_e13.y()).min(_e13.z().min(_e13.w()));
             let _e31 = rt::Scalar(self.surface_settings.jump);
@@ -3816,12 +4072,12 @@ impl<'g> Resources<'g> {
             }
             return _e13;
         }
-        let dual = <rt::Vec2<i32>>::from_scalars((cell_5.x() >> rt::Scalar(1u32)), (cell_5.y() >> rt::Scalar(1u32)));
+        let dual = <rt::Vec2<i32>>::from_scalars((cell_7.x() >> rt::Scalar(1u32)), (cell_7.y() >> rt::Scalar(1u32)));
         let _e41 = self.v_height_cell(dual, level_12);
         let most_5 = _e41.x().max(_e41.y()).max(_e41.z().max(_e41.w()));
         let least_2 = _e41.x().min(_e41.y()).min(_e41.z().min(_e41.w()));
-        let right_1 = ((cell_5.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
-        let lower = ((cell_5.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
+        let right_1 = ((cell_7.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
+        let lower = ((cell_7.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
         let _e72 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition((!_e72.elementwise_eq(CELLS_NEAREST))) {
             let _e81 = rt::Scalar(self.surface_settings.jump);
@@ -3834,229 +4090,229 @@ impl<'g> Resources<'g> {
             let nearest_1 = _e41.x().select(_e41.y(), right_1).select(_e41.z().select(_e41.w(), right_1), lower);
             return <rt::Vec4<f32>>::from_scalars(nearest_1, nearest_1, nearest_1, nearest_1);
         }
-        let top_4 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
-        let bottom_2 = (rt::Scalar(0.5f32) * (_e41.z() + _e41.w()));
+        let top_5 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
+        let bottom_3 = (rt::Scalar(0.5f32) * (_e41.z() + _e41.w()));
         let left_2 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.z()));
         let side_5 = (rt::Scalar(0.5f32) * (_e41.y() + _e41.w()));
-        let middle_10 = (rt::Scalar(0.5f32) * (top_4 + bottom_2));
-        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_4, right_1).select(left_2.select(middle_10, right_1), lower), top_4.select(_e41.y(), right_1).select(middle_10.select(side_5, right_1), lower), left_2.select(middle_10, right_1).select(_e41.z().select(bottom_2, right_1), lower), middle_10.select(side_5, right_1).select(bottom_2.select(_e41.w(), right_1), lower));
+        let middle_10 = (rt::Scalar(0.5f32) * (top_5 + bottom_3));
+        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_5, right_1).select(left_2.select(middle_10, right_1), lower), top_5.select(_e41.y(), right_1).select(middle_10.select(side_5, right_1), lower), left_2.select(middle_10, right_1).select(_e41.z().select(bottom_3, right_1), lower), middle_10.select(side_5, right_1).select(bottom_3.select(_e41.w(), right_1), lower));
     }
     pub(crate) fn object_depth_cell(
         &self,
-        cell_6: impl rt::Into<rt::Vec2<i32>>,
+        cell_8: impl rt::Into<rt::Vec2<i32>>,
         level_13: impl rt::Into<rt::Scalar<u32>>,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_depth_cell(rt::into(cell_6), rt::into(level_13), rt::into(params_10)))
+        rt::into(self.v_object_depth_cell(rt::into(cell_8), rt::into(level_13), rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth_cell(
         &self,
-        cell_6: rt::Vec2<i32>,
+        cell_8: rt::Vec2<i32>,
         level_13: rt::Scalar<u32>,
-        params_10: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_cell_of_images(cell_6, level_13);
+        let _e3 = self.v_cell_of_images(cell_8, level_13);
         return _e3;
     }
     pub(crate) fn cell_of_mask(
         &self,
-        cell_7: impl rt::Into<rt::Vec2<i32>>,
+        cell_9: impl rt::Into<rt::Vec2<i32>>,
         level_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_cell_of_mask(rt::into(cell_7), rt::into(level_14)))
+        rt::into(self.v_cell_of_mask(rt::into(cell_9), rt::into(level_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_cell_of_mask(
         &self,
-        cell_7: rt::Vec2<i32>,
+        cell_9: rt::Vec2<i32>,
         level_14: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e2 = self.v_height_cell(cell_7, level_14);
+        let _e2 = self.v_height_cell(cell_9, level_14);
         return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.w().elementwise_gt(rt::Scalar(0.00001f32))));
     }
     pub(crate) fn object_hull_cell(
         &self,
-        cell_8: impl rt::Into<rt::Vec2<i32>>,
+        cell_10: impl rt::Into<rt::Vec2<i32>>,
         level_15: impl rt::Into<rt::Scalar<u32>>,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_hull_cell(rt::into(cell_8), rt::into(level_15), rt::into(params_11)))
+        rt::into(self.v_object_hull_cell(rt::into(cell_10), rt::into(level_15), rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull_cell(
         &self,
-        cell_8: rt::Vec2<i32>,
+        cell_10: rt::Vec2<i32>,
         level_15: rt::Scalar<u32>,
-        params_11: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_cell_of_mask(cell_8, level_15);
+        let _e3 = self.v_cell_of_mask(cell_10, level_15);
         return _e3;
     }
     pub(crate) fn object_blend_cell(
         &self,
-        cell_9: impl rt::Into<rt::Vec2<i32>>,
+        cell_11: impl rt::Into<rt::Vec2<i32>>,
         level_16: impl rt::Into<rt::Scalar<u32>>,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_blend_cell(rt::into(cell_9), rt::into(level_16), rt::into(params_12)))
+        rt::into(self.v_object_blend_cell(rt::into(cell_11), rt::into(level_16), rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_blend_cell(
         &self,
-        cell_9: rt::Vec2<i32>,
+        cell_11: rt::Vec2<i32>,
         level_16: rt::Scalar<u32>,
-        params_12: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_cell(cell_9, level_16);
+        let _e3 = self.v_height_cell(cell_11, level_16);
         return _e3;
     }
     pub(crate) fn object_cell_stage(
         &self,
-        cell_10: impl rt::Into<rt::Vec2<i32>>,
+        cell_12: impl rt::Into<rt::Vec2<i32>>,
         level_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_cell_stage(rt::into(cell_10), rt::into(level_17)))
+        rt::into(self.v_object_cell_stage(rt::into(cell_12), rt::into(level_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_cell_stage(
         &self,
-        cell_10: rt::Vec2<i32>,
+        cell_12: rt::Vec2<i32>,
         level_17: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none_cell(cell_10, level_17, _e11);
+                let _e12 = self.v_object_none_cell(cell_12, level_17, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth_cell(cell_10, level_17, _e17);
+                let _e18 = self.v_object_depth_cell(cell_12, level_17, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull_cell(cell_10, level_17, _e23);
+                let _e24 = self.v_object_hull_cell(cell_12, level_17, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend_cell(cell_10, level_17, _e29);
+                let _e30 = self.v_object_blend_cell(cell_12, level_17, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn whole_cell(&self, cell_11: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<i32> {
-        rt::into(self.v_whole_cell(rt::into(cell_11)))
+    pub(crate) fn whole_cell(&self, cell_13: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<i32> {
+        rt::into(self.v_whole_cell(rt::into(cell_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_whole_cell(&self, cell_11: rt::Vec2<f32>) -> rt::Vec2<i32> {
-        return cell_11.to_i32();
+    pub(super) fn v_whole_cell(&self, cell_13: rt::Vec2<f32>) -> rt::Vec2<i32> {
+        return cell_13.to_i32();
     }
     pub(crate) fn cell_gap(
         &self,
-        path_7: Path,
+        path_10: Path,
         grid_2: Grid,
-        cell_12: impl rt::Into<rt::Vec2<f32>>,
-        t_11: impl rt::Into<rt::Scalar<f32>>,
+        cell_14: impl rt::Into<rt::Vec2<f32>>,
+        t_14: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_cell_gap(path_7, grid_2, rt::into(cell_12), rt::into(t_11)))
+        rt::into(self.v_cell_gap(path_10, grid_2, rt::into(cell_14), rt::into(t_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_cell_gap(
         &self,
-        path_7: Path,
+        path_10: Path,
         grid_2: Grid,
-        cell_12: rt::Vec2<f32>,
-        t_11: rt::Scalar<f32>,
+        cell_14: rt::Vec2<f32>,
+        t_14: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let _e4 = self.v_whole_cell(cell_12);
-        let _e6 = self.v_object_cell_stage(_e4, rt::Scalar(path_7.level));
-        let _e7 = self.v_gap_to(path_7, grid_2, cell_12, _e6, t_11);
+        let _e4 = self.v_whole_cell(cell_14);
+        let _e6 = self.v_object_cell_stage(_e4, rt::Scalar(path_10.level));
+        let _e7 = self.v_gap_to(path_10, grid_2, cell_14, _e6, t_14);
         return _e7;
     }
     pub(crate) fn cell_leave(
         &self,
         grid_3: Grid,
-        cell_13: impl rt::Into<rt::Vec2<f32>>,
+        cell_15: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_leave(grid_3, rt::into(cell_13)))
+        rt::into(self.v_cell_leave(grid_3, rt::into(cell_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_cell_leave(
         &self,
         grid_3: Grid,
-        cell_13: rt::Vec2<f32>,
+        cell_15: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let ahead_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), grid_3.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
-        let leave_6 = (((cell_13 + ahead_1) - grid_3.origin) / grid_3.step);
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)).select(leave_6, grid_3.step.abs().elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+        let leave_7 = (((cell_15 + ahead_1) - grid_3.origin) / grid_3.step);
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)).select(leave_7, grid_3.step.abs().elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
     }
     pub(crate) fn cell_next(
         &self,
         grid_4: Grid,
-        cell_14: impl rt::Into<rt::Vec2<f32>>,
+        cell_16: impl rt::Into<rt::Vec2<f32>>,
         leave_2: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_next(grid_4, rt::into(cell_14), rt::into(leave_2)))
+        rt::into(self.v_cell_next(grid_4, rt::into(cell_16), rt::into(leave_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_cell_next(
         &self,
         grid_4: Grid,
-        cell_14: rt::Vec2<f32>,
+        cell_16: rt::Vec2<f32>,
         leave_2: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut next: rt::Vec2<f32>;
 
-        next = cell_14;
+        next = cell_16;
         if rt::Scalar::into_branch_condition(leave_2.x().elementwise_le(leave_2.y())) {
-            next.set_x((cell_14.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.x().elementwise_gt(rt::Scalar(0f32)))));
+            next.set_x((cell_16.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.x().elementwise_gt(rt::Scalar(0f32)))));
         } else {
-            next.set_y((cell_14.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.y().elementwise_gt(rt::Scalar(0f32)))));
+            next.set_y((cell_16.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.y().elementwise_gt(rt::Scalar(0f32)))));
         }
         let _e27 = next;
         return _e27;
     }
     pub(crate) fn cell_slopes(
         &self,
-        h_2: impl rt::Into<rt::Vec4<f32>>,
-        part_2: impl rt::Into<rt::Vec2<f32>>,
+        h_3: impl rt::Into<rt::Vec4<f32>>,
+        part_3: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_slopes(rt::into(h_2), rt::into(part_2)))
+        rt::into(self.v_cell_slopes(rt::into(h_3), rt::into(part_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_cell_slopes(
         &self,
-        h_2: rt::Vec4<f32>,
-        part_2: rt::Vec2<f32>,
+        h_3: rt::Vec4<f32>,
+        part_3: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let top_5 = (h_2.y() - h_2.x());
-        let left_3 = (h_2.z() - h_2.x());
-        let twist_1 = ((h_2.w() - h_2.z()) - top_5);
-        return <rt::Vec2<f32>>::from_scalars((top_5 + (twist_1 * part_2.y())), (left_3 + (twist_1 * part_2.x())));
+        let top_6 = (h_3.y() - h_3.x());
+        let left_3 = (h_3.z() - h_3.x());
+        let twist_2 = ((h_3.w() - h_3.z()) - top_6);
+        return <rt::Vec2<f32>>::from_scalars((top_6 + (twist_2 * part_3.y())), (left_3 + (twist_2 * part_3.x())));
     }
     pub(crate) fn swept_border(
         &self,
         sweep: Sweep,
         start: impl rt::Into<rt::Scalar<u32>>,
         to: impl rt::Into<rt::Scalar<u32>>,
-        at_15: impl rt::Into<rt::Scalar<i32>>,
+        at_18: impl rt::Into<rt::Scalar<i32>>,
         parts: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<u32> {
-        rt::into(self.v_swept_border(sweep, rt::into(start), rt::into(to), rt::into(at_15), rt::into(parts)))
+        rt::into(self.v_swept_border(sweep, rt::into(start), rt::into(to), rt::into(at_18), rt::into(parts)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4065,20 +4321,20 @@ impl<'g> Resources<'g> {
         sweep: Sweep,
         start: rt::Scalar<u32>,
         to: rt::Scalar<u32>,
-        at_15: rt::Scalar<i32>,
+        at_18: rt::Scalar<i32>,
         parts: rt::Scalar<i32>,
     ) -> rt::Vec2<u32> {
-        if rt::Scalar::into_branch_condition(at_15.elementwise_eq(rt::Scalar(0i32))) {
+        if rt::Scalar::into_branch_condition(at_18.elementwise_eq(rt::Scalar(0i32))) {
             return <rt::Vec2<u32>>::from_scalars(start, rt::Scalar(0u32));
         }
-        if rt::Scalar::into_branch_condition(at_15.elementwise_eq(parts)) {
+        if rt::Scalar::into_branch_condition(at_18.elementwise_eq(parts)) {
             return <rt::Vec2<u32>>::from_scalars(to, rt::Scalar(0u32));
         }
         let _e13 = self.v_around_three(start, rt::Scalar(1u32));
         if rt::Scalar::into_branch_condition(to.elementwise_eq(_e13)) {
-            return <rt::Vec2<u32>>::from_scalars(start, at_15.to_u32());
+            return <rt::Vec2<u32>>::from_scalars(start, at_18.to_u32());
         }
-        return <rt::Vec2<u32>>::from_scalars(to, (parts - at_15).to_u32());
+        return <rt::Vec2<u32>>::from_scalars(to, (parts - at_18).to_u32());
     }
     pub(crate) fn top_point(
         &self,
@@ -4102,19 +4358,19 @@ impl<'g> Resources<'g> {
             let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_12));
             return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_12, sides);
         }
-        let k_44 = (number_1 - n_12);
-        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_44, m_4);
-        let x_6 = ((apex_1.x() * (m_4 - k_44)) + (sweep_1.end.x() * k_44));
-        let y_2 = ((apex_1.y() * (m_4 - k_44)) + (sweep_1.end.y() * k_44));
-        return <SweptPoint>::new(_e29.x(), _e29.y(), x_6, y_2, m_4, ON_SECOND);
+        let k_48 = (number_1 - n_12);
+        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_48, m_4);
+        let x_9 = ((apex_1.x() * (m_4 - k_48)) + (sweep_1.end.x() * k_48));
+        let y_3 = ((apex_1.y() * (m_4 - k_48)) + (sweep_1.end.y() * k_48));
+        return <SweptPoint>::new(_e29.x(), _e29.y(), x_9, y_3, m_4, ON_SECOND);
     }
     pub(crate) fn low_point(
         &self,
         sweep_2: Sweep,
         column: SweptColumn,
-        at_16: impl rt::Into<rt::Scalar<i32>>,
+        at_19: impl rt::Into<rt::Scalar<i32>>,
     ) -> SweptPoint {
-        rt::into(self.v_low_point(sweep_2, column, rt::into(at_16)))
+        rt::into(self.v_low_point(sweep_2, column, rt::into(at_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4122,17 +4378,17 @@ impl<'g> Resources<'g> {
         &self,
         sweep_2: Sweep,
         column: SweptColumn,
-        at_16: rt::Scalar<i32>,
+        at_19: rt::Scalar<i32>,
     ) -> SweptPoint {
-        let x_7 = rt::Scalar(column.column);
-        if rt::Scalar::into_branch_condition(at_16.elementwise_gt(rt::Scalar(0i32))) {
-            let y_3 = ((rt::Scalar(column.inside) + at_16) - rt::Scalar(1i32));
-            return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_16 - rt::Scalar(1i32)).to_u32()), x_7, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
+        let x_10 = rt::Scalar(column.column);
+        if rt::Scalar::into_branch_condition(at_19.elementwise_gt(rt::Scalar(0i32))) {
+            let y_4 = ((rt::Scalar(column.inside) + at_19) - rt::Scalar(1i32));
+            return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_19 - rt::Scalar(1i32)).to_u32()), x_10, y_4, rt::Scalar(1i32), rt::Scalar(0u32));
         }
         let columns = sweep_2.end.x();
-        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_7, columns);
-        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_7.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_7.elementwise_eq(columns)));
-        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_7 * columns), (sweep_2.end.y() * x_7), columns, sides_1);
+        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_10, columns);
+        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_10.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_10.elementwise_eq(columns)));
+        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_10 * columns), (sweep_2.end.y() * x_10), columns, sides_1);
     }
     pub(crate) fn chain_point(
         &self,
@@ -4174,19 +4430,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn chord_end(
         &self,
-        at_17: Entered,
+        at_20: Entered,
         k: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_chord_end(at_17, rt::into(k)))
+        rt::into(self.v_chord_end(at_20, rt::into(k)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_chord_end(
         &self,
-        at_17: Entered,
+        at_20: Entered,
         k: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        return (at_17.span.x() + ((at_17.span.y() - at_17.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.to_f32() / rt::Scalar(at_17.segments).to_f32())));
+        return (at_20.span.x() + ((at_20.span.y() - at_20.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.to_f32() / rt::Scalar(at_20.segments).to_f32())));
     }
     pub(crate) fn shell_slack(
         &self,
@@ -4226,30 +4482,30 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval.y());
         }
-        let t_36 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
+        let t_42 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
         if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_36), interval.y());
+            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_42), interval.y());
         }
-        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_36));
+        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_42));
     }
     pub(crate) fn inside_unit(
         &self,
         x0_: impl rt::Into<rt::Scalar<f32>>,
-        dx: impl rt::Into<rt::Scalar<f32>>,
+        dx_1: impl rt::Into<rt::Scalar<f32>>,
         interval_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_inside_unit(rt::into(x0_), rt::into(dx), rt::into(interval_1)))
+        rt::into(self.v_inside_unit(rt::into(x0_), rt::into(dx_1), rt::into(interval_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_inside_unit(
         &self,
         x0_: rt::Scalar<f32>,
-        dx: rt::Scalar<f32>,
+        dx_1: rt::Scalar<f32>,
         interval_1: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut local_10: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(dx_1.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
                 local_10 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
@@ -4261,48 +4517,100 @@ impl<'g> Resources<'g> {
             }
             return interval_1;
         }
-        let a_30 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_31 = ((rt::Scalar(1f32) - x0_) / dx);
+        let a_30 = ((rt::Scalar(0f32) - x0_) / dx_1);
+        let b_31 = ((rt::Scalar(1f32) - x0_) / dx_1);
         return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_30.min(b_31)), interval_1.y().min(a_30.max(b_31)));
     }
     pub(crate) fn path_from(
         &self,
-        path_8: Path,
-        t_12: impl rt::Into<rt::Scalar<f32>>,
+        path_11: Path,
+        t_15: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_path_from(path_8, rt::into(t_12)))
+        rt::into(self.v_path_from(path_11, rt::into(t_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_path_from(
         &self,
-        path_8: Path,
-        t_12: rt::Scalar<f32>,
+        path_11: Path,
+        t_15: rt::Scalar<f32>,
     ) -> Path {
         let mut rest: Path;
 
-        rest = path_8;
-        let _e4 = self.v_path_uv(path_8, t_12);
+        rest = path_11;
+        let _e4 = self.v_path_uv(path_11, t_15);
         rest.uv = _e4;
-        rest.h = <rt::Vec3<f32>>::from_scalars((path_8.h.x() + (t_12 * (path_8.h.y() + (t_12 * path_8.h.z())))), (path_8.h.y() + ((rt::Scalar(2f32) * t_12) * path_8.h.z())), path_8.h.z());
-        rt::Scalar(rest.exit) = (rt::Scalar(path_8.exit) - t_12);
-        rt::Scalar(rest.start) = (rt::Scalar(path_8.start) + t_12);
+        rest.h = <rt::Vec3<f32>>::from_scalars((path_11.h.x() + (t_15 * (path_11.h.y() + (t_15 * path_11.h.z())))), (path_11.h.y() + ((rt::Scalar(2f32) * t_15) * path_11.h.z())), path_11.h.z());
+        rt::Scalar(rest.exit) = (rt::Scalar(path_11.exit) - t_15);
+        rt::Scalar(rest.start) = (rt::Scalar(path_11.start) + t_15);
         let _e33 = rest;
         return _e33;
     }
-    pub(crate) fn object_none_parts(
+    pub(crate) fn field_heights_is_ground(
         &self,
         level_18: impl rt::Into<rt::Scalar<u32>>,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
+    ) -> bool {
+        rt::into(self.v_field_heights_is_ground(rt::into(level_18), rt::into(params_15)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_heights_is_ground(
+        &self,
+        level_18: rt::Scalar<u32>,
+        params_15: rt::Vec4<f32>,
+    ) -> rt::Scalar<bool> {
+        return rt::Scalar(true);
+    }
+    pub(crate) fn field_volume_is_ground(
+        &self,
+        level_19: impl rt::Into<rt::Scalar<u32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
+    ) -> bool {
+        rt::into(self.v_field_volume_is_ground(rt::into(level_19), rt::into(params_16)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_volume_is_ground(
+        &self,
+        level_19: rt::Scalar<u32>,
+        params_16: rt::Vec4<f32>,
+    ) -> rt::Scalar<bool> {
+        return rt::Scalar(false);
+    }
+    pub(crate) fn field_is_ground_stage(&self, level_20: impl rt::Into<rt::Scalar<u32>>) -> bool {
+        rt::into(self.v_field_is_ground_stage(rt::into(level_20)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_is_ground_stage(&self, level_20: rt::Scalar<u32>) -> rt::Scalar<bool> {
+        let _e5 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        match rt::Scalar::into_inner(_e5) {
+            0u32 => {
+                let _e10 = self.surface_settings.choices[4usize].params;
+                let _e11 = self.v_field_heights_is_ground(level_20, _e10);
+                return _e11;
+            }
+            _ => {
+                let _e16 = self.surface_settings.choices[4usize].params;
+                let _e17 = self.v_field_volume_is_ground(level_20, _e16);
+                return _e17;
+            }
+        }
+    }
+    pub(crate) fn object_none_parts(
+        &self,
+        level_21: impl rt::Into<rt::Scalar<u32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_none_parts(rt::into(level_18), rt::into(params_13)))
+        rt::into(self.v_object_none_parts(rt::into(level_21), rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_none_parts(
         &self,
-        level_18: rt::Scalar<u32>,
-        params_13: rt::Vec4<f32>,
+        level_21: rt::Scalar<u32>,
+        params_17: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
@@ -4325,148 +4633,152 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_depth_parts(
         &self,
-        level_19: impl rt::Into<rt::Scalar<u32>>,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        level_22: impl rt::Into<rt::Scalar<u32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_depth_parts(rt::into(level_19), rt::into(params_14)))
+        rt::into(self.v_object_depth_parts(rt::into(level_22), rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth_parts(
         &self,
-        level_19: rt::Scalar<u32>,
-        params_14: rt::Vec4<f32>,
+        level_22: rt::Scalar<u32>,
+        params_18: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         let _e2 = self.v_parts_of_images();
         return _e2;
     }
     pub(crate) fn object_hull_parts(
         &self,
-        level_20: impl rt::Into<rt::Scalar<u32>>,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        level_23: impl rt::Into<rt::Scalar<u32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_hull_parts(rt::into(level_20), rt::into(params_15)))
+        rt::into(self.v_object_hull_parts(rt::into(level_23), rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull_parts(
         &self,
-        level_20: rt::Scalar<u32>,
-        params_15: rt::Vec4<f32>,
+        level_23: rt::Scalar<u32>,
+        params_19: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
     pub(crate) fn object_blend_parts(
         &self,
-        level_21: impl rt::Into<rt::Scalar<u32>>,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        level_24: impl rt::Into<rt::Scalar<u32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_blend_parts(rt::into(level_21), rt::into(params_16)))
+        rt::into(self.v_object_blend_parts(rt::into(level_24), rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_blend_parts(
         &self,
-        level_21: rt::Scalar<u32>,
-        params_16: rt::Vec4<f32>,
+        level_24: rt::Scalar<u32>,
+        params_20: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
-    pub(crate) fn object_parts_stage(&self, level_22: impl rt::Into<rt::Scalar<u32>>) -> i32 {
-        rt::into(self.v_object_parts_stage(rt::into(level_22)))
+    pub(crate) fn object_parts_stage(&self, level_25: impl rt::Into<rt::Scalar<u32>>) -> i32 {
+        rt::into(self.v_object_parts_stage(rt::into(level_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_object_parts_stage(&self, level_22: rt::Scalar<u32>) -> rt::Scalar<i32> {
+    pub(super) fn v_object_parts_stage(&self, level_25: rt::Scalar<u32>) -> rt::Scalar<i32> {
         let _e5 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[3usize].params;
-                let _e11 = self.v_object_none_parts(level_22, _e10);
+                let _e11 = self.v_object_none_parts(level_25, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[3usize].params;
-                let _e17 = self.v_object_depth_parts(level_22, _e16);
+                let _e17 = self.v_object_depth_parts(level_25, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[3usize].params;
-                let _e23 = self.v_object_hull_parts(level_22, _e22);
+                let _e23 = self.v_object_hull_parts(level_25, _e22);
                 return _e23;
             }
             _ => {
                 let _e28 = self.surface_settings.choices[3usize].params;
-                let _e29 = self.v_object_blend_parts(level_22, _e28);
+                let _e29 = self.v_object_blend_parts(level_25, _e28);
                 return _e29;
             }
         }
     }
-    pub(crate) fn grid_of(&self, path_9: Path) -> Grid {
-        rt::into(self.v_grid_of(path_9))
+    pub(crate) fn grid_of(&self, path_12: Path) -> Grid {
+        rt::into(self.v_grid_of(path_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_grid_of(&self, path_9: Path) -> Grid {
-        let _e2 = self.v_height_size(rt::Scalar(path_9.level));
-        let _e4 = self.v_object_parts_stage(rt::Scalar(path_9.level));
+    pub(super) fn v_grid_of(&self, path_12: Path) -> Grid {
+        let _e2 = self.v_height_size(rt::Scalar(path_12.level));
+        let _e4 = self.v_object_parts_stage(rt::Scalar(path_12.level));
         let parts_5 = _e4.to_f32();
-        return <Grid>::new((((path_9.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * parts_5), ((path_9.duv * _e2) * parts_5));
+        return <Grid>::new((((path_12.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * parts_5), ((path_12.duv * _e2) * parts_5));
     }
     pub(crate) fn rounded_gap(
         &self,
-        path_10: Path,
+        path_13: Path,
         slack_1: impl rt::Into<rt::Scalar<f32>>,
         texels_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_rounded_gap(path_10, rt::into(slack_1), rt::into(texels_1)))
+        rt::into(self.v_rounded_gap(path_13, rt::into(slack_1), rt::into(texels_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_rounded_gap(
         &self,
-        path_10: Path,
+        path_13: Path,
         slack_1: rt::Scalar<f32>,
         texels_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_height_size(rt::Scalar(path_10.level));
-        let _e11 = self.v_cell_of(((path_10.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e14 = self.v_height_cell(_e11.to_i32(), rt::Scalar(path_10.level));
+        let _e4 = self.v_height_size(rt::Scalar(path_13.level));
+        let _e11 = self.v_cell_of(((path_13.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e14 = self.v_height_cell(_e11.to_i32(), rt::Scalar(path_13.level));
         let range = (_e14.x().max(_e14.y()).max(_e14.z().max(_e14.w())) - _e14.x().min(_e14.y()).min(_e14.z().min(_e14.w())));
-        let change_2 = (path_10.duv.abs() * _e4);
-        let places = ((path_10.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
+        let change_2 = (path_13.duv.abs() * _e4);
+        let places = ((path_13.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
         let aside_2 = (((((change_2.x() + change_2.y()) * slack_1) + places.x()) + places.y()) + texels_1);
-        return (((path_10.h.y().abs() * slack_1) + (range * aside_2)) + rt::Scalar(0.0000009536743f32));
+        return (((path_13.h.y().abs() * slack_1) + (range * aside_2)) + rt::Scalar(0.0000009536743f32));
     }
     pub(crate) fn out_of_ground(
         &self,
-        path_11: Path,
+        path_14: Path,
         slack_2: impl rt::Into<rt::Scalar<f32>>,
         texels_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_out_of_ground(path_11, rt::into(slack_2), rt::into(texels_2)))
+        rt::into(self.v_out_of_ground(path_14, rt::into(slack_2), rt::into(texels_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_out_of_ground(
         &self,
-        path_11: Path,
+        path_14: Path,
         slack_2: rt::Scalar<f32>,
         texels_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut cell_15: rt::Vec2<f32>;
-        let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_17: rt::Vec2<f32>;
+        let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_12: rt::Scalar<bool>;
         let mut local_13: rt::Scalar<bool>;
         let mut local_14: rt::Scalar<bool>;
 
-        let _e3 = self.v_grid_of(path_11);
-        let _e4 = self.v_rounded_gap(path_11, slack_2, texels_2);
-        let _e6 = self.v_cell_of(_e3.origin);
-        cell_15 = _e6;
-        let _e10 = cell_15;
-        let _e12 = self.v_cell_gap(path_11, _e3, _e10, rt::Scalar(0f32));
-        let is_near = _e12.x().elementwise_ge((rt::Scalar(0f32) - _e4));
-        if rt::Scalar::into_branch_condition(_e12.x().elementwise_le(rt::Scalar(0f32))) {
-            local_12 = _e12.y().elementwise_gt(rt::Scalar(0f32));
+        let _e4 = self.v_field_is_ground_stage(rt::Scalar(path_14.level));
+        if rt::Scalar::into_branch_condition((!_e4)) {
+            return rt::Scalar(0f32);
+        }
+        let _e7 = self.v_grid_of(path_14);
+        let _e8 = self.v_rounded_gap(path_14, slack_2, texels_2);
+        let _e10 = self.v_cell_of(_e7.origin);
+        cell_17 = _e10;
+        let _e14 = cell_17;
+        let _e16 = self.v_cell_gap(path_14, _e7, _e14, rt::Scalar(0f32));
+        let is_near = _e16.x().elementwise_ge((rt::Scalar(0f32) - _e8));
+        if rt::Scalar::into_branch_condition(_e16.x().elementwise_le(rt::Scalar(0f32))) {
+            local_12 = _e16.y().elementwise_gt(rt::Scalar(0f32));
         } else {
             local_12 = rt::Scalar(false);
         }
@@ -4476,78 +4788,78 @@ impl<'g> Resources<'g> {
         } else {
             local_13 = rt::Scalar(false);
         }
-        let _e31 = local_13;
-        if rt::Scalar::into_branch_condition(_e31) {
+        let _e35 = local_13;
+        if rt::Scalar::into_branch_condition(_e35) {
             return rt::Scalar(0f32);
         }
-        let _e34 = self.v_rounded_gap(path_11, slack_2, rt::Scalar(0f32));
+        let _e38 = self.v_rounded_gap(path_14, slack_2, rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = t_13;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(path_11.exit))) {
+                let _e39 = t_16;
+                if rt::Scalar::into_branch_condition(_e39.elementwise_lt(rt::Scalar(path_14.exit))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e38 = cell_15;
-                    let _e39 = self.v_cell_leave(_e3, _e38);
-                    let end_3 = _e39.x().min(_e39.y()).min(rt::Scalar(path_11.exit));
-                    let _e48 = cell_15;
-                    let _e49 = t_13;
-                    let _e50 = self.v_cell_gap(path_11, _e3, _e48, _e49);
-                    let below_3 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
-                    if rt::Scalar::into_branch_condition((!below_3.x().elementwise_gt(rt::Scalar(0f32)))) {
-                        let _e56 = t_13;
-                        return _e56;
+                    let _e42 = cell_17;
+                    let _e43 = self.v_cell_leave(_e7, _e42);
+                    let end_3 = _e43.x().min(_e43.y()).min(rt::Scalar(path_14.exit));
+                    let _e52 = cell_17;
+                    let _e53 = t_16;
+                    let _e54 = self.v_cell_gap(path_14, _e7, _e52, _e53);
+                    let below_4 = (<rt::Vec3<f32>>::from_scalars(_e38, rt::Scalar(0f32), rt::Scalar(0f32)) - _e54);
+                    if rt::Scalar::into_branch_condition((!below_4.x().elementwise_gt(rt::Scalar(0f32)))) {
+                        let _e60 = t_16;
+                        return _e60;
                     }
-                    let _e57 = t_13;
-                    let span_6 = (end_3 - _e57).max(rt::Scalar(0f32));
-                    let _e61 = self.v_first_root(below_3, span_6);
-                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e64 = t_13;
-                        return (_e64 + _e61);
+                    let _e61 = t_16;
+                    let span_7 = (end_3 - _e61).max(rt::Scalar(0f32));
+                    let _e65 = self.v_first_root(below_4, span_7);
+                    if rt::Scalar::into_branch_condition(_e65.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e68 = t_16;
+                        return (_e68 + _e65);
                     }
                     if rt::Scalar::into_branch_condition(is_near) {
-                        let _e68 = self.v_quadratic(below_3, span_6);
-                        local_14 = _e68.elementwise_gt((_e34 + _e4));
+                        let _e72 = self.v_quadratic(below_4, span_7);
+                        local_14 = _e72.elementwise_gt((_e38 + _e8));
                     } else {
                         local_14 = rt::Scalar(false);
                     }
-                    let _e72 = local_14;
-                    if rt::Scalar::into_branch_condition(_e72) {
+                    let _e76 = local_14;
+                    if rt::Scalar::into_branch_condition(_e76) {
                         return rt::Scalar(0f32);
                     }
-                    let _e74 = cell_15;
-                    let _e75 = self.v_cell_next(_e3, _e74, _e39);
-                    cell_15 = _e75;
-                    let _e76 = t_13;
-                    t_13 = _e76.max(end_3);
+                    let _e78 = cell_17;
+                    let _e79 = self.v_cell_next(_e7, _e78, _e43);
+                    cell_17 = _e79;
+                    let _e80 = t_16;
+                    t_16 = _e80.max(end_3);
                 }
             }
         }
-        return rt::Scalar(path_11.exit);
+        return rt::Scalar(path_14.exit);
     }
     pub(crate) fn chord_path(
         &self,
         pixel_6: PixelIn,
-        at_18: Entered,
+        at_21: Entered,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
         a_5: ShellPoint,
         b_5: ShellPoint,
         bend_2: impl rt::Into<rt::Scalar<f32>>,
         ends: impl rt::Into<rt::Vec2<f32>>,
         beyond: impl rt::Into<rt::Vec3<f32>>,
     ) -> Path {
-        rt::into(self.v_chord_path(pixel_6, at_18, rt::into(middle_1), rt::into(params_17), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
+        rt::into(self.v_chord_path(pixel_6, at_21, rt::into(middle_1), rt::into(params_21), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_chord_path(
         &self,
         pixel_6: PixelIn,
-        at_18: Entered,
+        at_21: Entered,
         middle_1: rt::Scalar<f32>,
-        params_17: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
         a_5: ShellPoint,
         b_5: ShellPoint,
         bend_2: rt::Scalar<f32>,
@@ -4555,10 +4867,10 @@ impl<'g> Resources<'g> {
         beyond: rt::Vec3<f32>,
     ) -> Path {
         let mut inside: rt::Vec2<f32>;
-        let mut path_12: Path;
+        let mut path_15: Path;
 
         let heights_1 = pixel_6.shell.heights;
-        let first_11 = ends.x();
+        let first_12 = ends.x();
         let long = (ends.y() - ends.x());
         let _e16 = self.v_uv_of(pixel_6, a_5.weights);
         let _e18 = self.v_uv_of(pixel_6, b_5.weights);
@@ -4566,7 +4878,7 @@ impl<'g> Resources<'g> {
         let slope_7 = ((rt::Scalar(b_5.height) - rt::Scalar(a_5.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_6, middle_1);
         let change_3 = ((b_5.weights - a_5.weights) / rt::Vec3::splat_from_scalar(long));
-        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_11)), long);
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_12)), long);
         let _e39 = inside;
         let _e44 = self.v_where_positive(_e39, a_5.weights.x(), change_3.x(), beyond.x());
         inside = _e44;
@@ -4586,73 +4898,73 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_5.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_18.metric, RAY_VIEW, rt::Scalar(at_18.level), (middle_1 + first_11), (rt::Scalar(1f32) / rt::Scalar(at_18.segments).to_f32()), rt::Scalar(0f32));
+        path_15 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_5.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_21.metric, RAY_VIEW, rt::Scalar(at_21.level), (middle_1 + first_12), (rt::Scalar(1f32) / rt::Scalar(at_21.segments).to_f32()), rt::Scalar(0f32));
         let _e90 = inside.y();
         let _e92 = inside.x();
         if rt::Scalar::into_branch_condition((!_e90.elementwise_gt(_e92))) {
-            rt::Scalar(path_12.exit) = rt::Scalar(0f32);
-            let _e97 = path_12;
+            rt::Scalar(path_15.exit) = rt::Scalar(0f32);
+            let _e97 = path_15;
             return _e97;
         }
-        let _e98 = path_12;
+        let _e98 = path_15;
         let _e100 = inside.x();
         let _e101 = self.v_path_from(_e98, _e100);
-        path_12 = _e101;
-        let _e104 = path_12.h.x();
-        let above_4 = (_e104 - heights_1.y());
-        if rt::Scalar::into_branch_condition(above_4.elementwise_gt(rt::Scalar(0f32))) {
-            let _e109 = path_12;
-            let _e112 = path_12.h.y();
-            let _e115 = path_12.h.z();
-            let _e118 = rt::Scalar(path_12.exit);
-            let _e119 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_4, _e112, _e115), _e118);
-            let _e121 = rt::Scalar(path_12.exit);
+        path_15 = _e101;
+        let _e104 = path_15.h.x();
+        let above_5 = (_e104 - heights_1.y());
+        if rt::Scalar::into_branch_condition(above_5.elementwise_gt(rt::Scalar(0f32))) {
+            let _e109 = path_15;
+            let _e112 = path_15.h.y();
+            let _e115 = path_15.h.z();
+            let _e118 = rt::Scalar(path_15.exit);
+            let _e119 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_5, _e112, _e115), _e118);
+            let _e121 = rt::Scalar(path_15.exit);
             let _e123 = self.v_path_from(_e109, _e119.min(_e121));
-            path_12 = _e123;
+            path_15 = _e123;
         }
-        let _e125 = rt::Scalar(path_12.exit);
+        let _e125 = rt::Scalar(path_15.exit);
         if rt::Scalar::into_branch_condition(_e125.elementwise_gt(rt::Scalar(0f32))) {
-            let _e128 = path_12;
-            let _e129 = path_12;
-            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_17.x());
+            let _e128 = path_15;
+            let _e129 = path_15;
+            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_21.x());
             let _e134 = self.v_path_from(_e128, _e133);
-            path_12 = _e134;
+            path_15 = _e134;
         }
-        let _e135 = path_12;
+        let _e135 = path_15;
         return _e135;
     }
     pub(crate) fn chord_reach(
         &self,
         pixel_7: PixelIn,
-        at_19: Entered,
+        at_22: Entered,
         middle_2: impl rt::Into<rt::Scalar<f32>>,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_chord_reach(pixel_7, at_19, rt::into(middle_2), rt::into(params_18)))
+        rt::into(self.v_chord_reach(pixel_7, at_22, rt::into(middle_2), rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_chord_reach(
         &self,
         pixel_7: PixelIn,
-        at_19: Entered,
+        at_22: Entered,
         middle_2: rt::Scalar<f32>,
-        params_18: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e11 = self.v_height_size(rt::Scalar(0u32));
         let _e14 = self.v_height_size(rt::Scalar(0u32));
-        let texel_6 = (at_19.metric.x().max(at_19.metric.z()).sqrt() / _e11.x().max(_e14.y()));
+        let texel_6 = (at_22.metric.x().max(at_22.metric.z()).sqrt() / _e11.x().max(_e14.y()));
         let _e18 = self.v_shell_slack(pixel_7, middle_2);
-        return (_e18 + ((rt::Scalar(2f32) * params_18.x()) * texel_6));
+        return (_e18 + ((rt::Scalar(2f32) * params_22.x()) * texel_6));
     }
     pub(crate) fn way_bend(
         &self,
         a_6: impl rt::Into<rt::Scalar<f32>>,
         m_1: impl rt::Into<rt::Scalar<f32>>,
         b_6: impl rt::Into<rt::Scalar<f32>>,
-        part_3: impl rt::Into<rt::Scalar<f32>>,
+        part_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_way_bend(rt::into(a_6), rt::into(m_1), rt::into(b_6), rt::into(part_3)))
+        rt::into(self.v_way_bend(rt::into(a_6), rt::into(m_1), rt::into(b_6), rt::into(part_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4661,18 +4973,18 @@ impl<'g> Resources<'g> {
         a_6: rt::Scalar<f32>,
         m_1: rt::Scalar<f32>,
         b_6: rt::Scalar<f32>,
-        part_3: rt::Scalar<f32>,
+        part_4: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut local_15: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(part_3.elementwise_gt(rt::Scalar(0.125f32))) {
-            local_15 = part_3.elementwise_lt(rt::Scalar(0.875f32));
+        if rt::Scalar::into_branch_condition(part_4.elementwise_gt(rt::Scalar(0.125f32))) {
+            local_15 = part_4.elementwise_lt(rt::Scalar(0.875f32));
         } else {
             local_15 = rt::Scalar(false);
         }
         let _e11 = local_15;
         if rt::Scalar::into_branch_condition(_e11) {
-            return (((m_1 - a_6) - ((b_6 - a_6) * part_3)) / (part_3 * (part_3 - rt::Scalar(1f32))));
+            return (((m_1 - a_6) - ((b_6 - a_6) * part_4)) / (part_4 * (part_4 - rt::Scalar(1f32))));
         }
         return rt::Scalar(0f32);
     }
@@ -4728,7 +5040,7 @@ impl<'g> Resources<'g> {
         } else {
             local_18 = rt::Scalar(false);
         }
-        let rises = local_18;
+        let rises_2 = local_18;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e12.t).elementwise_gt(rt::Scalar(_e17.t))) {
             local_19 = rt::Scalar(_e17.t).elementwise_gt(rt::Scalar(_e22.t));
         } else {
@@ -4747,7 +5059,7 @@ impl<'g> Resources<'g> {
             local_21 = rt::Scalar(false);
         }
         let falls = local_21;
-        if rt::Scalar::into_branch_condition((!rises)) {
+        if rt::Scalar::into_branch_condition((!rises_2)) {
             local_22 = (!falls);
         } else {
             local_22 = rt::Scalar(false);
@@ -4766,19 +5078,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn coarser_voxel(
         &self,
-        at_20: impl rt::Into<rt::Vec3<i32>>,
-        level_23: impl rt::Into<rt::Scalar<u32>>,
+        at_23: impl rt::Into<rt::Vec3<i32>>,
+        level_26: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<i32> {
-        rt::into(self.v_coarser_voxel(rt::into(at_20), rt::into(level_23)))
+        rt::into(self.v_coarser_voxel(rt::into(at_23), rt::into(level_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_coarser_voxel(
         &self,
-        at_20: rt::Vec3<i32>,
-        level_23: rt::Scalar<u32>,
+        at_23: rt::Vec3<i32>,
+        level_26: rt::Scalar<u32>,
     ) -> rt::Vec3<i32> {
-        return <rt::Vec3<i32>>::from_scalars((at_20.x() >> level_23), (at_20.y() >> level_23), (at_20.z() >> level_23));
+        return <rt::Vec3<i32>>::from_scalars((at_23.x() >> level_26), (at_23.y() >> level_26), (at_23.z() >> level_26));
     }
     pub(crate) fn color_index(
         &self,
@@ -4808,19 +5120,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn color_texels_around(
         &self,
-        place_4: impl rt::Into<rt::Vec2<f32>>,
+        place_5: impl rt::Into<rt::Vec2<f32>>,
         n_4: impl rt::Into<rt::Vec2<i32>>,
     ) -> Around {
-        rt::into(self.v_color_texels_around(rt::into(place_4), rt::into(n_4)))
+        rt::into(self.v_color_texels_around(rt::into(place_5), rt::into(n_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_color_texels_around(
         &self,
-        place_4: rt::Vec2<f32>,
+        place_5: rt::Vec2<f32>,
         n_4: rt::Vec2<i32>,
     ) -> Around {
-        let point_25 = ((place_4 * n_4.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_25 = ((place_5 * n_4.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_25);
         let i_4 = _e8.to_i32();
         let u_1 = rt::Scalar(self.surface_settings.color_wrap_u);
@@ -4833,26 +5145,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn color_of_texels(
         &self,
-        place_5: impl rt::Into<rt::Vec2<f32>>,
-        level_24: impl rt::Into<rt::Scalar<u32>>,
+        place_6: impl rt::Into<rt::Vec2<f32>>,
+        level_27: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_of_texels(rt::into(place_5), rt::into(level_24)))
+        rt::into(self.v_color_of_texels(rt::into(place_6), rt::into(level_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_color_of_texels(
         &self,
-        place_5: rt::Vec2<f32>,
-        level_24: rt::Scalar<u32>,
+        place_6: rt::Vec2<f32>,
+        level_27: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.color_size;
-        let _e5 = self.v_level_texels(_e4, level_24);
-        let _e6 = self.v_color_texels_around(place_5, _e5);
-        let k_45 = level_24.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e5 = self.v_level_texels(_e4, level_27);
+        let _e6 = self.v_color_texels_around(place_6, _e5);
+        let k_49 = level_27.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_49));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_49));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_49));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_49));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -4875,28 +5187,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn color_at(
         &self,
         uv_4: impl rt::Into<rt::Vec2<f32>>,
-        level_25: impl rt::Into<rt::Scalar<u32>>,
+        level_28: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_4), rt::into(level_25)))
+        rt::into(self.v_color_at(rt::into(uv_4), rt::into(level_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_color_at(
         &self,
         uv_4: rt::Vec2<f32>,
-        level_25: rt::Scalar<u32>,
+        level_28: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_color_place(uv_4);
-        let _e3 = self.v_color_of_texels(_e2, level_25);
+        let _e3 = self.v_color_of_texels(_e2, level_28);
         return _e3;
     }
-    pub(crate) fn object_texel(&self, place_6: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_object_texel(rt::into(place_6)))
+    pub(crate) fn object_texel(&self, place_7: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_object_texel(rt::into(place_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_object_texel(&self, place_6: rt::Vec2<i32>) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_6, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+    pub(super) fn v_object_texel(&self, place_7: rt::Vec2<i32>) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_7, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4;
     }
     pub(crate) fn frames_around(&self, toward: impl rt::Into<rt::Vec3<f32>>) -> Frames {
@@ -4908,20 +5220,20 @@ impl<'g> Resources<'g> {
         let mut z: rt::Scalar<f32>;
 
         let _e3 = rt::Scalar(self.surface_settings.images);
-        let row_8 = _e3.to_i32();
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_8));
-        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_8));
-        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_8));
+        let row_9 = _e3.to_i32();
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_9));
+        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_9));
+        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_9));
         let last_4 = (_e7.w() - rt::Scalar(1f32)).max(rt::Scalar(1f32));
         let is_hemi = _e10.w().elementwise_gt(rt::Scalar(0f32));
         let up_2 = _e10.xyz().dot(toward);
-        let y_4 = up_2.select(up_2.max(rt::Scalar(0f32)), is_hemi);
+        let y_5 = up_2.select(up_2.max(rt::Scalar(0f32)), is_hemi);
         let right_2 = _e7.xyz().dot(toward);
         let front = _e13.xyz().dot(toward);
-        let sum_6 = ((right_2.abs() + y_4.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
+        let sum_6 = ((right_2.abs() + y_5.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
         x_1 = (right_2 / sum_6);
         z = (front / sum_6);
-        if rt::Scalar::into_branch_condition(y_4.elementwise_lt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(y_5.elementwise_lt(rt::Scalar(0f32))) {
             let _e44 = z;
             let _e48 = x_1;
             let folded_x = ((rt::Scalar(1f32) - _e44.abs()) * rt::Scalar(-1f32).select(rt::Scalar(1f32), _e48.elementwise_ge(rt::Scalar(0f32))));
@@ -4939,15 +5251,15 @@ impl<'g> Resources<'g> {
         let _e81 = z;
         let _e82 = x_1;
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
-        let place_28 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
-        let cell_29 = place_28.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
-        let part_12 = (place_28 - cell_29);
+        let place_30 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
+        let cell_36 = place_30.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
+        let part_14 = (place_30 - cell_36);
         let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
-        let first_12 = ((cell_29.y().to_u32() * side_6) + cell_29.x().to_u32());
-        let beside_4 = (first_12 + side_6).select((first_12 + rt::Scalar(1u32)), part_12.x().elementwise_gt(part_12.y()));
-        let least_3 = part_12.x().min(part_12.y());
-        let most_7 = part_12.x().max(part_12.y());
-        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_12, beside_4, ((first_12 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_3), least_3));
+        let first_13 = ((cell_36.y().to_u32() * side_6) + cell_36.x().to_u32());
+        let beside_4 = (first_13 + side_6).select((first_13 + rt::Scalar(1u32)), part_14.x().elementwise_gt(part_14.y()));
+        let least_3 = part_14.x().min(part_14.y());
+        let most_7 = part_14.x().max(part_14.y());
+        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_13, beside_4, ((first_13 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_3), least_3));
     }
     pub(crate) fn image_of_object(&self, number_3: impl rt::Into<rt::Scalar<u32>>) -> Image {
         rt::into(self.v_image_of_object(rt::into(number_3)))
@@ -4957,19 +5269,19 @@ impl<'g> Resources<'g> {
         let mut depth_5: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32));
         let mut eye_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
 
-        let row_9 = number_3.to_i32();
-        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_9));
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_9));
+        let row_10 = number_3.to_i32();
+        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_10));
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_10));
         let has_eye = _e7.w().elementwise_eq(rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition(has_eye) {
-            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_9));
+            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_10));
             depth_5 = _e25;
-            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_9));
+            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_10));
             eye_1 = _e28;
         }
-        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_9));
-        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_9));
-        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_9));
+        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_10));
+        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_10));
+        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_10));
         let _e38 = depth_5;
         let _e44 = eye_1;
         let _e47 = eye_1.w();
@@ -5009,15 +5321,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn color_of_frames(
         &self,
-        at_21: Entered,
+        at_24: Entered,
         view_9: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_color_of_frames(at_21, rt::into(view_9)))
+        rt::into(self.v_color_of_frames(at_24, rt::into(view_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_color_of_frames(
         &self,
-        at_21: Entered,
+        at_24: Entered,
         view_9: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let mut sum_1: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
@@ -5036,7 +5348,7 @@ impl<'g> Resources<'g> {
                     let _e14 = self.v_frame_number(_e2, _e13);
                     let _e15 = self.v_image_of_object(_e14);
                     let _e16 = sum_1;
-                    let _e18 = self.v_place_in_image(_e15, at_21.point);
+                    let _e18 = self.v_place_in_image(_e15, at_24.point);
                     let _e21 = self.v_color_at(_e18.xy(), rt::Scalar(0u32));
                     let _e23 = k_3;
                     let _e24 = self.v_frame_weight(_e2, _e23);
@@ -5051,16 +5363,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_color(
         &self,
-        at_22: Entered,
+        at_25: Entered,
         view_10: impl rt::Into<rt::Vec3<f32>>,
         asked_1: impl rt::Into<rt::Scalar<bool>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color(at_22, rt::into(view_10), rt::into(asked_1)))
+        rt::into(self.v_object_color(at_25, rt::into(view_10), rt::into(asked_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_color(
         &self,
-        at_22: Entered,
+        at_25: Entered,
         view_10: rt::Vec3<f32>,
         asked_1: rt::Scalar<bool>,
     ) -> rt::Vec3<f32> {
@@ -5087,7 +5399,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = k_4;
                     let _e25 = self.v_image_of_object(_e24);
-                    let _e27 = self.v_angle_to_image(_e25, at_22.point, view_10, asked_1);
+                    let _e27 = self.v_angle_to_image(_e25, at_25.point, view_10, asked_1);
                     let _e28 = angle1_;
                     if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e28)) {
                         let _e30 = angle3_;
@@ -5160,24 +5472,24 @@ impl<'g> Resources<'g> {
         }
         let _e106 = image1_;
         let _e107 = self.v_image_of_object(_e106);
-        let _e109 = self.v_place_in_image(_e107, at_22.point);
+        let _e109 = self.v_place_in_image(_e107, at_25.point);
         let uv1_ = _e109.xy();
         let _e111 = image2_;
         let _e112 = self.v_image_of_object(_e111);
-        let _e114 = self.v_place_in_image(_e112, at_22.point);
+        let _e114 = self.v_place_in_image(_e112, at_25.point);
         let uv2_ = _e114.xy();
         let _e116 = image3_;
         let _e117 = self.v_image_of_object(_e116);
-        let _e119 = self.v_place_in_image(_e117, at_22.point);
+        let _e119 = self.v_place_in_image(_e117, at_25.point);
         let uv3_ = _e119.xy();
         let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
         let _e124 = weight1_;
-        let first_13 = (_e122.xyz() * _e124);
+        let first_14 = (_e122.xyz() * _e124);
         let _e127 = self.v_color_at(uv2_, rt::Scalar(0u32));
         let _e129 = weight2_;
         let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
         let _e135 = weight3_;
-        let sum_7 = ((first_13 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let sum_7 = ((first_14 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
         let _e138 = weight1_;
         let _e139 = weight2_;
         let _e141 = weight3_;
@@ -5185,16 +5497,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn color_of_object(
         &self,
-        at_23: Entered,
+        at_26: Entered,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         how: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_color_of_object(at_23, rt::into(view_11), rt::into(how)))
+        rt::into(self.v_color_of_object(at_26, rt::into(view_11), rt::into(how)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_color_of_object(
         &self,
-        at_23: Entered,
+        at_26: Entered,
         view_11: rt::Vec3<f32>,
         how: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
@@ -5211,10 +5523,10 @@ impl<'g> Resources<'g> {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
         if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(3f32))) {
-            let _e21 = self.v_color_of_frames(at_23, view_11);
+            let _e21 = self.v_color_of_frames(at_26, view_11);
             return _e21;
         }
-        let _e24 = self.v_object_color(at_23, view_11, how.elementwise_eq(rt::Scalar(1f32)));
+        let _e24 = self.v_object_color(at_26, view_11, how.elementwise_eq(rt::Scalar(1f32)));
         return _e24;
     }
     pub(crate) fn color_or_white(
@@ -5280,10 +5592,10 @@ impl<'g> Resources<'g> {
         let a_low = (a_8 & rt::Scalar(65535u32));
         let b_high = (b_8 >> rt::Scalar(16u32));
         let b_low = (b_8 & rt::Scalar(65535u32));
-        let low_2 = (a_low * b_low);
-        let one = ((a_low * b_high) + (low_2 >> rt::Scalar(16u32)));
+        let low_3 = (a_low * b_low);
+        let one = ((a_low * b_high) + (low_3 >> rt::Scalar(16u32)));
         let two = ((a_high * b_low) + (one & rt::Scalar(65535u32)));
-        return <rt::Vec2<u32>>::from_scalars((((a_high * b_high) + (one >> rt::Scalar(16u32))) + (two >> rt::Scalar(16u32))), ((two << rt::Scalar(16u32)) | (low_2 & rt::Scalar(65535u32))));
+        return <rt::Vec2<u32>>::from_scalars((((a_high * b_high) + (one >> rt::Scalar(16u32))) + (two >> rt::Scalar(16u32))), ((two << rt::Scalar(16u32)) | (low_3 & rt::Scalar(65535u32))));
     }
     pub(crate) fn compared(
         &self,
@@ -5322,53 +5634,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_texel(
         &self,
-        path_13: Path,
-        place_7: impl rt::Into<rt::Vec2<i32>>,
+        path_16: Path,
+        place_8: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
-        level_26: impl rt::Into<rt::Scalar<i32>>,
+        level_29: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_13, rt::into(place_7), rt::into(layer_1), rt::into(level_26)))
+        rt::into(self.v_search_texel(path_16, rt::into(place_8), rt::into(layer_1), rt::into(level_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_search_texel(
         &self,
-        path_13: Path,
-        place_7: rt::Vec2<i32>,
+        path_16: Path,
+        place_8: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
-        level_26: rt::Scalar<i32>,
+        level_29: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_13.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_7, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_26));
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_16.ray).elementwise_eq(RAY_SHADOW)) {
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_8, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_29));
             let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_7, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_26));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_8, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_29));
         let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
     }
     pub(crate) fn cone_slope(
         &self,
-        path_14: Path,
+        path_17: Path,
         texel_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_cone_slope(path_14, rt::into(texel_1)))
+        rt::into(self.v_cone_slope(path_17, rt::into(texel_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_cone_slope(
         &self,
-        path_14: Path,
+        path_17: Path,
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let _e3 = self.v_height_texels(rt::Scalar(path_14.level));
+        let _e3 = self.v_height_texels(rt::Scalar(path_17.level));
         let _e4 = self.v_whole_cell(texel_1);
         let _e7 = self.v_wrap_index(_e4.x(), _e3.x());
         let _e10 = self.v_wrap_index(_e4.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
-        let _e15 = self.v_search_texel(path_14, wrapped, rt::Scalar(0i32), rt::Scalar(path_14.level).to_i32());
+        let _e15 = self.v_search_texel(path_17, wrapped, rt::Scalar(0i32), rt::Scalar(path_17.level).to_i32());
         let _e17 = self.v_slope_of(_e15.x());
         return _e17;
     }
@@ -5386,9 +5698,9 @@ impl<'g> Resources<'g> {
         heights: rt::Vec4<f32>,
         corner: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let above_5 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        let below_4 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        return above_5.select(below_4, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
+        let above_6 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        let below_5 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        return above_6.select(below_5, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn plane_distance(
         &self,
@@ -5406,13 +5718,13 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (normal_10.dot((pixel_9.a.position - pixel_9.origin)) / normal_10.dot(pixel_9.direction));
     }
-    pub(crate) fn depth_in_samples(&self, pixel_10: PixelIn, at_24: Entered) -> f32 {
-        rt::into(self.v_depth_in_samples(pixel_10, at_24))
+    pub(crate) fn depth_in_samples(&self, pixel_10: PixelIn, at_27: Entered) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_10, at_27))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_depth_in_samples(&self, pixel_10: PixelIn, at_24: Entered) -> rt::Scalar<f32> {
-        let _e3 = self.v_plane_distance(pixel_10, at_24.facing);
+    pub(super) fn v_depth_in_samples(&self, pixel_10: PixelIn, at_27: Entered) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_distance(pixel_10, at_27.facing);
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
         let _e17 = rt::Scalar(self.frame.sample_width);
@@ -5420,65 +5732,65 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         return (_e21 / width_3);
     }
-    pub(crate) fn depth_on_ray(&self, pixel_11: PixelIn, path_15: Path, hit_8: Hit) -> f32 {
-        rt::into(self.v_depth_on_ray(pixel_11, path_15, hit_8))
+    pub(crate) fn depth_on_ray(&self, pixel_11: PixelIn, path_18: Path, hit_8: Hit) -> f32 {
+        rt::into(self.v_depth_on_ray(pixel_11, path_18, hit_8))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_depth_on_ray(&self, pixel_11: PixelIn, path_15: Path, hit_8: Hit) -> rt::Scalar<f32> {
-        return ((rt::Scalar(path_15.start) + rt::Scalar(hit_8.t)) / pixel_11.direction.length());
+    pub(super) fn v_depth_on_ray(&self, pixel_11: PixelIn, path_18: Path, hit_8: Hit) -> rt::Scalar<f32> {
+        return ((rt::Scalar(path_18.start) + rt::Scalar(hit_8.t)) / pixel_11.direction.length());
     }
     pub(crate) fn footprint_axis(
         &self,
         pixel_12: PixelIn,
-        at_25: Entered,
+        at_28: Entered,
         normal_11: impl rt::Into<rt::Vec3<f32>>,
-        t_14: impl rt::Into<rt::Scalar<f32>>,
+        t_17: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_12, at_25, rt::into(normal_11), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_12, at_28, rt::into(normal_11), rt::into(t_17), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_footprint_axis(
         &self,
         pixel_12: PixelIn,
-        at_25: Entered,
+        at_28: Entered,
         normal_11: rt::Vec3<f32>,
-        t_14: rt::Scalar<f32>,
+        t_17: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
-        let aside_3 = (origin + (direction_4 * t_14));
+        let aside_3 = (origin + (direction_4 * t_17));
         let along_24 = (normal_11.dot(aside_3) / normal_11.dot(pixel_12.direction));
-        let _e15 = self.v_climb(at_25, (aside_3 - (pixel_12.direction * along_24)));
+        let _e15 = self.v_climb(at_28, (aside_3 - (pixel_12.direction * along_24)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.to_f32());
     }
     pub(crate) fn footprint_of(
         &self,
         pixel_13: PixelIn,
-        at_26: Entered,
+        at_29: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_13, at_26, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_13, at_29, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_footprint_of(
         &self,
         pixel_13: PixelIn,
-        at_26: Entered,
+        at_29: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_28 = at_26.facing;
+        let normal_28 = at_29.facing;
         let _e4 = self.v_plane_distance(pixel_13, normal_28);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_13, at_26, normal_28, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_13, at_29, normal_28, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_13, at_26, normal_28, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_13, at_29, normal_28, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_8 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
@@ -5492,108 +5804,108 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_fade(
         &self,
         pixel_14: PixelIn,
-        at_27: Entered,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        at_30: Entered,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_14, at_27, rt::into(params_19)))
+        rt::into(self.v_detail_fade(pixel_14, at_30, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_fade(
         &self,
         pixel_14: PixelIn,
-        at_27: Entered,
-        params_19: rt::Vec4<f32>,
+        at_30: Entered,
+        params_23: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_14, at_27, params_19.x());
-        let begin_4 = (params_19.z() * params_19.w());
-        let _e8 = self.v_depth_in_samples(pixel_14, at_27);
-        let part_13 = ((begin_4 - _e8) / (begin_4 - params_19.z()).max(rt::Scalar(0.000001f32)));
+        let _e4 = self.v_footprint_of(pixel_14, at_30, params_23.x());
+        let begin_5 = (params_23.z() * params_23.w());
+        let _e8 = self.v_depth_in_samples(pixel_14, at_30);
+        let part_15 = ((begin_5 - _e8) / (begin_5 - params_23.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
-        let _e20 = self.v_levels_of((_e4 / params_19.y()), _e19);
-        let level_49 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_49, _e4, part_13.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let _e20 = self.v_levels_of((_e4 / params_23.y()), _e19);
+        let level_58 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_58, _e4, part_15.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_15: PixelIn,
-        at_28: Entered,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        at_31: Entered,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_15, at_28, rt::into(params_20)))
+        rt::into(self.v_detail_footprint(pixel_15, at_31, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_footprint(
         &self,
         pixel_15: PixelIn,
-        at_28: Entered,
-        params_20: rt::Vec4<f32>,
+        at_31: Entered,
+        params_24: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_15, at_28, params_20.x());
+        let _e4 = self.v_footprint_of(pixel_15, at_31, params_24.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
-        let _e10 = self.v_levels_of((_e4 / params_20.y()), _e9);
+        let _e10 = self.v_levels_of((_e4 / params_24.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
         pixel_16: PixelIn,
-        at_29: Entered,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        at_32: Entered,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_16, at_29, rt::into(params_21)))
+        rt::into(self.v_detail_none(pixel_16, at_32, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_none(
         &self,
         pixel_16: PixelIn,
-        at_29: Entered,
-        params_21: rt::Vec4<f32>,
+        at_32: Entered,
+        params_25: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_17: PixelIn, at_30: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_17, at_30))
+    pub(crate) fn detail_stage(&self, pixel_17: PixelIn, at_33: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_17, at_33))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_detail_stage(&self, pixel_17: PixelIn, at_30: Entered) -> Detail {
-        let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
+    pub(super) fn v_detail_stage(&self, pixel_17: PixelIn, at_33: Entered) -> Detail {
+        let _e6 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e11 = self.surface_settings.choices[4usize].params;
-                let _e12 = self.v_detail_none(pixel_17, at_30, _e11);
+                let _e11 = self.surface_settings.choices[5usize].params;
+                let _e12 = self.v_detail_none(pixel_17, at_33, _e11);
                 return _e12;
             }
             1u32 => {
-                let _e17 = self.surface_settings.choices[4usize].params;
-                let _e18 = self.v_detail_footprint(pixel_17, at_30, _e17);
+                let _e17 = self.surface_settings.choices[5usize].params;
+                let _e18 = self.v_detail_footprint(pixel_17, at_33, _e17);
                 return _e18;
             }
             _ => {
-                let _e23 = self.surface_settings.choices[4usize].params;
-                let _e24 = self.v_detail_fade(pixel_17, at_30, _e23);
+                let _e23 = self.surface_settings.choices[5usize].params;
+                let _e24 = self.v_detail_fade(pixel_17, at_33, _e23);
                 return _e24;
             }
         }
     }
     pub(crate) fn detail_texel(
         &self,
-        place_8: impl rt::Into<rt::Vec2<i32>>,
+        place_9: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_27: impl rt::Into<rt::Scalar<i32>>,
+        level_30: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_8), rt::into(layer_2), rt::into(level_27)))
+        rt::into(self.v_detail_texel(rt::into(place_9), rt::into(layer_2), rt::into(level_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_texel(
         &self,
-        place_8: rt::Vec2<i32>,
+        place_9: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
-        level_27: rt::Scalar<i32>,
+        level_30: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_8, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_27));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_9, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_30));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -5602,9 +5914,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_6: impl rt::Into<rt::Vec2<f32>>,
         layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_28: impl rt::Into<rt::Scalar<u32>>,
+        level_31: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel_between(rt::into(uv_6), rt::into(layer_3), rt::into(level_28)))
+        rt::into(self.v_detail_texel_between(rt::into(uv_6), rt::into(layer_3), rt::into(level_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5612,42 +5924,42 @@ impl<'g> Resources<'g> {
         &self,
         uv_6: rt::Vec2<f32>,
         layer_3: rt::Scalar<i32>,
-        level_28: rt::Scalar<u32>,
+        level_31: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_28);
+        let _e3 = self.v_height_texels(level_31);
         let _e4 = self.v_texels_around(uv_6, _e3);
         let _e9 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
-        let k_46 = (level_28 - _e9).to_i32();
-        let _e17 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_46);
-        let _e23 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_46);
-        let _e29 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_46);
-        let _e35 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_46);
+        let k_50 = (level_31 - _e9).to_i32();
+        let _e17 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_50);
+        let _e23 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_50);
+        let _e29 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_50);
+        let _e35 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_50);
         let _e37 = self.v_bilinear(_e17, _e23, _e29, _e35, _e4.part);
         return _e37;
     }
     pub(crate) fn one_of(
         &self,
         numbers: impl rt::Into<rt::Vec3<u32>>,
-        place_9: impl rt::Into<rt::Scalar<u32>>,
+        place_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_9)))
+        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_one_of(
         &self,
         numbers: rt::Vec3<u32>,
-        place_9: rt::Scalar<u32>,
+        place_10: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return numbers.z().select(numbers.y(), place_9.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_9.elementwise_eq(rt::Scalar(0u32)));
+        return numbers.z().select(numbers.y(), place_10.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_10.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn dice_border(
         &self,
         rows_1: DiceRows,
         side: impl rt::Into<rt::Scalar<u32>>,
-        at_31: impl rt::Into<rt::Scalar<u32>>,
+        at_34: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePoint {
-        rt::into(self.v_dice_border(rows_1, rt::into(side), rt::into(at_31)))
+        rt::into(self.v_dice_border(rows_1, rt::into(side), rt::into(at_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5655,11 +5967,11 @@ impl<'g> Resources<'g> {
         &self,
         rows_1: DiceRows,
         side: rt::Scalar<u32>,
-        at_31: rt::Scalar<u32>,
+        at_34: rt::Scalar<u32>,
     ) -> DicePoint {
         let _e4 = self.v_one_of(rows_1.sides, side);
         let _e6 = self.v_one_of(rows_1.parts, side);
-        let on_side = at_31.select((_e6 - at_31), side.elementwise_eq(rt::Scalar(2u32)));
+        let on_side = at_34.select((_e6 - at_34), side.elementwise_eq(rt::Scalar(2u32)));
         let no_weights = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(on_side.elementwise_eq(_e6)) {
             let _e17 = self.v_around_three(_e4, rt::Scalar(1u32));
@@ -5683,8 +5995,8 @@ impl<'g> Resources<'g> {
         before: rt::Scalar<u32>,
         all: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let part_14 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
-        return (part_14 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
+        let part_16 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
+        return (part_16 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
     }
     pub(crate) fn sum_of_quotients(
         &self,
@@ -5899,39 +6211,39 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_dice_share(rows_9, row_3, rows_9.parts.y());
         return _e4;
     }
-    pub(crate) fn dice_point(&self, rows_10: DiceRows, place_10: DicePlace) -> DicePoint {
-        rt::into(self.v_dice_point(rows_10, place_10))
+    pub(crate) fn dice_point(&self, rows_10: DiceRows, place_11: DicePlace) -> DicePoint {
+        rt::into(self.v_dice_point(rows_10, place_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_dice_point(&self, rows_10: DiceRows, place_10: DicePlace) -> DicePoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_10.row).elementwise_eq(rt::Scalar(0u32))) {
+    pub(super) fn v_dice_point(&self, rows_10: DiceRows, place_11: DicePlace) -> DicePoint {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_11.row).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = self.v_dice_border(rows_10, rt::Scalar(0u32), rt::Scalar(0u32));
             return _e7;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_10.row).elementwise_eq(rt::Scalar(rows_10.count))) {
-            let _e13 = self.v_dice_border(rows_10, rt::Scalar(1u32), rt::Scalar(place_10.at));
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_11.row).elementwise_eq(rt::Scalar(rows_10.count))) {
+            let _e13 = self.v_dice_border(rows_10, rt::Scalar(1u32), rt::Scalar(place_11.at));
             return _e13;
         }
-        let _e15 = self.v_dice_row_parts(rows_10, rt::Scalar(place_10.row));
-        let _e19 = self.v_dice_share(rows_10, rt::Scalar(place_10.row), rows_10.parts.x());
-        let _e23 = self.v_dice_share(rows_10, rt::Scalar(place_10.row), rows_10.parts.z());
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_10.at).elementwise_eq(rt::Scalar(0u32))) {
+        let _e15 = self.v_dice_row_parts(rows_10, rt::Scalar(place_11.row));
+        let _e19 = self.v_dice_share(rows_10, rt::Scalar(place_11.row), rows_10.parts.x());
+        let _e23 = self.v_dice_share(rows_10, rt::Scalar(place_11.row), rows_10.parts.z());
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_11.at).elementwise_eq(rt::Scalar(0u32))) {
             let _e28 = self.v_dice_border(rows_10, rt::Scalar(0u32), _e19);
             return _e28;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_10.at).elementwise_eq(_e15)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_11.at).elementwise_eq(_e15)) {
             let _e32 = self.v_dice_border(rows_10, rt::Scalar(2u32), _e23);
             return _e32;
         }
-        let on_short = (((_e15 - rt::Scalar(place_10.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_10.parts.x().to_f32()));
-        let on_other = ((rt::Scalar(place_10.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_10.parts.z().to_f32()));
+        let on_short = (((_e15 - rt::Scalar(place_11.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_10.parts.x().to_f32()));
+        let on_other = ((rt::Scalar(place_11.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_10.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
-        let x_8 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(0u32)));
-        let y_5 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(1u32)));
+        let x_11 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(0u32)));
+        let y_6 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(2u32)));
-        let _e88 = self.v_dice_points_before(rows_10, rt::Scalar(place_10.row));
-        let number_25 = ((_e88 + rt::Scalar(place_10.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(INSIDE, number_25, <rt::Vec3<f32>>::from_scalars(x_8, y_5, z_2));
+        let _e88 = self.v_dice_points_before(rows_10, rt::Scalar(place_11.row));
+        let number_25 = ((_e88 + rt::Scalar(place_11.at)) - rt::Scalar(1u32));
+        return <DicePoint>::new(INSIDE, number_25, <rt::Vec3<f32>>::from_scalars(x_11, y_6, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -6135,8 +6447,8 @@ impl<'g> Resources<'g> {
         let i_5 = (step_5 - _e30);
         let _e34 = self.v_dice_steps_below(_e5, _e6, (step_5 + rt::Scalar(1u32)));
         let goes_below = _e34.elementwise_gt(_e30);
-        let next_9 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_5 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
-        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_5), <DicePlace>::new(_e2, _e30), next_9);
+        let next_10 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_5 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
+        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_5), <DicePlace>::new(_e2, _e30), next_10);
     }
     pub(crate) fn displaced_derivative(
         &self,
@@ -6199,11 +6511,11 @@ impl<'g> Resources<'g> {
         }
         let _e24 = rest_1;
         let _e27 = rest_1;
-        let part_15 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
-        let square_1 = (part_15 * part_15);
+        let part_17 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
+        let square_1 = (part_17 * part_17);
         let sum_9 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_15) * sum_9));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_17) * sum_9));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -6221,63 +6533,63 @@ impl<'g> Resources<'g> {
     pub(crate) fn height_and_slope(
         &self,
         uv_7: impl rt::Into<rt::Vec2<f32>>,
-        level_29: impl rt::Into<rt::Scalar<u32>>,
+        level_32: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_7), rt::into(level_29)))
+        rt::into(self.v_height_and_slope(rt::into(uv_7), rt::into(level_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_height_and_slope(
         &self,
         uv_7: rt::Vec2<f32>,
-        level_29: rt::Scalar<u32>,
+        level_32: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_29);
+        let _e2 = self.v_height_size(level_32);
         let point_26 = ((uv_7 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_26);
         let f_1 = (point_26 - _e8);
-        let _e11 = self.v_height_cell(_e8.to_i32(), level_29);
-        let top_6 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
-        let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_32);
+        let top_7 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
+        let bottom_4 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_4 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
         let right_3 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_6 + ((bottom_3 - top_6) * f_1.y())), ((right_3 - left_4) * _e2.x()), ((bottom_3 - top_6) * _e2.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_7 + ((bottom_4 - top_7) * f_1.y())), ((right_3 - left_4) * _e2.x()), ((bottom_4 - top_7) * _e2.y()));
     }
     pub(crate) fn relief_between_levels(
         &self,
         uv_8: impl rt::Into<rt::Vec2<f32>>,
-        level_30: impl rt::Into<rt::Scalar<f32>>,
+        level_33: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_relief_between_levels(rt::into(uv_8), rt::into(level_30)))
+        rt::into(self.v_relief_between_levels(rt::into(uv_8), rt::into(level_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_relief_between_levels(
         &self,
         uv_8: rt::Vec2<f32>,
-        level_30: rt::Scalar<f32>,
+        level_33: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let finer = level_30.to_u32();
-        let part_16 = (level_30 - finer.to_f32());
+        let finer = level_33.to_u32();
+        let part_18 = (level_33 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_8, finer);
-        if rt::Scalar::into_branch_condition(part_16.elementwise_eq(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(part_18.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
         }
         let _e10 = self.v_height_and_slope(uv_8, (finer + rt::Scalar(1u32)));
-        return (_e5 + ((_e10 - _e5) * part_16));
+        return (_e5 + ((_e10 - _e5) * part_18));
     }
     pub(crate) fn sloped_uv(
         &self,
         uv_9: impl rt::Into<rt::Vec2<f32>>,
-        level_31: impl rt::Into<rt::Scalar<f32>>,
+        level_34: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_sloped_uv(rt::into(uv_9), rt::into(level_31)))
+        rt::into(self.v_sloped_uv(rt::into(uv_9), rt::into(level_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_sloped_uv(
         &self,
         uv_9: rt::Vec2<f32>,
-        level_31: rt::Scalar<f32>,
+        level_34: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let mut local_28: rt::Scalar<bool>;
         let mut local_29: rt::Scalar<bool>;
@@ -6298,7 +6610,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e26) {
             return uv_9;
         }
-        let _e29 = self.v_height_size(level_31.ceil().to_u32());
+        let _e29 = self.v_height_size(level_34.ceil().to_u32());
         let least_5 = (rt::Vec2::splat_from_scalar(rt::Scalar(0.515625f32)) / _e29);
         return uv_9.clamp(least_5, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - least_5).max(least_5));
     }
@@ -6349,80 +6661,80 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_texel_between(
         &self,
-        path_16: Path,
+        path_19: Path,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
         layer_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_16, rt::into(uv_10), rt::into(layer_4)))
+        rt::into(self.v_search_texel_between(path_19, rt::into(uv_10), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_search_texel_between(
         &self,
-        path_16: Path,
+        path_19: Path,
         uv_10: rt::Vec2<f32>,
         layer_4: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = self.v_height_texels(rt::Scalar(path_16.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_19.level));
         let _e5 = self.v_texels_around(uv_10, _e4);
-        let level_50 = rt::Scalar(path_16.level).to_i32();
-        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_50);
-        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_50);
-        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_50);
-        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_50);
+        let level_59 = rt::Scalar(path_19.level).to_i32();
+        let _e13 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_59);
+        let _e19 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_59);
+        let _e25 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_59);
+        let _e31 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_59);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
-        path_17: Path,
+        path_20: Path,
         uv_11: impl rt::Into<rt::Vec2<f32>>,
         height_1: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_17, rt::into(uv_11), rt::into(height_1), rt::into(slices)))
+        rt::into(self.v_distance_at(path_20, rt::into(uv_11), rt::into(height_1), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_distance_at(
         &self,
-        path_17: Path,
+        path_20: Path,
         uv_11: rt::Vec2<f32>,
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_29 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_5 = place_29.floor();
-        let _e13 = self.v_search_texel_between(path_17, uv_11, below_5.to_i32());
+        let place_31 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_6 = place_31.floor();
+        let _e13 = self.v_search_texel_between(path_20, uv_11, below_6.to_i32());
         let lower_1 = _e13.x();
-        let _e21 = self.v_search_texel_between(path_17, uv_11, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
+        let _e21 = self.v_search_texel_between(path_20, uv_11, (below_6 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_29 - below_5)));
+        return (lower_1 + ((upper - lower_1) * (place_31 - below_6)));
     }
     pub(crate) fn material_of_texels(
         &self,
-        place_11: impl rt::Into<rt::Vec2<f32>>,
+        place_12: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_32: impl rt::Into<rt::Scalar<u32>>,
+        level_35: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_material_of_texels(rt::into(place_11), rt::into(layer_5), rt::into(level_32)))
+        rt::into(self.v_material_of_texels(rt::into(place_12), rt::into(layer_5), rt::into(level_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_material_of_texels(
         &self,
-        place_11: rt::Vec2<f32>,
+        place_12: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
-        level_32: rt::Scalar<u32>,
+        level_35: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.material_size;
-        let _e6 = self.v_level_texels(_e5, level_32);
-        let _e7 = self.v_color_texels_around(place_11, _e6);
-        let k_47 = level_32.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
-        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
-        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
-        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e6 = self.v_level_texels(_e5, level_35);
+        let _e7 = self.v_color_texels_around(place_12, _e6);
+        let k_51 = level_35.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_51));
+        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_51));
+        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_51));
+        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_51));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -6430,9 +6742,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
-        level_33: impl rt::Into<rt::Scalar<u32>>,
+        level_36: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_material_at(rt::into(uv_12), rt::into(layer_6), rt::into(level_33)))
+        rt::into(self.v_material_at(rt::into(uv_12), rt::into(layer_6), rt::into(level_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6440,10 +6752,10 @@ impl<'g> Resources<'g> {
         &self,
         uv_12: rt::Vec2<f32>,
         layer_6: rt::Scalar<i32>,
-        level_33: rt::Scalar<u32>,
+        level_36: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_color_place(uv_12);
-        let _e4 = self.v_material_of_texels(_e3, layer_6, level_33);
+        let _e4 = self.v_material_of_texels(_e3, layer_6, level_36);
         return _e4;
     }
     pub(crate) fn material_layer(
@@ -6570,15 +6882,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_enter(
         &self,
         pixel_20: PixelIn,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_22)))
+        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_plane_enter(
         &self,
         pixel_20: PixelIn,
-        params_22: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_30: rt::Scalar<bool>;
 
@@ -6589,7 +6901,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_38 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
+        let uv_40 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
         let tangent_1 = (((pixel_20.a.tangent * wa) + (pixel_20.b.tangent * wb_1)) + (pixel_20.c.tangent * wc_1));
         let bitangent = (((pixel_20.a.bitangent * wa) + (pixel_20.b.bitangent * wb_1)) + (pixel_20.c.bitangent * wc_1));
         let normal_29 = ((((pixel_20.a.normal * wa) + (pixel_20.b.normal * wb_1)) + (pixel_20.c.normal * wc_1)).normalize() * rt::Scalar(pixel_20.side));
@@ -6607,7 +6919,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_30;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_27, uv_38, tangent_1, bitangent, normal_29, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_27, uv_40, tangent_1, bitangent, normal_29, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -6631,9 +6943,9 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_23)))
+        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6642,13 +6954,13 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
-        params_23: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Prism {
         let origin_4 = (pixel_22.origin + (along_5 * middle_3));
         let _e8 = self.v_ordered(pixel_22, rt::Scalar(0u32));
         let _e10 = self.v_ordered(pixel_22, rt::Scalar(1u32));
         let _e12 = self.v_ordered(pixel_22, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_23.y() * rt::Scalar(pixel_22.side))));
+        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_27.y() * rt::Scalar(pixel_22.side))));
     }
     pub(crate) fn frame_at(
         &self,
@@ -6714,17 +7026,17 @@ impl<'g> Resources<'g> {
         pixel_25: PixelIn,
         along_7: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_32: Entered;
+        let mut at_35: Entered;
 
         let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_39 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_41 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_25, along_7);
         let point_28 = (pixel_25.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_25, along_7);
-        let _e21 = self.v_frame_at(pixel_25, third_2, point_28, uv_39, _e20);
-        at_32 = _e21;
-        rt::Scalar(at_32.segments) = rt::Scalar(0u32);
-        let _e25 = at_32;
+        let _e21 = self.v_frame_at(pixel_25, third_2, point_28, uv_41, _e20);
+        at_35 = _e21;
+        rt::Scalar(at_35.segments) = rt::Scalar(0u32);
+        let _e25 = at_35;
         return _e25;
     }
     pub(crate) fn way_weight(
@@ -6767,9 +7079,9 @@ impl<'g> Resources<'g> {
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_14 = (rt::Scalar(pixel_26.shell.order) & rt::Scalar(3u32));
+        let first_15 = (rt::Scalar(pixel_26.shell.order) & rt::Scalar(3u32));
         let second_3 = ((rt::Scalar(pixel_26.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_3 + rt::Scalar(3u32)) - first_14) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let is_turned = (((second_3 + rt::Scalar(3u32)) - first_15) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -6877,28 +7189,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn root_behind(
         &self,
         c_6: impl rt::Into<rt::Vec3<f32>>,
-        place_12: impl rt::Into<rt::Scalar<f32>>,
+        place_13: impl rt::Into<rt::Scalar<f32>>,
         end: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_root_behind(rt::into(c_6), rt::into(place_12), rt::into(end)))
+        rt::into(self.v_root_behind(rt::into(c_6), rt::into(place_13), rt::into(end)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_root_behind(
         &self,
         c_6: rt::Vec3<f32>,
-        place_12: rt::Scalar<f32>,
+        place_13: rt::Scalar<f32>,
         end: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut first: rt::Scalar<f32>;
 
         let _e3 = self.v_both_roots(c_6);
         first = end;
-        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_12)) {
+        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_13)) {
             let _e7 = first;
             first = _e7.min(_e3.x());
         }
-        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_12)) {
+        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_13)) {
             let _e12 = first;
             first = _e12.min(_e3.y());
         }
@@ -7007,12 +7319,12 @@ impl<'g> Resources<'g> {
                             let _e63 = begin;
                             let long_2 = (end_5 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_4;
-                            let part_17 = ((number_9 - _e67).to_f32() / _e53.to_f32());
+                            let part_19 = ((number_9 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_4;
-                            let next_10 = (((number_9 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
+                            let next_11 = (((number_9 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin;
                             let _e82 = begin;
-                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_17)), (_e82 + (long_2 * next_10)));
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_19)), (_e82 + (long_2 * next_11)));
                         }
                         let _e86 = count_4;
                         count_4 = (_e86 + _e53);
@@ -7028,32 +7340,32 @@ impl<'g> Resources<'g> {
     pub(crate) fn folded_enter(
         &self,
         pixel_29: PixelIn,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_folded_enter(pixel_29, rt::into(params_24)))
+        rt::into(self.v_folded_enter(pixel_29, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_folded_enter(
         &self,
         pixel_29: PixelIn,
-        params_24: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_33: Entered;
+        let mut at_36: Entered;
 
         let along_25 = pixel_29.direction.normalize();
         let _e4 = self.v_middle_of(pixel_29, along_25);
-        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_24);
+        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_28);
         let _e6 = self.v_shell_middle(pixel_29, along_25);
-        at_33 = _e6;
+        at_36 = _e6;
         let _e8 = self.v_way_of(pixel_29, _e5, along_25);
         let _e9 = self.v_shell_slack(pixel_29, _e4);
         let _e10 = self.v_way_offsets(pixel_29, _e5, _e9);
-        let _e11 = at_33;
-        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_24);
+        let _e11 = at_36;
+        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_28);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_24.x(), rt::Scalar(0u32));
-        rt::Scalar(at_33.segments) = rt::Scalar(_e17.count);
-        let _e19 = at_33;
+        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_28.x(), rt::Scalar(0u32));
+        rt::Scalar(at_36.segments) = rt::Scalar(_e17.count);
+        let _e19 = at_36;
         return _e19;
     }
     pub(crate) fn in_slab(
@@ -7082,9 +7394,9 @@ impl<'g> Resources<'g> {
         along_11: rt::Vec3<f32>,
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let far_6 = <rt::Vec4<f32>>::from_scalars(normal_15.dot(a_12), normal_15.dot(b_12), normal_15.dot(c_7), normal_15.dot(d_2));
-        let least_6 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
-        let most_10 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
+        let far_7 = <rt::Vec4<f32>>::from_scalars(normal_15.dot(a_12), normal_15.dot(b_12), normal_15.dot(c_7), normal_15.dot(d_2));
+        let least_6 = far_7.x().min(far_7.y()).min(far_7.z().min(far_7.w()));
+        let most_10 = far_7.x().max(far_7.y()).max(far_7.z().max(far_7.w()));
         let beyond_3 = (slack_4 * normal_15.length());
         let change_4 = normal_15.dot(along_11);
         let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_6), change_4, beyond_3);
@@ -7097,9 +7409,9 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_25)))
+        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_span_of(
@@ -7108,14 +7420,14 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
-        params_25: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_2: Shell;
         let mut span_1: rt::Vec2<f32>;
 
         shell_2 = pixel_30.shell;
         let _e9 = shell_2.lift;
-        shell_2.lift = (_e9 * params_25.y());
+        shell_2.lift = (_e9 * params_29.y());
         let _e12 = shell_2;
         let _e13 = self.v_offsets_of(_e12);
         let _e14 = self.v_shell_slack(pixel_30, middle_4);
@@ -7164,34 +7476,34 @@ impl<'g> Resources<'g> {
     pub(super) fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_40 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_40, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_40, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_42 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_42, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_42, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
         prism_9: Prism,
-        place_13: impl rt::Into<rt::Vec3<f32>>,
+        place_14: impl rt::Into<rt::Vec3<f32>>,
         from_point: ShellPoint,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_from(prism_9, rt::into(place_13), from_point))
+        rt::into(self.v_shell_point_from(prism_9, rt::into(place_14), from_point))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shell_point_from(
         &self,
         prism_9: Prism,
-        place_13: rt::Vec3<f32>,
+        place_14: rt::Vec3<f32>,
         from_point: ShellPoint,
     ) -> ShellPoint {
         let mut w_1: rt::Vec3<f32>;
-        let mut h_3: rt::Scalar<f32>;
+        let mut h_4: rt::Scalar<f32>;
         let mut step_1: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let low_3 = self.surface_settings.shell_m.x();
+        let low_4 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let width_5 = (_e10 - low_3).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_5 = (_e10 - low_4).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let l = prism_9.lift;
         w_1 = from_point.weights;
-        h_3 = rt::Scalar(from_point.height);
+        h_4 = rt::Scalar(from_point.height);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = step_1;
@@ -7202,10 +7514,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = step_1;
                     step_1 = (_e24 + rt::Scalar(1u32));
-                    let _e27 = h_3;
+                    let _e27 = h_4;
                     let _e30 = w_1;
                     let _e31 = self.v_lift_of(l, _e30);
-                    let offset_7 = ((low_3 + (width_5 * _e27)) + _e31);
+                    let offset_7 = ((low_4 + (width_5 * _e27)) + _e31);
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
@@ -7214,7 +7526,7 @@ impl<'g> Resources<'g> {
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_4 = ((place_13 - base_1) - (normal_31 * offset_7));
+                    let rest_4 = ((place_14 - base_1) - (normal_31 * offset_7));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
@@ -7235,8 +7547,8 @@ impl<'g> Resources<'g> {
                     let _e130 = w_1.y();
                     let _e133 = w_1.z();
                     w_1 = <rt::Vec3<f32>>::from_scalars(((_e126 - db) - dc), (_e130 + db), (_e133 + dc));
-                    let _e136 = h_3;
-                    h_3 = (_e136 + dh);
+                    let _e136 = h_4;
+                    h_4 = (_e136 + dh);
                     if rt::Scalar::into_branch_condition(db.abs().max(dc.abs()).max(dh.abs()).elementwise_lt(rt::Scalar(0.001f32))) {
                         break 'naga_break;
                     }
@@ -7244,52 +7556,52 @@ impl<'g> Resources<'g> {
             }
         }
         let _e145 = w_1;
-        let _e146 = h_3;
+        let _e146 = h_4;
         return <ShellPoint>::new(_e145, _e146);
     }
     pub(crate) fn shell_point(
         &self,
         prism_10: Prism,
-        place_14: impl rt::Into<rt::Vec3<f32>>,
+        place_15: impl rt::Into<rt::Vec3<f32>>,
         height_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_10, rt::into(place_14), rt::into(height_2)))
+        rt::into(self.v_shell_point(prism_10, rt::into(place_15), rt::into(height_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shell_point(
         &self,
         prism_10: Prism,
-        place_14: rt::Vec3<f32>,
+        place_15: rt::Vec3<f32>,
         height_2: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let _e8 = self.v_shell_point_from(prism_10, place_14, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
+        let _e8 = self.v_shell_point_from(prism_10, place_15, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
         return _e8;
     }
     pub(crate) fn surface_prism_enter(
         &self,
         pixel_31: PixelIn,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_26)))
+        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_enter(
         &self,
         pixel_31: PixelIn,
-        params_26: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_34: rt::Scalar<bool>;
-        let mut at_34: Entered;
+        let mut at_37: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_31.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_folded_enter(pixel_31, params_26);
+            let _e6 = self.v_folded_enter(pixel_31, params_30);
             return _e6;
         }
         let along_26 = pixel_31.direction.normalize();
         let _e9 = self.v_middle_of(pixel_31, along_26);
-        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_26);
-        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_26);
+        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_30);
+        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_30);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_34 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -7302,20 +7614,20 @@ impl<'g> Resources<'g> {
             return _e28;
         }
         let _e29 = self.v_shell_middle(pixel_31, along_26);
-        at_34 = _e29;
-        at_34.span = _e11;
-        let height_17 = (rt::Scalar(0.5f32) * (pixel_31.shell.heights.x() + pixel_31.shell.heights.y()));
-        let _e43 = at_34.span.x();
-        let _e45 = self.v_shell_point(_e10, (along_26 * _e43), height_17);
-        let _e48 = at_34.span.y();
-        let _e50 = self.v_shell_point(_e10, (along_26 * _e48), height_17);
-        let _e53 = at_34.span.x();
+        at_37 = _e29;
+        at_37.span = _e11;
+        let height_20 = (rt::Scalar(0.5f32) * (pixel_31.shell.heights.x() + pixel_31.shell.heights.y()));
+        let _e43 = at_37.span.x();
+        let _e45 = self.v_shell_point(_e10, (along_26 * _e43), height_20);
+        let _e48 = at_37.span.y();
+        let _e50 = self.v_shell_point(_e10, (along_26 * _e48), height_20);
+        let _e53 = at_37.span.x();
         let _e58 = self.v_between(_e45, _e50);
         let _e59 = self.v_shell_point_from(_e10, (along_26 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
-        let _e62 = at_34.span.x();
+        let _e62 = at_37.span.x();
         let _e67 = self.v_between(_e45, _e59);
         let _e68 = self.v_shell_point_from(_e10, (along_26 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
-        let _e71 = at_34.span.x();
+        let _e71 = at_37.span.x();
         let _e76 = self.v_between(_e59, _e50);
         let _e77 = self.v_shell_point_from(_e10, (along_26 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
@@ -7323,8 +7635,8 @@ impl<'g> Resources<'g> {
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_11 = _e84.max(quarters_1);
-        rt::Scalar(at_34.segments) = (most_11 / params_26.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
-        let _e95 = at_34;
+        rt::Scalar(at_37.segments) = (most_11 / params_30.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        let _e95 = at_37;
         return _e95;
     }
     pub(crate) fn weight_at(
@@ -7401,63 +7713,63 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_27)))
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
-        params_27: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_35: Entered;
+        let mut at_38: Entered;
 
-        let _e2 = self.v_surface_plane_enter(pixel_33, params_27);
-        at_35 = _e2;
-        let _e6 = at_35.point;
-        let _e8 = self.v_quadric_of(pixel_33, _e6, params_27.y());
-        at_35.of_surface = _e8;
-        let _e11 = at_35.metric.x();
-        let _e14 = at_35.metric.z();
-        let _e18 = at_35.metric.y();
-        let _e21 = at_35.metric.y();
+        let _e2 = self.v_surface_plane_enter(pixel_33, params_31);
+        at_38 = _e2;
+        let _e6 = at_38.point;
+        let _e8 = self.v_quadric_of(pixel_33, _e6, params_31.y());
+        at_38.of_surface = _e8;
+        let _e11 = at_38.metric.x();
+        let _e14 = at_38.metric.z();
+        let _e18 = at_38.metric.y();
+        let _e21 = at_38.metric.y();
         let area_3 = ((_e11 * _e14) - (_e18 * _e21));
-        rt::Scalar(at_35.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
-        let _e30 = at_35;
+        rt::Scalar(at_38.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_38;
         return _e30;
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_28)))
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
-        params_28: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_36: Entered;
+        let mut at_39: Entered;
 
-        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_28);
-        at_36 = _e2;
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_32);
+        at_39 = _e2;
         let along_27 = pixel_34.direction.length();
-        let _e6 = at_36;
+        let _e6 = at_39;
         let _e10 = self.v_across_of(_e6, (pixel_34.direction / rt::Vec3::splat_from_scalar(along_27)));
         let _e11 = self.v_plane_normal(pixel_34);
         let _e12 = self.v_plane_distance(pixel_34, _e11);
         let eye_2 = (rt::Scalar(0f32) - (_e12 * along_27));
-        let _e17 = at_36;
+        let _e17 = at_39;
         let _e18 = self.v_across_span(_e17, _e10, eye_2);
-        at_36.span = _e18;
-        let _e22 = rt::Scalar(at_36.segments);
-        let _e28 = at_36.span.y();
-        let _e31 = at_36.span.x();
-        rt::Scalar(at_36.segments) = rt::Scalar(0u32).select((_e22 * params_28.z().to_u32()), _e28.elementwise_gt(_e31));
-        let _e34 = at_36;
+        at_39.span = _e18;
+        let _e22 = rt::Scalar(at_39.segments);
+        let _e28 = at_39.span.y();
+        let _e31 = at_39.span.x();
+        rt::Scalar(at_39.segments) = rt::Scalar(0u32).select((_e22 * params_32.z().to_u32()), _e28.elementwise_gt(_e31));
+        let _e34 = at_39;
         return _e34;
     }
     pub(crate) fn moved_out(
@@ -7611,19 +7923,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_29)))
+        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
-        params_29: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_36: rt::Scalar<bool>;
         let mut local_37: rt::Scalar<bool>;
-        let mut at_37: Entered;
+        let mut at_40: Entered;
 
         let along_28 = pixel_37.direction.normalize();
         let _e4 = self.v_middle_of(pixel_37, along_28);
@@ -7647,9 +7959,9 @@ impl<'g> Resources<'g> {
             return _e22;
         }
         let _e23 = self.v_shell_middle(pixel_37, along_28);
-        at_37 = _e23;
-        rt::Scalar(at_37.segments) = rt::Scalar(3u32);
-        let _e27 = at_37;
+        at_40 = _e23;
+        rt::Scalar(at_40.segments) = rt::Scalar(3u32);
+        let _e27 = at_40;
         return _e27;
     }
     pub(crate) fn triangle_distance(
@@ -7720,15 +8032,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_enter(
         &self,
         pixel_40: PixelIn,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_30)))
+        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_facets_enter(
         &self,
         pixel_40: PixelIn,
-        params_30: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_39: rt::Scalar<bool>;
 
@@ -7736,7 +8048,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
         let point_29 = (pixel_40.origin + (pixel_40.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_40, _e2, point_29);
-        let uv_41 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let uv_43 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_3 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let sum_11 = ((((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z())) * rt::Scalar(pixel_40.side));
@@ -7744,27 +8056,27 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_41);
+            let _e77 = self.v_is_on_map(uv_43);
             local_39 = _e77;
         } else {
             local_39 = rt::Scalar(false);
         }
         let _e79 = local_39;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_41, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_43, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
         pixel_41: PixelIn,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_31)))
+        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_slices_enter(
         &self,
         pixel_41: PixelIn,
-        params_31: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_40: rt::Scalar<bool>;
         let mut local_41: rt::Scalar<bool>;
@@ -7774,22 +8086,22 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_41, _e2);
         let point_30 = (pixel_41.origin + (pixel_41.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_41, _e2, point_30);
-        let uv_42 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
+        let uv_44 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
         let tangent_4 = (((pixel_41.a.tangent * _e8.x()) + (pixel_41.b.tangent * _e8.y())) + (pixel_41.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_41.a.bitangent * _e8.x()) + (pixel_41.b.bitangent * _e8.y())) + (pixel_41.c.bitangent * _e8.z()));
         let raw_ = (((pixel_41.a.normal * _e8.x()) + (pixel_41.b.normal * _e8.y())) + (pixel_41.c.normal * _e8.z()));
-        let slice_6 = (((pixel_41.a.of_surface * _e8.x()) + (pixel_41.b.of_surface * _e8.y())) + (pixel_41.c.of_surface * _e8.z()));
+        let slice_7 = (((pixel_41.a.of_surface * _e8.x()) + (pixel_41.b.of_surface * _e8.y())) + (pixel_41.c.of_surface * _e8.z()));
         let tt_2 = tangent_4.dot(tangent_4);
         let tb_2 = tangent_4.dot(bitangent_3);
         let bb_2 = bitangent_3.dot(bitangent_3);
         let area_4 = ((tt_2 * bb_2) - (tb_2 * tb_2));
         let _e87 = rt::Scalar(self.surface_settings.bias_m);
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
-        let height_m = (_e87 + (_e90 * slice_6.x()));
+        let height_m = (_e87 + (_e90 * slice_7.x()));
         let normal_32 = raw_.normalize();
-        let _e95 = self.v_is_on_map(uv_42);
+        let _e95 = self.v_is_on_map(uv_44);
         if rt::Scalar::into_branch_condition(_e95) {
-            local_40 = ((slice_6.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
+            local_40 = ((slice_7.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_40 = rt::Scalar(false);
         }
@@ -7807,79 +8119,79 @@ impl<'g> Resources<'g> {
         }
         let _e122 = local_42;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_42, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_44, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_7, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
         pixel_42: PixelIn,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_32)))
+        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_enter(
         &self,
         pixel_42: PixelIn,
-        params_32: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_38: Entered;
+        let mut at_41: Entered;
 
         let _e2 = self.v_passed_by();
-        at_38 = _e2;
+        at_41 = _e2;
         let _e7 = rt::Scalar(self.surface_settings.solids);
-        rt::Scalar(at_38.segments) = _e7;
-        at_38.point = pixel_42.origin;
-        let _e10 = at_38;
+        rt::Scalar(at_41.segments) = _e7;
+        at_41.point = pixel_42.origin;
+        let _e10 = at_41;
         return _e10;
     }
     pub(crate) fn surface_frames_enter(
         &self,
         pixel_43: PixelIn,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_33)))
+        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_enter(
         &self,
         pixel_43: PixelIn,
-        params_33: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_39: Entered;
+        let mut at_42: Entered;
 
         let _e2 = self.v_passed_by();
-        at_39 = _e2;
-        rt::Scalar(at_39.segments) = FRAMES;
-        at_39.point = pixel_43.origin;
-        let _e8 = at_39;
+        at_42 = _e2;
+        rt::Scalar(at_42.segments) = FRAMES;
+        at_42.point = pixel_43.origin;
+        let _e8 = at_42;
         return _e8;
     }
     pub(crate) fn surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_34)))
+        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
-        params_34: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_40: Entered;
+        let mut at_43: Entered;
 
         let _e2 = self.v_plane_normal(pixel_44);
         let _e3 = self.v_passed_by();
-        at_40 = _e3;
-        rt::Scalar(at_40.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
+        at_43 = _e3;
+        rt::Scalar(at_43.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
         let _e15 = self.v_triangle_distance(pixel_44, _e2);
-        at_40.point = (pixel_44.origin + (pixel_44.direction * _e15));
-        at_40.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_44.direction).elementwise_gt(rt::Scalar(0f32))));
-        let _e28 = at_40;
+        at_43.point = (pixel_44.origin + (pixel_44.direction * _e15));
+        at_43.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_44.direction).elementwise_gt(rt::Scalar(0f32))));
+        let _e28 = at_43;
         return _e28;
     }
     pub(crate) fn surface_enter_stage(&self, pixel_45: PixelIn) -> Entered {
@@ -7946,26 +8258,26 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_enter_relief(&self, pixel_46: PixelIn) -> Entered {
-        let mut at_41: Entered;
+        let mut at_44: Entered;
 
         let _e1 = self.v_surface_enter_stage(pixel_46);
-        at_41 = _e1;
-        let _e4 = rt::Scalar(at_41.segments);
+        at_44 = _e1;
+        let _e4 = rt::Scalar(at_44.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_41;
+            let _e7 = at_44;
             return _e7;
         }
-        let _e8 = at_41;
+        let _e8 = at_44;
         let _e9 = self.v_detail_stage(pixel_46, _e8);
-        rt::Scalar(at_41.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_41.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_41.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_41;
+        rt::Scalar(at_44.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_44.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_44.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_44;
         return _e16;
     }
     pub(crate) fn entered_once(
         &self,
-        path_18: Path,
+        path_21: Path,
         grid_7: Grid,
         above_1: impl rt::Into<rt::Scalar<f32>>,
         below_1: impl rt::Into<rt::Scalar<f32>>,
@@ -7973,12 +8285,12 @@ impl<'g> Resources<'g> {
         below_gap: impl rt::Into<rt::Scalar<f32>>,
         so_far: impl rt::Into<rt::Vec3<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_entered_once(path_18, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
+        rt::into(self.v_entered_once(path_21, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_entered_once(
         &self,
-        path_18: Path,
+        path_21: Path,
         grid_7: Grid,
         above_1: rt::Scalar<f32>,
         below_1: rt::Scalar<f32>,
@@ -8024,7 +8336,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
-                    let _e42 = self.v_path_gap(path_18, middle_12);
+                    let _e42 = self.v_path_gap(path_21, middle_12);
                     let _e43 = cost_1;
                     cost_1 = (_e43 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
@@ -8044,6 +8356,70 @@ impl<'g> Resources<'g> {
         let _e53 = cost_1;
         return <SearchResult>::new(FOUND_BRACKET, _e49, _e50, _e51, _e52, _e53);
     }
+    pub(crate) fn quartic_slope(
+        &self,
+        q_1: Quartic,
+        x_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_quartic_slope(q_1, rt::into(x_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_quartic_slope(
+        &self,
+        q_1: Quartic,
+        x_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (rt::Scalar(q_1.b) + (x_2 * ((rt::Scalar(2f32) * rt::Scalar(q_1.c)) + (x_2 * ((rt::Scalar(3f32) * rt::Scalar(q_1.d)) + (x_2 * (rt::Scalar(4f32) * rt::Scalar(q_1.e))))))));
+    }
+    pub(crate) fn extremum_between(
+        &self,
+        q_2: Quartic,
+        from_x: impl rt::Into<rt::Scalar<f32>>,
+        to_x: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_extremum_between(q_2, rt::into(from_x), rt::into(to_x)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_extremum_between(
+        &self,
+        q_2: Quartic,
+        from_x: rt::Scalar<f32>,
+        to_x: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut low: rt::Scalar<f32>;
+        let mut high: rt::Scalar<f32>;
+        let mut k_5: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        low = from_x;
+        high = to_x;
+        let _e5 = self.v_quartic_slope(q_2, from_x);
+        let rises_3 = _e5.elementwise_gt(rt::Scalar(0f32));
+        'naga_break: loop {
+            'naga_continue: {
+                let _e10 = k_5;
+                if rt::Scalar::into_branch_condition(_e10.elementwise_lt(HALVINGS)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e13 = low;
+                    let _e14 = high;
+                    let middle_13 = (rt::Scalar(0.5f32) * (_e13 + _e14));
+                    let _e18 = self.v_quartic_slope(q_2, middle_13);
+                    if rt::Scalar::into_branch_condition(_e18.elementwise_gt(rt::Scalar(0f32)).elementwise_eq(rises_3)) {
+                        low = middle_13;
+                    } else {
+                        high = middle_13;
+                    }
+                    let _e22 = k_5;
+                    k_5 = (_e22 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e25 = high;
+        return _e25;
+    }
     pub(crate) fn facing_four(
         &self,
         middle_7: impl rt::Into<rt::Scalar<f32>>,
@@ -8060,9 +8436,9 @@ impl<'g> Resources<'g> {
         along_15: rt::Scalar<f32>,
         across: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let x_9 = (along_15 * rt::Scalar(1.7320508f32));
-        let y_6 = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_9), (middle_7 - x_9), (middle_7 + y_6), (middle_7 - y_6)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        let x_12 = (along_15 * rt::Scalar(1.7320508f32));
+        let y_7 = (across * rt::Scalar(1.7320508f32));
+        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_12), (middle_7 - x_12), (middle_7 + y_7), (middle_7 - y_7)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn least_at(
         &self,
@@ -8109,30 +8485,286 @@ impl<'g> Resources<'g> {
         let _e13 = local_44;
         return _e13;
     }
-    pub(crate) fn normal_at(
+    pub(crate) fn field_heights_cost(
+        &self,
+        level_37: impl rt::Into<rt::Scalar<u32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<u32> {
+        rt::into(self.v_field_heights_cost(rt::into(level_37), rt::into(params_39)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_heights_cost(
+        &self,
+        level_37: rt::Scalar<u32>,
+        params_39: rt::Vec4<f32>,
+    ) -> rt::Vec3<u32> {
+        return HEIGHTS_READ;
+    }
+    pub(crate) fn field_volume_cost(
+        &self,
+        level_38: impl rt::Into<rt::Scalar<u32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<u32> {
+        rt::into(self.v_field_volume_cost(rt::into(level_38), rt::into(params_40)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_volume_cost(
+        &self,
+        level_38: rt::Scalar<u32>,
+        params_40: rt::Vec4<f32>,
+    ) -> rt::Vec3<u32> {
+        return VOXELS_READ;
+    }
+    pub(crate) fn field_cost_stage(&self, level_39: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec3<u32> {
+        rt::into(self.v_field_cost_stage(rt::into(level_39)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_cost_stage(&self, level_39: rt::Scalar<u32>) -> rt::Vec3<u32> {
+        let _e5 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        match rt::Scalar::into_inner(_e5) {
+            0u32 => {
+                let _e10 = self.surface_settings.choices[4usize].params;
+                let _e11 = self.v_field_heights_cost(level_39, _e10);
+                return _e11;
+            }
+            _ => {
+                let _e16 = self.surface_settings.choices[4usize].params;
+                let _e17 = self.v_field_volume_cost(level_39, _e16);
+                return _e17;
+            }
+        }
+    }
+    pub(crate) fn field_heights_height(
         &self,
         uv_17: impl rt::Into<rt::Vec2<f32>>,
+        height_5: impl rt::Into<rt::Scalar<f32>>,
+        level_40: impl rt::Into<rt::Scalar<u32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_field_heights_height(rt::into(uv_17), rt::into(height_5), rt::into(level_40), rt::into(params_41)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_heights_height(
+        &self,
+        uv_17: rt::Vec2<f32>,
+        height_5: rt::Scalar<f32>,
+        level_40: rt::Scalar<u32>,
+        params_41: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_height_at(uv_17, level_40);
+        return _e4;
+    }
+    pub(crate) fn field_volume_height(
+        &self,
+        uv_18: impl rt::Into<rt::Vec2<f32>>,
+        height_6: impl rt::Into<rt::Scalar<f32>>,
+        level_41: impl rt::Into<rt::Scalar<u32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_field_volume_height(rt::into(uv_18), rt::into(height_6), rt::into(level_41), rt::into(params_42)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_volume_height(
+        &self,
+        uv_18: rt::Vec2<f32>,
+        height_6: rt::Scalar<f32>,
+        level_41: rt::Scalar<u32>,
+        params_42: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        return height_6;
+    }
+    pub(crate) fn field_height_stage(
+        &self,
+        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        height_7: impl rt::Into<rt::Scalar<f32>>,
+        level_42: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_field_height_stage(rt::into(uv_19), rt::into(height_7), rt::into(level_42)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_height_stage(
+        &self,
+        uv_19: rt::Vec2<f32>,
+        height_7: rt::Scalar<f32>,
+        level_42: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        match rt::Scalar::into_inner(_e7) {
+            0u32 => {
+                let _e12 = self.surface_settings.choices[4usize].params;
+                let _e13 = self.v_field_heights_height(uv_19, height_7, level_42, _e12);
+                return _e13;
+            }
+            _ => {
+                let _e18 = self.surface_settings.choices[4usize].params;
+                let _e19 = self.v_field_volume_height(uv_19, height_7, level_42, _e18);
+                return _e19;
+            }
+        }
+    }
+    pub(crate) fn near_uv(&self, uv_20: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_20)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_near_uv(&self, uv_20: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        let _e3 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
+            return (uv_20 - uv_20.floor());
+        }
+        let _e10 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
+            return (uv_20 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_20).floor()));
+        }
+        return uv_20;
+    }
+    pub(crate) fn from_hit(&self, at_45: Entered, hit_9: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_45, hit_9, light_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_from_hit(&self, at_45: Entered, hit_9: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_45, light_1.direction);
+        let _e6 = self.v_near_uv(hit_9.uv);
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_45.level));
+        let h_6 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_6, rt::Scalar(0f32), rt::Scalar(0f32), at_45.metric, RAY_SHADOW, rt::Scalar(at_45.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+    }
+    pub(crate) fn way_out(&self, path_22: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_22, light_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_way_out(&self, path_22: Path, light_2: Toward) -> rt::Scalar<f32> {
+        let mut way_6: rt::Scalar<f32>;
+        let mut interval_3: rt::Vec2<f32>;
+
+        way_6 = ((rt::Scalar(1f32) - path_22.h.x()) / path_22.h.y()).min(rt::Scalar(light_2.distance));
+        let _e14 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
+            let _e21 = way_6;
+            let _e24 = self.v_inside_unit(path_22.uv.x(), path_22.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            interval_3 = _e24;
+            let _e30 = interval_3;
+            let _e31 = self.v_inside_unit(path_22.uv.y(), path_22.duv.y(), _e30);
+            interval_3 = _e31;
+            let _e33 = interval_3.y();
+            way_6 = _e33;
+        }
+        let _e34 = way_6;
+        return _e34;
+    }
+    pub(crate) fn light_ray_over_heights(&self, at_46: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray_over_heights(at_46, hit_10, light_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_light_ray_over_heights(&self, at_46: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
+        let mut local_45: rt::Scalar<bool>;
+
+        let _e3 = self.v_from_hit(at_46, hit_10, light_3);
+        if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_DARK, _e3);
+        }
+        let _e11 = self.v_way_out(_e3, light_3);
+        if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_LIT, _e3);
+        }
+        let _e17 = self.v_grid_of(_e3);
+        let _e19 = self.v_cell_of(_e17.origin);
+        let _e20 = self.v_cell_leave(_e17, _e19);
+        let end_6 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
+        let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
+        let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
+            local_45 = (_e31.y() + (_e31.z() * end_6)).elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_45 = rt::Scalar(true);
+        }
+        let _e45 = local_45;
+        if rt::Scalar::into_branch_condition(_e45) {
+            return <LightRay>::new(LIGHT_RAY_DARK, _e3);
+        }
+        if rt::Scalar::into_branch_condition(end_6.elementwise_ge(_e11)) {
+            return <LightRay>::new(LIGHT_RAY_LIT, _e3);
+        }
+        let _e51 = self.v_path_uv(_e3, end_6);
+        let gap_1 = (end_6 * (_e31.y() + (_e31.z() * end_6)));
+        let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
+        let h_7 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_1) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_95 = <Path>::new(_e51, _e3.duv, h_7, (_e11 - end_6), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_6, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_95);
+    }
+    pub(crate) fn field_heights_light_ray(
+        &self,
+        at_47: Entered,
+        hit_11: Hit,
+        light_4: Toward,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
+    ) -> LightRay {
+        rt::into(self.v_field_heights_light_ray(at_47, hit_11, light_4, rt::into(params_43)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_heights_light_ray(
+        &self,
+        at_47: Entered,
+        hit_11: Hit,
+        light_4: Toward,
+        params_43: rt::Vec4<f32>,
+    ) -> LightRay {
+        let _e4 = self.v_light_ray_over_heights(at_47, hit_11, light_4);
+        return _e4;
+    }
+    pub(crate) fn no_table(&self) -> SeenTable {
+        rt::into(self.v_no_table())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_no_table(&self) -> SeenTable {
+        let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <SeenTable>::new(none, none, none);
+    }
+    pub(crate) fn one_seen(&self, normal_18: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_seen(rt::into(normal_18)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_one_seen(&self, normal_18: rt::Vec3<f32>) -> SeenNormals {
+        let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let parts_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let _e13 = self.v_no_table();
+        return <SeenNormals>::new(normal_18, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_6, rt::Scalar(0f32), _e13);
+    }
+    pub(crate) fn normal_at(
+        &self,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
         layer_8: impl rt::Into<rt::Scalar<i32>>,
-        level_34: impl rt::Into<rt::Scalar<u32>>,
+        level_43: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_17), rt::into(layer_8), rt::into(level_34)))
+        rt::into(self.v_normal_at(rt::into(uv_21), rt::into(layer_8), rt::into(level_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_at(
         &self,
-        uv_17: rt::Vec2<f32>,
+        uv_21: rt::Vec2<f32>,
         layer_8: rt::Scalar<i32>,
-        level_34: rt::Scalar<u32>,
+        level_43: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_34);
-        let _e7 = self.v_texels_around(uv_17, _e6);
-        let k_48 = level_34.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_48));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_48));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_48));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_48));
+        let _e6 = self.v_level_texels(_e5, level_43);
+        let _e7 = self.v_texels_around(uv_21, _e6);
+        let k_52 = level_43.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -8176,176 +8808,742 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_30))) {
             return own;
         }
-        let part_18 = (((apart_3 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
-        return (beside + ((own - beside) * part_18));
+        let part_20 = (((apart_3 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_20));
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_42: Entered,
-        uv_18: impl rt::Into<rt::Vec2<f32>>,
+        at_48: Entered,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_42, rt::into(uv_18)))
+        rt::into(self.v_slopes_between_creases(at_48, rt::into(uv_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slopes_between_creases(
         &self,
-        at_42: Entered,
-        uv_18: rt::Vec2<f32>,
+        at_48: Entered,
+        uv_22: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut part_4: rt::Vec2<f32>;
+        let mut part_5: rt::Vec2<f32>;
 
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_31 = ((uv_18 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_31 = ((uv_22 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_31);
         let _e11 = self.v_sloped_cell(_e9.to_i32());
-        let cell_30 = _e11.to_f32();
-        part_4 = (point_31 - cell_30);
+        let cell_37 = _e11.to_f32();
+        part_5 = (point_31 - cell_37);
         let _e17 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e17.elementwise_eq(WRAP_CLAMP)) {
-            let _e20 = part_4;
-            part_4 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+            let _e20 = part_5;
+            part_5 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
         }
-        let i_6 = cell_30.to_i32();
+        let i_6 = cell_37.to_i32();
         let _e30 = self.v_height_cell(i_6, rt::Scalar(0u32));
-        let _e31 = part_4;
+        let _e31 = part_5;
         let _e32 = self.v_cell_slopes(_e30, _e31);
         let _e37 = self.v_sloped_cell((i_6 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e39 = self.v_height_cell(_e37, rt::Scalar(0u32));
-        let _e40 = part_4;
+        let _e40 = part_5;
         let _e41 = self.v_cell_slopes(_e39, _e40);
         let before_u = _e41.x();
         let _e47 = self.v_sloped_cell((i_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e49 = self.v_height_cell(_e47, rt::Scalar(0u32));
-        let _e50 = part_4;
+        let _e50 = part_5;
         let _e51 = self.v_cell_slopes(_e49, _e50);
         let behind_u = _e51.x();
         let _e57 = self.v_sloped_cell((i_6 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e59 = self.v_height_cell(_e57, rt::Scalar(0u32));
-        let _e60 = part_4;
+        let _e60 = part_5;
         let _e61 = self.v_cell_slopes(_e59, _e60);
         let before_v = _e61.y();
         let _e67 = self.v_sloped_cell((i_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e69 = self.v_height_cell(_e67, rt::Scalar(0u32));
-        let _e70 = part_4;
+        let _e70 = part_5;
         let _e71 = self.v_cell_slopes(_e69, _e70);
         let behind_v = _e71.y();
         let _e76 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e76) / at_42.tangent.length());
+        let rate_u = ((_e3.x() * _e76) / at_48.tangent.length());
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e84) / at_42.bitangent.length());
+        let rate_v = ((_e3.y() * _e84) / at_48.bitangent.length());
         let _e90 = self.v_slope_beside(_e32.x(), before_u, rate_u);
         let _e92 = self.v_slope_beside(_e32.y(), before_v, rate_v);
         let before_3 = <rt::Vec2<f32>>::from_scalars(_e90, _e92);
         let _e95 = self.v_slope_beside(_e32.x(), behind_u, rate_u);
         let _e97 = self.v_slope_beside(_e32.y(), behind_v, rate_v);
         let behind_1 = <rt::Vec2<f32>>::from_scalars(_e95, _e97);
-        let _e101 = part_4;
+        let _e101 = part_5;
         return (rt::Scalar(0.5f32) * ((_e32 + before_3) + ((behind_1 - before_3) * _e101)));
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_43: Entered,
+        at_49: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_43, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_49, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_of_slopes(
         &self,
-        at_43: Entered,
+        at_49: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_43.tangent + (at_43.normal * slope_u));
-        let along_v_1 = (at_43.bitangent + (at_43.normal * slope_v));
+        let along_u_1 = (at_49.tangent + (at_49.normal * slope_u));
+        let along_v_1 = (at_49.bitangent + (at_49.normal * slope_v));
         let across_6 = along_v_1.cross(along_u_1).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_43.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_49.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn texels_apart(
         &self,
-        place_15: impl rt::Into<rt::Scalar<f32>>,
+        place_16: impl rt::Into<rt::Scalar<f32>>,
         side_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_texels_apart(rt::into(place_15), rt::into(side_3)))
+        rt::into(self.v_texels_apart(rt::into(place_16), rt::into(side_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_texels_apart(
         &self,
-        place_15: rt::Scalar<f32>,
+        place_16: rt::Scalar<f32>,
         side_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e4.elementwise_ne(WRAP_CLAMP)) {
             return rt::Scalar(2f32);
         }
-        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_15).max(rt::Scalar(0f32))) - ((place_15 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
+        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_16).max(rt::Scalar(0f32))) - ((place_16 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_44: Entered,
-        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        at_50: Entered,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_44, rt::into(uv_19)))
+        rt::into(self.v_normal_from_height(at_50, rt::into(uv_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normal_from_height(
         &self,
-        at_44: Entered,
-        uv_19: rt::Vec2<f32>,
+        at_50: Entered,
+        uv_23: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_44, uv_19);
+            let _e9 = self.v_slopes_between_creases(at_50, uv_23);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_44, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_50, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e30 = self.v_height_at((uv_19 + du), rt::Scalar(0u32));
-        let _e33 = self.v_height_at((uv_19 - du), rt::Scalar(0u32));
+        let _e30 = self.v_height_at((uv_23 + du), rt::Scalar(0u32));
+        let _e33 = self.v_height_at((uv_23 - du), rt::Scalar(0u32));
         let rise_u_1 = (_e30 - _e33);
-        let _e37 = self.v_height_at((uv_19 + dv), rt::Scalar(0u32));
-        let _e40 = self.v_height_at((uv_19 - dv), rt::Scalar(0u32));
+        let _e37 = self.v_height_at((uv_23 + dv), rt::Scalar(0u32));
+        let _e40 = self.v_height_at((uv_23 - dv), rt::Scalar(0u32));
         let rise_v_1 = (_e37 - _e40);
-        let _e46 = self.v_texels_apart((uv_19.x() * _e3.x()), _e3.x());
+        let _e46 = self.v_texels_apart((uv_23.x() * _e3.x()), _e3.x());
         let rate_u_1 = (rt::Scalar(1f32) / _e46);
-        let _e53 = self.v_texels_apart((uv_19.y() * _e3.y()), _e3.y());
+        let _e53 = self.v_texels_apart((uv_23.y() * _e3.y()), _e3.y());
         let rate_v_1 = (rt::Scalar(1f32) / _e53);
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u_1 = (rise_u_1 * ((rate_u_1 * _e3.x()) * _e60));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v_1 = (rise_v_1 * ((rate_v_1 * _e3.y()) * _e67));
-        let _e70 = self.v_normal_of_slopes(at_44, slope_u_1, slope_v_1);
+        let _e70 = self.v_normal_of_slopes(at_50, slope_u_1, slope_v_1);
         return _e70;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_45: Entered,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        at_51: Entered,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_45, rt::into(uv_20)))
+        rt::into(self.v_finest_normal(at_51, rt::into(uv_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_finest_normal(
         &self,
-        at_45: Entered,
-        uv_20: rt::Vec2<f32>,
+        at_51: Entered,
+        uv_24: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_20, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_45, _e9.xyz());
+            let _e9 = self.v_normal_at(uv_24, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e11 = self.v_from_tangent_space(at_51, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_45, uv_20);
+        let _e13 = self.v_normal_from_height(at_51, uv_24);
         return _e13;
+    }
+    pub(crate) fn means_of_one(&self, n_7: impl rt::Into<rt::Vec3<f32>>) -> Normals {
+        rt::into(self.v_means_of_one(rt::into(n_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_means_of_one(&self, n_7: rt::Vec3<f32>) -> Normals {
+        let upright = n_7.z().max(rt::Scalar(0.05f32));
+        let slope_8 = (<rt::Vec2<f32>>::from_scalars((-n_7.x()), (-n_7.y())) / rt::Vec2::splat_from_scalar(upright));
+        let square_2 = ((slope_8 * slope_8) * upright);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_7, slope_8.x()), <rt::Vec4<f32>>::from_scalars(square_2.x(), ((slope_8.x() * slope_8.y()) * upright), square_2.y(), slope_8.y()));
+    }
+    pub(crate) fn to_tangent_space(
+        &self,
+        at_52: Entered,
+        v_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_to_tangent_space(at_52, rt::into(v_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_to_tangent_space(
+        &self,
+        at_52: Entered,
+        v_1: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let along_u_2 = at_52.tangent.normalize();
+        let along_v_2 = at_52.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v_1), (-along_v_2.dot(v_1)), at_52.normal.dot(v_1));
+    }
+    pub(crate) fn normals_of_level(
+        &self,
+        at_53: Entered,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        level_44: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Normals {
+        rt::into(self.v_normals_of_level(at_53, rt::into(uv_25), rt::into(level_44)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_normals_of_level(
+        &self,
+        at_53: Entered,
+        uv_25: rt::Vec2<f32>,
+        level_44: rt::Scalar<u32>,
+    ) -> Normals {
+        if rt::Scalar::into_branch_condition(level_44.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_53, uv_25);
+            let _e6 = self.v_to_tangent_space(at_53, _e5);
+            let _e7 = self.v_means_of_one(_e6);
+            return _e7;
+        }
+        let _e10 = rt::Scalar(self.surface_settings.has_normal);
+        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
+            let _e14 = self.v_normal_at(uv_25, rt::Scalar(0i32), level_44);
+            let _e16 = self.v_normal_at(uv_25, rt::Scalar(1i32), level_44);
+            return <Normals>::new(_e14, _e16);
+        }
+        let tile = self.surface_settings.normal_tile_m;
+        let x_13 = ((tile.x() * at_53.tangent.normalize().dot(at_53.tangent)) / at_53.tangent.dot(at_53.tangent));
+        let y_8 = ((tile.y() * at_53.bitangent.normalize().dot(at_53.bitangent)) / at_53.bitangent.dot(at_53.bitangent));
+        let _e44 = self.v_normal_at(uv_25, rt::Scalar(0i32), (level_44 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_25, rt::Scalar(1i32), (level_44 - rt::Scalar(1u32)));
+        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_13), (_e44.y() * y_8), _e44.z());
+        let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
+        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_13) * x_13), ((_e48.y() * x_13) * y_8), ((_e48.z() * y_8) * y_8)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_13)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_8)));
+    }
+    pub(crate) fn mean_of_five(
+        &self,
+        middle_8: impl rt::Into<rt::Scalar<f32>>,
+        four: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_mean_of_five(rt::into(middle_8), rt::into(four)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_mean_of_five(
+        &self,
+        middle_8: rt::Scalar<f32>,
+        four: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return ((middle_8 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
+    }
+    pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
+        rt::into(self.v_sum_of_four(rt::into(four_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_sum_of_four(&self, four_1: rt::Vec4<f32>) -> rt::Scalar<f32> {
+        return ((four_1.x() + four_1.y()) + (four_1.z() + four_1.w()));
+    }
+    pub(crate) fn seen_normals(
+        &self,
+        at_54: Entered,
+        normals: Normals,
+        view_12: impl rt::Into<rt::Vec3<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_seen_normals(at_54, normals, rt::into(view_12)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_seen_normals(
+        &self,
+        at_54: Entered,
+        normals: Normals,
+        view_12: rt::Vec3<f32>,
+    ) -> SeenNormals {
+        let first_16 = normals.first;
+        let second_5 = normals.second;
+        let slope_9 = <rt::Vec2<f32>>::from_scalars(first_16.w(), second_5.w());
+        let upright_1 = first_16.z().max(rt::Scalar(0.05f32));
+        let x_14 = (first_16.x() / upright_1);
+        let y_9 = (first_16.y() / upright_1);
+        let a_36 = ((second_5.x() / upright_1) - (x_14 * x_14)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_36 = (((second_5.y() / upright_1) - (x_14 * y_9)) / a_36);
+        let spread = ((second_5.z() / upright_1) - (y_9 * y_9)).max(rt::Scalar(0f32));
+        let d_4 = (spread - (b_36 * b_36)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_16.x())) - (first_16.xyz() * slope_9.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_16.y())) - (first_16.xyz() * slope_9.y()));
+        let most_13 = ((a_36 * a_36) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_31 = (with_x / rt::Vec3::splat_from_scalar(a_36.max((with_x.length() / most_13))));
+        let rest_5 = (with_y - (along_31 * b_36));
+        let across_7 = (rest_5 / rt::Vec3::splat_from_scalar(d_4.max((rest_5.length() / most_13))));
+        let _e77 = self.v_to_tangent_space(at_54, view_12);
+        let middle_14 = (_e77.z() - _e77.xy().dot(slope_9));
+        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_36) + (_e77.y() * b_36))), (-(_e77.y() * d_4)));
+        let one_1 = middle_14.max(rt::Scalar(0f32));
+        let _e94 = self.v_sum_of_four(_e91);
+        let _e95 = self.v_mean_of_five(one_1, _e94);
+        let all_2 = _e95.max(rt::Scalar(0.001f32));
+        let aside_4 = ((along_31 * ((_e91.x() - _e91.y()) / all_2)) + (across_7 * ((_e91.z() - _e91.w()) / all_2)));
+        let _e113 = self.v_from_tangent_space(at_54, (first_16.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
+        let _e133 = self.v_no_table();
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_16.xyz(), along_31, across_7, slope_9, <rt::Vec2<f32>>::from_scalars(a_36, b_36), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_2), (_e91 / rt::Vec4::splat_from_scalar(all_2)), rt::Scalar(0f32), _e133);
+    }
+    pub(crate) fn table_part(&self, at_55: Entered) -> f32 {
+        rt::into(self.v_table_part(at_55))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_table_part(&self, at_55: Entered) -> rt::Scalar<f32> {
+        let _e3 = rt::Scalar(self.surface_settings.has_normal);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
+            return rt::Scalar(0f32);
+        }
+        return (rt::Scalar(at_55.fade) * ((rt::Scalar(at_55.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+    }
+    pub(crate) fn has_table(&self, levels: Levels) -> bool {
+        rt::into(self.v_has_table(levels))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_has_table(&self, levels: Levels) -> rt::Scalar<bool> {
+        let _e6 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
+        return rt::Scalar(levels.fine).elementwise_ge(_e6);
+    }
+    pub(crate) fn with_table(
+        &self,
+        at_56: Entered,
+        seen: SeenNormals,
+        table: SeenTable,
+        part_6: impl rt::Into<rt::Scalar<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_with_table(at_56, seen, table, rt::into(part_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_with_table(
+        &self,
+        at_56: Entered,
+        seen: SeenNormals,
+        table: SeenTable,
+        part_6: rt::Scalar<f32>,
+    ) -> SeenNormals {
+        let mut blended: SeenNormals;
+
+        blended = seen;
+        let before_4 = (seen.normal * rt::Scalar(seen.length));
+        let _e9 = self.v_from_tangent_space(at_56, table.mean);
+        let mean_10 = (before_4 + ((_e9 - before_4) * part_6));
+        blended.normal = mean_10.normalize();
+        rt::Scalar(blended.length) = mean_10.length().min(rt::Scalar(1f32));
+        rt::Scalar(blended.table_part) = part_6;
+        blended.table = table;
+        let _e21 = blended;
+        return _e21;
+    }
+    pub(crate) fn seen_between(
+        &self,
+        a_13: SeenTexel,
+        b_13: SeenTexel,
+        part_7: impl rt::Into<rt::Scalar<f32>>,
+    ) -> SeenTexel {
+        rt::into(self.v_seen_between(a_13, b_13, rt::into(part_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_seen_between(
+        &self,
+        a_13: SeenTexel,
+        b_13: SeenTexel,
+        part_7: rt::Scalar<f32>,
+    ) -> SeenTexel {
+        return <SeenTexel>::new((a_13.first + ((b_13.first - a_13.first) * part_7)), (a_13.second + ((b_13.second - a_13.second) * part_7)));
+    }
+    pub(crate) fn seen_texel(
+        &self,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        azimuth: impl rt::Into<rt::Scalar<i32>>,
+        elevation: impl rt::Into<rt::Scalar<i32>>,
+        level_45: impl rt::Into<rt::Scalar<u32>>,
+    ) -> SeenTexel {
+        rt::into(self.v_seen_texel(rt::into(uv_26), rt::into(azimuth), rt::into(elevation), rt::into(level_45)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_seen_texel(
+        &self,
+        uv_26: rt::Vec2<f32>,
+        azimuth: rt::Scalar<i32>,
+        elevation: rt::Scalar<i32>,
+        level_45: rt::Scalar<u32>,
+    ) -> SeenTexel {
+        let layer_11 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
+        let _e9 = self.v_detail_texel_between(uv_26, layer_11, level_45);
+        let _e12 = self.v_detail_texel_between(uv_26, (layer_11 + rt::Scalar(1i32)), level_45);
+        return <SeenTexel>::new(_e9, _e12);
+    }
+    pub(crate) fn seen_in_levels(
+        &self,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        azimuth_1: impl rt::Into<rt::Scalar<i32>>,
+        elevation_1: impl rt::Into<rt::Scalar<i32>>,
+        levels_1: Levels,
+    ) -> SeenTexel {
+        rt::into(self.v_seen_in_levels(rt::into(uv_27), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_seen_in_levels(
+        &self,
+        uv_27: rt::Vec2<f32>,
+        azimuth_1: rt::Scalar<i32>,
+        elevation_1: rt::Scalar<i32>,
+        levels_1: Levels,
+    ) -> SeenTexel {
+        let _e5 = self.v_seen_texel(uv_27, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e12 = self.v_seen_texel(uv_27, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
+            return _e14;
+        }
+        return _e5;
+    }
+    pub(crate) fn table_of(
+        &self,
+        at_57: Entered,
+        uv_28: impl rt::Into<rt::Vec2<f32>>,
+        view_13: impl rt::Into<rt::Vec3<f32>>,
+        levels_2: Levels,
+    ) -> SeenTable {
+        rt::into(self.v_table_of(at_57, rt::into(uv_28), rt::into(view_13), levels_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_table_of(
+        &self,
+        at_57: Entered,
+        uv_28: rt::Vec2<f32>,
+        view_13: rt::Vec3<f32>,
+        levels_2: Levels,
+    ) -> SeenTable {
+        let _e4 = self.v_climb(at_57, view_13);
+        let tile_1 = self.surface_settings.maps[0usize].tile_m;
+        let _e15 = rt::Scalar(self.surface_settings.scale_m);
+        let toward_8 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
+        let up_3 = (toward_8.z() / toward_8.length());
+        let elevation_3 = ((up_3 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
+        let _e29 = self.v_turn_of(toward_8.xy());
+        let azimuth_3 = (_e29 * rt::Scalar(8f32));
+        let a0_1 = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
+        let a1_1 = ((a0_1 + rt::Scalar(1i32)) % rt::Scalar(8i32));
+        let e0_ = elevation_3.floor().to_i32();
+        let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
+        let across_8 = (azimuth_3 - azimuth_3.floor());
+        let _e48 = self.v_seen_in_levels(uv_28, a0_1, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_28, a1_1, e0_, levels_2);
+        let _e50 = self.v_seen_between(_e48, _e49, across_8);
+        let _e51 = self.v_seen_in_levels(uv_28, a0_1, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_28, a1_1, e1_1, levels_2);
+        let _e53 = self.v_seen_between(_e51, _e52, across_8);
+        let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
+        let x_15 = ((tile_1.x() * at_57.tangent.normalize().dot(at_57.tangent)) / at_57.tangent.dot(at_57.tangent));
+        let y_10 = ((tile_1.y() * at_57.bitangent.normalize().dot(at_57.bitangent)) / at_57.bitangent.dot(at_57.bitangent));
+        let mean_11 = _e56.first.xyz();
+        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_11.x() * x_15), (mean_11.y() * y_10), mean_11.z());
+        let squared_3 = (mean_11.dot(mean_11) / flatter_1.dot(flatter_1));
+        let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
+        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_15) * x_15), ((_e56.second.y() * y_10) * y_10), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_15) * y_10), (_e56.second.z() * x_15), (_e56.second.w() * y_10)) * squared_3));
+    }
+    pub(crate) fn mesostructure_normals(
+        &self,
+        at_58: Entered,
+        uv_29: impl rt::Into<rt::Vec2<f32>>,
+        view_14: impl rt::Into<rt::Vec3<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_mesostructure_normals(at_58, rt::into(uv_29), rt::into(view_14)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_mesostructure_normals(
+        &self,
+        at_58: Entered,
+        uv_29: rt::Vec2<f32>,
+        view_14: rt::Vec3<f32>,
+    ) -> SeenNormals {
+        let mut local_46: rt::Scalar<bool>;
+        let mut first_1: rt::Vec4<f32>;
+        let mut second: rt::Vec4<f32>;
+
+        let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
+        if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
+            let _e9 = self.v_one_seen(at_58.normal);
+            return _e9;
+        }
+        let upright_3 = at_58.normal.dot(view_14);
+        let shown = upright_3.max(rt::Scalar(0.5f32));
+        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_58.fade)));
+        let _e22 = rt::Scalar(self.surface_settings.normal_texels);
+        let texels_5 = ((rt::Scalar(at_58.footprint) * _e22) * width_6);
+        let _e27 = rt::Scalar(self.surface_settings.normal_levels);
+        let _e28 = self.v_levels_of(texels_5, _e27);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
+            local_46 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+        } else {
+            local_46 = rt::Scalar(false);
+        }
+        let _e39 = local_46;
+        if rt::Scalar::into_branch_condition(_e39) {
+            let _e40 = self.v_finest_normal(at_58, uv_29);
+            let _e41 = self.v_one_seen(_e40);
+            return _e41;
+        }
+        let _e43 = self.v_normals_of_level(at_58, uv_29, rt::Scalar(_e28.fine));
+        first_1 = _e43.first;
+        second = _e43.second;
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e54 = self.v_normals_of_level(at_58, uv_29, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e55 = first_1;
+            let _e57 = first_1;
+            first_1 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
+            let _e62 = second;
+            let _e64 = second;
+            second = (_e62 + ((_e54.second - _e64) * rt::Scalar(_e28.part)));
+        }
+        let _e69 = first_1;
+        let _e70 = second;
+        let _e72 = self.v_seen_normals(at_58, <Normals>::new(_e69, _e70), view_14);
+        let _e73 = self.v_table_part(at_58);
+        if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
+            let _e79 = rt::Scalar(self.surface_settings.height_levels);
+            let _e80 = self.v_levels_of(rt::Scalar(at_58.footprint), _e79);
+            let _e81 = self.v_has_table(_e80);
+            if rt::Scalar::into_branch_condition(_e81) {
+                let _e82 = self.v_table_of(at_58, uv_29, view_14, _e80);
+                let _e83 = self.v_with_table(at_58, _e72, _e82, _e73);
+                return _e83;
+            }
+        }
+        return _e72;
+    }
+    pub(crate) fn field_heights_normals(
+        &self,
+        at_59: Entered,
+        hit_12: Hit,
+        view_15: impl rt::Into<rt::Vec3<f32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_field_heights_normals(at_59, hit_12, rt::into(view_15), rt::into(params_44)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_heights_normals(
+        &self,
+        at_59: Entered,
+        hit_12: Hit,
+        view_15: rt::Vec3<f32>,
+        params_44: rt::Vec4<f32>,
+    ) -> SeenNormals {
+        let _e5 = self.v_mesostructure_normals(at_59, hit_12.uv, view_15);
+        return _e5;
+    }
+    pub(crate) fn field_slopes(&self, place_17: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_field_slopes(rt::into(place_17)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_slopes(&self, place_17: rt::Vec3<f32>) -> rt::Vec3<f32> {
+        let i_7 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let j_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
+        let k_53 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
+        let _e14 = self.v_field_at_voxel((place_17 + i_7));
+        let _e16 = self.v_field_at_voxel((place_17 - i_7));
+        let along_i = (_e14 - _e16);
+        let _e19 = self.v_field_at_voxel((place_17 + j_1));
+        let _e21 = self.v_field_at_voxel((place_17 - j_1));
+        let along_j = (_e19 - _e21);
+        let _e24 = self.v_field_at_voxel((place_17 + k_53));
+        let _e26 = self.v_field_at_voxel((place_17 - k_53));
+        let along_k = (_e24 - _e26);
+        return (<rt::Vec3<f32>>::from_scalars(along_i, along_j, along_k) / rt::Vec3::splat_from_scalar(rt::Scalar(1f32)));
+    }
+    pub(crate) fn light_ray_out_of_volume(&self, at_60: Entered, hit_13: Hit, light_5: Toward) -> LightRay {
+        rt::into(self.v_light_ray_out_of_volume(at_60, hit_13, light_5))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_light_ray_out_of_volume(&self, at_60: Entered, hit_13: Hit, light_5: Toward) -> LightRay {
+        let mut outside: rt::Vec3<f32>;
+
+        let _e4 = self.v_climb(at_60, light_5.direction);
+        let _e6 = self.v_near_uv(hit_13.uv);
+        let _e9 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(_e6, rt::Scalar(hit_13.height)));
+        let _e10 = self.v_field_slopes(_e9);
+        let steepness = _e10.length();
+        outside = _e9;
+        if rt::Scalar::into_branch_condition(steepness.elementwise_gt(rt::Scalar(0f32))) {
+            outside = (_e9 - (_e10 * (rt::Scalar(0.125f32) / steepness)));
+        }
+        let _e19 = outside;
+        let _e25 = self.v_volume_size();
+        let begin_6 = ((_e19 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))) / _e25);
+        let h_8 = <rt::Vec3<f32>>::from_scalars(begin_6.z(), _e4.z(), rt::Scalar(0f32));
+        let way_17 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_60.metric, RAY_SHADOW, rt::Scalar(at_60.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition((!_e4.z().elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_DARK, way_17);
+        }
+        let _e48 = self.v_way_out(way_17, light_5);
+        if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_LIT, way_17);
+        }
+        let path_96 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, _e48, rt::Scalar(0f32), at_60.metric, RAY_SHADOW, rt::Scalar(at_60.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_96);
+    }
+    pub(crate) fn field_volume_light_ray(
+        &self,
+        at_61: Entered,
+        hit_14: Hit,
+        light_6: Toward,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
+    ) -> LightRay {
+        rt::into(self.v_field_volume_light_ray(at_61, hit_14, light_6, rt::into(params_45)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_volume_light_ray(
+        &self,
+        at_61: Entered,
+        hit_14: Hit,
+        light_6: Toward,
+        params_45: rt::Vec4<f32>,
+    ) -> LightRay {
+        let _e4 = self.v_light_ray_out_of_volume(at_61, hit_14, light_6);
+        return _e4;
+    }
+    pub(crate) fn field_light_ray_stage(&self, at_62: Entered, hit_15: Hit, light_7: Toward) -> LightRay {
+        rt::into(self.v_field_light_ray_stage(at_62, hit_15, light_7))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_light_ray_stage(&self, at_62: Entered, hit_15: Hit, light_7: Toward) -> LightRay {
+        let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        match rt::Scalar::into_inner(_e7) {
+            0u32 => {
+                let _e12 = self.surface_settings.choices[4usize].params;
+                let _e13 = self.v_field_heights_light_ray(at_62, hit_15, light_7, _e12);
+                return _e13;
+            }
+            _ => {
+                let _e18 = self.surface_settings.choices[4usize].params;
+                let _e19 = self.v_field_volume_light_ray(at_62, hit_15, light_7, _e18);
+                return _e19;
+            }
+        }
+    }
+    pub(crate) fn normal_of_field(&self, at_63: Entered, hit_16: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_field(at_63, hit_16))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_normal_of_field(&self, at_63: Entered, hit_16: Hit) -> rt::Vec3<f32> {
+        let mut local_47: rt::Scalar<bool>;
+
+        let _e5 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(hit_16.uv, rt::Scalar(hit_16.height)));
+        let _e6 = self.v_field_at_voxel(_e5);
+        if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0.51f32))) {
+            return at_63.normal;
+        }
+        let _e10 = self.v_field_slopes(_e5);
+        let _e11 = self.v_volume_size();
+        let slopes_1 = (_e10 * _e11);
+        let metric_3 = at_63.metric;
+        let area_5 = ((metric_3.x() * metric_3.z()) - (metric_3.y() * metric_3.y()));
+        let along_u_3 = (((at_63.tangent * metric_3.z()) - (at_63.bitangent * metric_3.y())) / rt::Vec3::splat_from_scalar(area_5));
+        let along_v_3 = (((at_63.bitangent * metric_3.x()) - (at_63.tangent * metric_3.y())) / rt::Vec3::splat_from_scalar(area_5));
+        let _e43 = rt::Scalar(self.surface_settings.scale_m);
+        let rise_1 = (at_63.normal * (slopes_1.z() / _e43));
+        let rising = (((along_u_3 * slopes_1.x()) + (along_v_3 * slopes_1.y())) + rise_1);
+        let steepness_1 = rising.length();
+        if rt::Scalar::into_branch_condition(steepness_1.elementwise_gt(rt::Scalar(0f32))) {
+            local_47 = steepness_1.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32));
+        } else {
+            local_47 = rt::Scalar(false);
+        }
+        let _e60 = local_47;
+        if rt::Scalar::into_branch_condition(_e60) {
+            return (rising * (rt::Scalar(-1f32) / steepness_1));
+        }
+        return at_63.normal;
+    }
+    pub(crate) fn field_volume_normals(
+        &self,
+        at_64: Entered,
+        hit_17: Hit,
+        view_16: impl rt::Into<rt::Vec3<f32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_field_volume_normals(at_64, hit_17, rt::into(view_16), rt::into(params_46)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_volume_normals(
+        &self,
+        at_64: Entered,
+        hit_17: Hit,
+        view_16: rt::Vec3<f32>,
+        params_46: rt::Vec4<f32>,
+    ) -> SeenNormals {
+        let _e4 = self.v_normal_of_field(at_64, hit_17);
+        let _e5 = self.v_one_seen(_e4);
+        return _e5;
+    }
+    pub(crate) fn field_normals_stage(
+        &self,
+        at_65: Entered,
+        hit_18: Hit,
+        view_17: impl rt::Into<rt::Vec3<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_field_normals_stage(at_65, hit_18, rt::into(view_17)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_normals_stage(
+        &self,
+        at_65: Entered,
+        hit_18: Hit,
+        view_17: rt::Vec3<f32>,
+    ) -> SeenNormals {
+        let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        match rt::Scalar::into_inner(_e7) {
+            0u32 => {
+                let _e12 = self.surface_settings.choices[4usize].params;
+                let _e13 = self.v_field_heights_normals(at_65, hit_18, view_17, _e12);
+                return _e13;
+            }
+            _ => {
+                let _e18 = self.surface_settings.choices[4usize].params;
+                let _e19 = self.v_field_volume_normals(at_65, hit_18, view_17, _e18);
+                return _e19;
+            }
+        }
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
         rt::into(self.v_miss(rt::into(cost_2)))
@@ -8358,328 +9556,328 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_segment(
         &self,
         pixel_47: PixelIn,
-        at_46: Entered,
-        k_5: impl rt::Into<rt::Scalar<u32>>,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        at_66: Entered,
+        k_6: impl rt::Into<rt::Scalar<u32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_47, at_46, rt::into(k_5), rt::into(params_35)))
+        rt::into(self.v_surface_plane_segment(pixel_47, at_66, rt::into(k_6), rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_plane_segment(
         &self,
         pixel_47: PixelIn,
-        at_46: Entered,
-        k_5: rt::Scalar<u32>,
-        params_35: rt::Vec4<f32>,
+        at_66: Entered,
+        k_6: rt::Scalar<u32>,
+        params_47: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_3: rt::Scalar<f32>;
-        let mut interval_3: rt::Vec2<f32>;
+        let mut interval_4: rt::Vec2<f32>;
 
-        let along_31 = pixel_47.direction.length();
-        let direction_6 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_31));
-        let _e9 = self.v_climb(at_46, direction_6);
+        let along_32 = pixel_47.direction.length();
+        let direction_6 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_32));
+        let _e9 = self.v_climb(at_66, direction_6);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_46.normal.dot(direction_6));
+        let descent_3 = (rt::Scalar(0f32) - at_66.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
-        let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
+        let slope_10 = ((rt::Scalar(0f32) - descent_3) / _e15);
         let _e20 = self.v_plane_normal(pixel_47);
         let _e21 = self.v_plane_distance(pixel_47, _e20);
-        let distance = (_e21 * along_31);
+        let distance = (_e21 * along_32);
         let eye_3 = (rt::Scalar(0f32) - distance);
-        let top_7 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
-        enter = top_7.max(eye_3);
+        let top_8 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
+        enter = top_8.max(eye_3);
         leave_3 = ((_e16 * _e15) / descent_3);
         let _e34 = leave_3;
         let _e35 = leave_3;
-        leave_3 = (_e34 + ((_e35 - top_7) * rt::Scalar(0.000001f32)));
+        leave_3 = (_e34 + ((_e35 - top_8) * rt::Scalar(0.000001f32)));
         let _e42 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_3;
-            let _e51 = self.v_inside_unit(at_46.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
-            interval_3 = _e51;
-            let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_46.uv.y(), duv_5.y(), _e56);
-            interval_3 = _e57;
-            let _e59 = interval_3.x();
+            let _e51 = self.v_inside_unit(at_66.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            interval_4 = _e51;
+            let _e56 = interval_4;
+            let _e57 = self.v_inside_unit(at_66.uv.y(), duv_5.y(), _e56);
+            interval_4 = _e57;
+            let _e59 = interval_4.x();
             enter = _e59;
-            let _e61 = interval_3.y();
+            let _e61 = interval_4.y();
             leave_3 = _e61;
         }
         let _e62 = enter;
         let _e65 = enter;
-        let entry_height = (_e16 + (slope_8 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_7));
+        let entry_height = (_e16 + (slope_10 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_8));
         let _e69 = enter;
         let base_2 = (rt::Scalar(0f32) - _e69).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e76 = enter;
         let _e81 = leave_3;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_46.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_46.metric, RAY_VIEW, rt::Scalar(at_46.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_66.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_10, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_66.metric, RAY_VIEW, rt::Scalar(at_66.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn folded_segment(
         &self,
         pixel_48: PixelIn,
-        at_47: Entered,
-        k_6: impl rt::Into<rt::Scalar<u32>>,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        at_67: Entered,
+        k_7: impl rt::Into<rt::Scalar<u32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_48, at_47, rt::into(k_6), rt::into(params_36)))
+        rt::into(self.v_folded_segment(pixel_48, at_67, rt::into(k_7), rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_folded_segment(
         &self,
         pixel_48: PixelIn,
-        at_47: Entered,
-        k_6: rt::Scalar<u32>,
-        params_36: rt::Vec4<f32>,
+        at_67: Entered,
+        k_7: rt::Scalar<u32>,
+        params_48: rt::Vec4<f32>,
     ) -> Path {
-        let mut a_13: WayPoint;
-        let mut b_13: WayPoint;
-        let mut path_19: Path;
-        let mut local_45: rt::Scalar<bool>;
+        let mut a_14: WayPoint;
+        let mut b_14: WayPoint;
+        let mut path_23: Path;
+        let mut local_48: rt::Scalar<bool>;
 
-        let along_32 = pixel_48.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_48, along_32);
-        let _e7 = self.v_prism_of(pixel_48, along_32, _e6, params_36);
+        let along_33 = pixel_48.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_48, along_33);
+        let _e7 = self.v_prism_of(pixel_48, along_33, _e6, params_48);
         let _e8 = self.v_shell_slack(pixel_48, _e6);
-        let _e9 = self.v_way_of(pixel_48, _e7, along_32);
+        let _e9 = self.v_way_of(pixel_48, _e7, along_33);
         let _e10 = self.v_way_offsets(pixel_48, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_48, at_47, _e6, params_36);
+        let _e11 = self.v_chord_reach(pixel_48, at_67, _e6, params_48);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_48, _e7, along_32, _e9, _e10, _e12, params_36.x(), k_6);
-        let _e16 = self.v_before_turn(_e7, along_32, _e9, _e14.offsets);
-        let _e18 = self.v_way_point(_e7, along_32, _e9, _e16.x());
-        a_13 = _e18;
-        let _e25 = self.v_way_point(_e7, along_32, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
-        let _e27 = self.v_way_point(_e7, along_32, _e9, _e16.y());
-        b_13 = _e27;
-        let _e30 = rt::Scalar(b_13.t);
-        let _e32 = rt::Scalar(a_13.t);
+        let _e14 = self.v_way_chord(pixel_48, _e7, along_33, _e9, _e10, _e12, params_48.x(), k_7);
+        let _e16 = self.v_before_turn(_e7, along_33, _e9, _e14.offsets);
+        let _e18 = self.v_way_point(_e7, along_33, _e9, _e16.x());
+        a_14 = _e18;
+        let _e25 = self.v_way_point(_e7, along_33, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
+        let _e27 = self.v_way_point(_e7, along_33, _e9, _e16.y());
+        b_14 = _e27;
+        let _e30 = rt::Scalar(b_14.t);
+        let _e32 = rt::Scalar(a_14.t);
         if rt::Scalar::into_branch_condition(_e30.elementwise_lt(_e32)) {
-            let turned_2 = b_13;
-            let _e35 = a_13;
-            b_13 = _e35;
-            a_13 = turned_2;
+            let turned_2 = b_14;
+            let _e35 = a_14;
+            b_14 = _e35;
+            a_14 = turned_2;
         }
-        let _e38 = rt::Scalar(a_13.t);
-        let _e41 = rt::Scalar(b_13.t);
-        let _e43 = rt::Scalar(a_13.t);
-        let part_19 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
-        let _e48 = rt::Scalar(a_13.point.height);
-        let _e53 = rt::Scalar(b_13.point.height);
-        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_19);
-        let _e56 = a_13.point;
-        let _e58 = b_13.point;
-        let _e60 = rt::Scalar(a_13.t);
-        let _e62 = rt::Scalar(b_13.t);
-        let _e64 = self.v_chord_path(pixel_48, at_47, _e6, params_36, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
-        path_19 = _e64;
-        let _e67 = rt::Scalar(a_13.beside);
+        let _e38 = rt::Scalar(a_14.t);
+        let _e41 = rt::Scalar(b_14.t);
+        let _e43 = rt::Scalar(a_14.t);
+        let part_21 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
+        let _e48 = rt::Scalar(a_14.point.height);
+        let _e53 = rt::Scalar(b_14.point.height);
+        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_21);
+        let _e56 = a_14.point;
+        let _e58 = b_14.point;
+        let _e60 = rt::Scalar(a_14.t);
+        let _e62 = rt::Scalar(b_14.t);
+        let _e64 = self.v_chord_path(pixel_48, at_67, _e6, params_48, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        path_23 = _e64;
+        let _e67 = rt::Scalar(a_14.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
-            let _e76 = rt::Scalar(b_13.beside);
-            local_45 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            let _e76 = rt::Scalar(b_14.beside);
+            local_48 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_45 = rt::Scalar(true);
+            local_48 = rt::Scalar(true);
         }
-        let _e82 = local_45;
+        let _e82 = local_48;
         if rt::Scalar::into_branch_condition(_e82) {
-            rt::Scalar(path_19.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_23.exit) = rt::Scalar(0f32);
         }
-        let _e85 = path_19;
+        let _e85 = path_23;
         return _e85;
     }
     pub(crate) fn surface_prism_segment(
         &self,
         pixel_49: PixelIn,
-        at_48: Entered,
-        k_7: impl rt::Into<rt::Scalar<u32>>,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        at_68: Entered,
+        k_8: impl rt::Into<rt::Scalar<u32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_49, at_48, rt::into(k_7), rt::into(params_37)))
+        rt::into(self.v_surface_prism_segment(pixel_49, at_68, rt::into(k_8), rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_segment(
         &self,
         pixel_49: PixelIn,
-        at_48: Entered,
-        k_7: rt::Scalar<u32>,
-        params_37: rt::Vec4<f32>,
+        at_68: Entered,
+        k_8: rt::Scalar<u32>,
+        params_49: rt::Vec4<f32>,
     ) -> Path {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_49.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_49, at_48, k_7, params_37);
+            let _e8 = self.v_folded_segment(pixel_49, at_68, k_8, params_49);
             return _e8;
         }
-        let along_33 = pixel_49.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_49, along_33);
-        let _e12 = self.v_prism_of(pixel_49, along_33, _e11, params_37);
+        let along_34 = pixel_49.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_49, along_34);
+        let _e12 = self.v_prism_of(pixel_49, along_34, _e11, params_49);
         let heights_2 = pixel_49.shell.heights;
-        let mean_10 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_48, k_7);
-        let _e23 = self.v_chord_end(at_48, (k_7 + rt::Scalar(1u32)));
-        let _e25 = self.v_shell_point(_e12, (along_33 * _e20), mean_10);
-        let _e27 = self.v_shell_point(_e12, (along_33 * _e23), mean_10);
+        let mean_12 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
+        let _e20 = self.v_chord_end(at_68, k_8);
+        let _e23 = self.v_chord_end(at_68, (k_8 + rt::Scalar(1u32)));
+        let _e25 = self.v_shell_point(_e12, (along_34 * _e20), mean_12);
+        let _e27 = self.v_shell_point(_e12, (along_34 * _e23), mean_12);
         let _e32 = self.v_between(_e25, _e27);
-        let _e33 = self.v_shell_point_from(_e12, (along_33 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
+        let _e33 = self.v_shell_point_from(_e12, (along_34 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_49, at_48, _e11, params_37);
+        let _e56 = self.v_chord_reach(pixel_49, at_68, _e11, params_49);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_49, at_48, _e11, params_37, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_49, at_68, _e11, params_49, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
         pixel_50: PixelIn,
-        at_49: Entered,
-        k_8: impl rt::Into<rt::Scalar<u32>>,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        at_69: Entered,
+        k_9: impl rt::Into<rt::Scalar<u32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_49, rt::into(k_8), rt::into(params_38)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_69, rt::into(k_9), rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_perpendicular_segment(
         &self,
         pixel_50: PixelIn,
-        at_49: Entered,
-        k_8: rt::Scalar<u32>,
-        params_38: rt::Vec4<f32>,
+        at_69: Entered,
+        k_9: rt::Scalar<u32>,
+        params_50: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_46: rt::Scalar<bool>;
-        let mut path_20: Path;
+        let mut local_49: rt::Scalar<bool>;
+        let mut path_24: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_34 = pixel_50.direction.length();
-        let _e9 = self.v_across_of(at_49, (pixel_50.direction / rt::Vec3::splat_from_scalar(along_34)));
+        let along_35 = pixel_50.direction.length();
+        let _e9 = self.v_across_of(at_69, (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35)));
         let _e10 = self.v_traced_scale_m();
         let _e11 = self.v_plane_normal(pixel_50);
         let _e12 = self.v_plane_distance(pixel_50, _e11);
-        let distance_1 = (_e12 * along_34);
-        let whole = (at_49.span.y() - at_49.span.x());
-        let first_15 = (at_49.span.x() + (whole * (k_8.to_f32() / params_38.z())));
-        let last_9 = (at_49.span.x() + (whole * ((k_8 + rt::Scalar(1u32)).to_f32() / params_38.z())));
-        let long_4 = (last_9 - first_15);
-        let _e38 = self.v_across_depth(_e9, first_15);
-        begin_1 = (at_49.of_surface.w() - (_e38 / _e10));
-        if rt::Scalar::into_branch_condition(k_8.elementwise_eq(rt::Scalar(0u32))) {
+        let distance_1 = (_e12 * along_35);
+        let whole = (at_69.span.y() - at_69.span.x());
+        let first_17 = (at_69.span.x() + (whole * (k_9.to_f32() / params_50.z())));
+        let last_9 = (at_69.span.x() + (whole * ((k_9 + rt::Scalar(1u32)).to_f32() / params_50.z())));
+        let long_4 = (last_9 - first_17);
+        let _e38 = self.v_across_depth(_e9, first_17);
+        begin_1 = (at_69.of_surface.w() - (_e38 / _e10));
+        if rt::Scalar::into_branch_condition(k_9.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_15 + last_9)));
-        let middle_13 = (at_49.of_surface.w() - (_e52 / _e10));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_17 + last_9)));
+        let middle_15 = (at_69.of_surface.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_9);
-        end_1 = (at_49.of_surface.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_8 + rt::Scalar(1u32)).elementwise_eq(params_38.z().to_u32())) {
+        end_1 = (at_69.of_surface.w() - (_e57 / _e10));
+        if rt::Scalar::into_branch_condition((k_9 + rt::Scalar(1u32)).elementwise_eq(params_50.z().to_u32())) {
             let _e68 = end_1;
-            local_46 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_49 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_46 = rt::Scalar(false);
+            local_49 = rt::Scalar(false);
         }
-        let _e72 = local_46;
+        let _e72 = local_49;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
         }
         let _e76 = begin_1;
         let _e77 = end_1;
-        let bend_5 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_13)));
+        let bend_5 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_15)));
         let _e84 = end_1;
         let _e85 = begin_1;
-        let slope_9 = ((_e84 - _e85) - bend_5);
-        let base_3 = (rt::Scalar(0f32) - first_15).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let slope_11 = ((_e84 - _e85) - bend_5);
+        let base_3 = (rt::Scalar(0f32) - first_17).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_20 = <Path>::new((at_49.uv + (_e9.duv * first_15)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (distance_1 + first_15), (rt::Scalar(1f32) / params_38.z()), rt::Scalar(0f32));
+        path_24 = <Path>::new((at_69.uv + (_e9.duv * first_17)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_11 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_69.metric, RAY_VIEW, rt::Scalar(at_69.level), (distance_1 + first_17), (rt::Scalar(1f32) / params_50.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e118 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
-            let _e123 = path_20.uv.x();
+            let _e123 = path_24.uv.x();
             let _e126 = inside_2;
             let _e127 = self.v_inside_unit(_e123, _e9.duv.x(), _e126);
             inside_2 = _e127;
-            let _e130 = path_20.uv.y();
+            let _e130 = path_24.uv.y();
             let _e133 = inside_2;
             let _e134 = self.v_inside_unit(_e130, _e9.duv.y(), _e133);
             inside_2 = _e134;
             let _e137 = inside_2.y();
-            rt::Scalar(path_20.exit) = _e137;
-            let _e138 = path_20;
+            rt::Scalar(path_24.exit) = _e137;
+            let _e138 = path_24;
             let _e140 = inside_2.x();
             let _e141 = self.v_path_from(_e138, _e140);
-            path_20 = _e141;
+            path_24 = _e141;
         }
-        let _e143 = rt::Scalar(path_20.exit);
+        let _e143 = rt::Scalar(path_24.exit);
         if rt::Scalar::into_branch_condition((!_e143.elementwise_gt(rt::Scalar(0f32)))) {
-            rt::Scalar(path_20.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_24.exit) = rt::Scalar(0f32);
         }
-        let _e149 = path_20;
+        let _e149 = path_24;
         return _e149;
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
         pixel_51: PixelIn,
-        at_50: Entered,
-        k_9: impl rt::Into<rt::Scalar<u32>>,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        at_70: Entered,
+        k_10: impl rt::Into<rt::Scalar<u32>>,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_50, rt::into(k_9), rt::into(params_39)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_70, rt::into(k_10), rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_segment(
         &self,
         pixel_51: PixelIn,
-        at_50: Entered,
-        k_9: rt::Scalar<u32>,
-        params_39: rt::Vec4<f32>,
+        at_70: Entered,
+        k_10: rt::Scalar<u32>,
+        params_51: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_47: rt::Scalar<bool>;
-        let mut local_48: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
-        let mut interval_4: rt::Vec2<f32>;
-        let mut path_21: Path;
-        let mut local_49: rt::Scalar<bool>;
+        let mut interval_5: rt::Vec2<f32>;
+        let mut path_25: Path;
+        let mut local_52: rt::Scalar<bool>;
 
-        let along_35 = pixel_51.direction.length();
-        let direction_7 = (pixel_51.direction / rt::Vec3::splat_from_scalar(along_35));
-        let _e9 = self.v_climb(at_50, direction_7);
+        let along_36 = pixel_51.direction.length();
+        let direction_7 = (pixel_51.direction / rt::Vec3::splat_from_scalar(along_36));
+        let _e9 = self.v_climb(at_70, direction_7);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_50.normal.dot(direction_7));
+        let descent_4 = (rt::Scalar(0f32) - at_70.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_18 = at_50.of_surface.w();
-        let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_50.of_surface.xyz(), duv_6);
+        let height_21 = at_70.of_surface.w();
+        let slope_12 = ((rt::Scalar(0f32) - descent_4) / _e15);
+        let _e23 = self.v_quadric_at(at_70.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_51);
         let _e28 = self.v_plane_distance(pixel_51, _e27);
-        let distance_2 = (_e28 * along_35);
+        let distance_2 = (_e28 * along_36);
         let eye_4 = (rt::Scalar(0f32) - distance_2);
-        let _e35 = self.v_bent_descent(((height_18 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
+        let _e35 = self.v_bent_descent(((height_21 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-            if rt::Scalar::into_branch_condition((!height_18.elementwise_lt(rt::Scalar(1f32)))) {
-                local_48 = _e35.elementwise_ge(rt::Scalar(0f32));
+            if rt::Scalar::into_branch_condition((!height_21.elementwise_lt(rt::Scalar(1f32)))) {
+                local_51 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_48 = rt::Scalar(true);
+                local_51 = rt::Scalar(true);
             }
-            let _e48 = local_48;
-            local_47 = _e48;
+            let _e48 = local_51;
+            local_50 = _e48;
         } else {
-            local_47 = rt::Scalar(false);
+            local_50 = rt::Scalar(false);
         }
-        let comes_down = local_47;
+        let comes_down = local_50;
         enter_1 = _e35.max(eye_4);
         let _e53 = enter_1;
         let _e54 = enter_1;
         let _e59 = enter_1;
-        let begin_5 = (height_18 + (_e53 * (slope_10 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
+        let begin_7 = (height_21 + (_e53 * (slope_12 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
         let _e63 = enter_1;
         let _e66 = enter_1;
-        let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_5, (slope_10 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
+        let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_7, (slope_12 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
         leave_4 = (_e63 + _e70);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
-            leave_4 = ((height_18 * _e15) / descent_4);
+            leave_4 = ((height_21 * _e15) / descent_4);
             let _e77 = leave_4;
             let _e78 = leave_4;
             leave_4 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
@@ -8688,20 +9886,20 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_4;
-            let _e94 = self.v_inside_unit(at_50.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
-            interval_4 = _e94;
-            let _e99 = interval_4;
-            let _e100 = self.v_inside_unit(at_50.uv.y(), duv_6.y(), _e99);
-            interval_4 = _e100;
-            let _e102 = interval_4.x();
+            let _e94 = self.v_inside_unit(at_70.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            interval_5 = _e94;
+            let _e99 = interval_5;
+            let _e100 = self.v_inside_unit(at_70.uv.y(), duv_6.y(), _e99);
+            interval_5 = _e100;
+            let _e102 = interval_5.x();
             enter_1 = _e102;
-            let _e104 = interval_4.y();
+            let _e104 = interval_5.y();
             leave_4 = _e104;
         }
         let _e105 = enter_1;
         let _e106 = enter_1;
         let _e111 = enter_1;
-        let entry_height_1 = (height_18 + (_e105 * (slope_10 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
+        let entry_height_1 = (height_21 + (_e105 * (slope_12 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
         let _e115 = enter_1;
         let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e122 = enter_1;
@@ -8709,54 +9907,54 @@ impl<'g> Resources<'g> {
         let _e131 = leave_4;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_21 = <Path>::new((at_50.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_50.metric, RAY_VIEW, rt::Scalar(at_50.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
+        path_25 = <Path>::new((at_70.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_12 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_70.metric, RAY_VIEW, rt::Scalar(at_70.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
-            let _e148 = rt::Scalar(path_21.exit);
-            local_49 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
+            let _e148 = rt::Scalar(path_25.exit);
+            local_52 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_49 = rt::Scalar(true);
+            local_52 = rt::Scalar(true);
         }
-        let _e153 = local_49;
+        let _e153 = local_52;
         if rt::Scalar::into_branch_condition(_e153) {
-            rt::Scalar(path_21.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_25.exit) = rt::Scalar(0f32);
         }
-        let _e156 = path_21;
+        let _e156 = path_25;
         return _e156;
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
         pixel_52: PixelIn,
-        at_51: Entered,
-        k_10: impl rt::Into<rt::Scalar<u32>>,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        at_71: Entered,
+        k_11: impl rt::Into<rt::Scalar<u32>>,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_51, rt::into(k_10), rt::into(params_40)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_71, rt::into(k_11), rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_segment(
         &self,
         pixel_52: PixelIn,
-        at_51: Entered,
-        k_10: rt::Scalar<u32>,
-        params_40: rt::Vec4<f32>,
+        at_71: Entered,
+        k_11: rt::Scalar<u32>,
+        params_52: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
-        let mut path_22: Path;
+        let mut path_26: Path;
 
-        let along_36 = pixel_52.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_52, along_36);
-        let _e8 = self.v_tetrahedron(pixel_52, along_36, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_52, along_36, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_52, along_36, _e6, rt::Scalar(2u32));
+        let along_37 = pixel_52.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_52, along_37);
+        let _e8 = self.v_tetrahedron(pixel_52, along_37, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_52, along_37, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_52, along_37, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
         chosen_1 = _e8;
-        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_10)) {
+        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_11)) {
             chosen_1 = _e10;
         }
-        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_10)) {
+        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_11)) {
             chosen_1 = _e12;
         }
         let _e30 = self.v_ordered(pixel_52, rt::Scalar(0u32));
@@ -8764,7 +9962,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_52, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_43 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_45 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_52, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -8779,10 +9977,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_43.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_45.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_43.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_45.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -8793,163 +9991,163 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_43 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_51.metric, RAY_VIEW, rt::Scalar(at_51.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
-        let _e159 = rt::Scalar(path_22.exit);
+        path_26 = <Path>::new((uv_45 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_71.metric, RAY_VIEW, rt::Scalar(at_71.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        let _e159 = rt::Scalar(path_26.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
-            let _e162 = path_22;
-            let _e163 = path_22;
+            let _e162 = path_26;
+            let _e163 = path_26;
             let _e167 = self.v_out_of_ground(_e163, (rt::Scalar(4f32) * _e61), rt::Scalar(0f32));
             let _e168 = self.v_path_from(_e162, _e167);
-            path_22 = _e168;
+            path_26 = _e168;
         }
-        let _e169 = path_22;
+        let _e169 = path_26;
         return _e169;
     }
     pub(crate) fn surface_facets_segment(
         &self,
         pixel_53: PixelIn,
-        at_52: Entered,
-        k_11: impl rt::Into<rt::Scalar<u32>>,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        at_72: Entered,
+        k_12: impl rt::Into<rt::Scalar<u32>>,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_53, at_52, rt::into(k_11), rt::into(params_41)))
+        rt::into(self.v_surface_facets_segment(pixel_53, at_72, rt::into(k_12), rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_segment(
         &self,
         pixel_53: PixelIn,
-        at_52: Entered,
-        k_11: rt::Scalar<u32>,
-        params_41: rt::Vec4<f32>,
+        at_72: Entered,
+        k_12: rt::Scalar<u32>,
+        params_53: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_53);
         let _e5 = self.v_triangle_distance(pixel_53, _e4);
         let start_5 = (_e5 * pixel_53.direction.length());
-        let _e11 = self.v_height_at(at_52.uv, rt::Scalar(at_52.level));
+        let _e11 = self.v_height_at(at_72.uv, rt::Scalar(at_72.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let h_5 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_52.uv, duv_8, h_5, rt::Scalar(1f32), rt::Scalar(0f32), at_52.metric, RAY_VIEW, rt::Scalar(at_52.level), start_5, rt::Scalar(1f32), rt::Scalar(0f32));
+        let h_9 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Path>::new(at_72.uv, duv_8, h_9, rt::Scalar(1f32), rt::Scalar(0f32), at_72.metric, RAY_VIEW, rt::Scalar(at_72.level), start_5, rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn slice_inside(
         &self,
         map_1: impl rt::Into<rt::Scalar<f32>>,
-        slice: impl rt::Into<rt::Scalar<f32>>,
+        slice_1: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_42)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice_1), rt::into(spacing), rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_inside(
         &self,
         map_1: rt::Scalar<f32>,
-        slice: rt::Scalar<f32>,
+        slice_1: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
-        params_42: rt::Vec4<f32>,
+        params_54: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
-        return map_1.elementwise_gt(slice);
+        return map_1.elementwise_gt(slice_1);
     }
     pub(crate) fn slice_at_least(
         &self,
         map_2: impl rt::Into<rt::Scalar<f32>>,
-        slice_1: impl rt::Into<rt::Scalar<f32>>,
+        slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_43)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_2), rt::into(spacing_1), rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_at_least(
         &self,
         map_2: rt::Scalar<f32>,
-        slice_1: rt::Scalar<f32>,
+        slice_2: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
-        params_43: rt::Vec4<f32>,
+        params_55: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
-        return map_2.elementwise_ge(slice_1);
+        return map_2.elementwise_ge(slice_2);
     }
     pub(crate) fn slice_band(
         &self,
         map_3: impl rt::Into<rt::Scalar<f32>>,
-        slice_2: impl rt::Into<rt::Scalar<f32>>,
+        slice_3: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_44)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_3), rt::into(spacing_2), rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_band(
         &self,
         map_3: rt::Scalar<f32>,
-        slice_2: rt::Scalar<f32>,
+        slice_3: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
-        params_44: rt::Vec4<f32>,
+        params_56: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
-        return (map_3 - slice_2).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
+        return (map_3 - slice_3).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
     pub(crate) fn slices_stage(
         &self,
         map_4: impl rt::Into<rt::Scalar<f32>>,
-        slice_3: impl rt::Into<rt::Scalar<f32>>,
+        slice_4: impl rt::Into<rt::Scalar<f32>>,
         spacing_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_slices_stage(rt::into(map_4), rt::into(slice_3), rt::into(spacing_3)))
+        rt::into(self.v_slices_stage(rt::into(map_4), rt::into(slice_4), rt::into(spacing_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slices_stage(
         &self,
         map_4: rt::Scalar<f32>,
-        slice_3: rt::Scalar<f32>,
+        slice_4: rt::Scalar<f32>,
         spacing_3: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let _e7 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[2usize].params;
-                let _e13 = self.v_slice_inside(map_4, slice_3, spacing_3, _e12);
+                let _e13 = self.v_slice_inside(map_4, slice_4, spacing_3, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[2usize].params;
-                let _e19 = self.v_slice_at_least(map_4, slice_3, spacing_3, _e18);
+                let _e19 = self.v_slice_at_least(map_4, slice_4, spacing_3, _e18);
                 return _e19;
             }
             _ => {
                 let _e24 = self.surface_settings.choices[2usize].params;
-                let _e25 = self.v_slice_band(map_4, slice_3, spacing_3, _e24);
+                let _e25 = self.v_slice_band(map_4, slice_4, spacing_3, _e24);
                 return _e25;
             }
         }
     }
     pub(crate) fn slice_spacing(
         &self,
-        at_53: Entered,
+        at_73: Entered,
         axis_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_slice_spacing(at_53, rt::into(axis_1)))
+        rt::into(self.v_slice_spacing(at_73, rt::into(axis_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_spacing(
         &self,
-        at_53: Entered,
+        at_73: Entered,
         axis_1: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let step_6 = at_53.of_surface.y();
+        let step_6 = at_73.of_surface.y();
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
             return step_6;
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
             let _e12 = self.v_traced_scale_m();
-            return ((step_6 * at_53.metric.x().sqrt()) / _e12);
+            return ((step_6 * at_73.metric.x().sqrt()) / _e12);
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
             let _e20 = self.v_traced_scale_m();
-            return ((step_6 * at_53.metric.z().sqrt()) / _e20);
+            return ((step_6 * at_73.metric.z().sqrt()) / _e20);
         }
         let _e22 = self.v_traced_scale_m();
         return (step_6 / _e22);
@@ -8957,70 +10155,70 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_above(
         &self,
         pixel_54: PixelIn,
-        at_54: Entered,
+        at_74: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_54, at_54, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_54, at_74, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_above(
         &self,
         pixel_54: PixelIn,
-        at_54: Entered,
+        at_74: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_50: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_54.direction.dot(at_54.normal).elementwise_lt(rt::Scalar(0f32))) * at_54.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_54.direction.dot(at_74.normal).elementwise_lt(rt::Scalar(0f32))) * at_74.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
-        let a_36 = (pixel_54.a.position + (pixel_54.a.normal * step_m));
-        let b_36 = (pixel_54.b.position + (pixel_54.b.normal * step_m));
+        let a_37 = (pixel_54.a.position + (pixel_54.a.normal * step_m));
+        let b_37 = (pixel_54.b.position + (pixel_54.b.normal * step_m));
         let c_26 = (pixel_54.c.position + (pixel_54.c.normal * step_m));
-        let n_13 = (b_36 - a_36).cross((c_26 - a_36));
-        let t_37 = (n_13.dot((a_36 - pixel_54.origin)) / n_13.dot(pixel_54.direction));
-        let lead = (far_2 - (t_37 * along_16));
+        let n_13 = (b_37 - a_37).cross((c_26 - a_37));
+        let t_43 = (n_13.dot((a_37 - pixel_54.origin)) / n_13.dot(pixel_54.direction));
+        let lead = (far_2 - (t_43 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_50 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_53 = t_43.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_50 = rt::Scalar(false);
+            local_53 = rt::Scalar(false);
         }
-        let _e57 = local_50;
+        let _e57 = local_53;
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_36, b_36, c_26, n_13, (pixel_54.origin + (pixel_54.direction * t_37)));
-        let aside_4 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_54.uv);
-        return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
+        let _e68 = self.v_weights_of(a_37, b_37, c_26, n_13, (pixel_54.origin + (pixel_54.direction * t_43)));
+        let aside_5 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_74.uv);
+        return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_5, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
         &self,
-        at_55: Entered,
+        at_75: Entered,
         climbs: impl rt::Into<rt::Vec3<f32>>,
         pace: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_beside(at_55, rt::into(climbs), rt::into(pace)))
+        rt::into(self.v_slice_beside(at_75, rt::into(climbs), rt::into(pace)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_beside(
         &self,
-        at_55: Entered,
+        at_75: Entered,
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_51: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
-        let up_3 = (at_55.of_surface.x().select((rt::Scalar(1f32) - at_55.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
-        let lead_1 = (at_55.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        let up_4 = (at_75.of_surface.x().select((rt::Scalar(1f32) - at_75.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_75.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_4, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
-            local_51 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
+            local_54 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_51 = rt::Scalar(false);
+            local_54 = rt::Scalar(false);
         }
-        let _e33 = local_51;
+        let _e33 = local_54;
         if rt::Scalar::into_branch_condition((!_e33)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -9029,105 +10227,105 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_before(
         &self,
         pixel_55: PixelIn,
-        at_56: Entered,
+        at_76: Entered,
         axis_2: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_55, at_56, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_55, at_76, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_before(
         &self,
         pixel_55: PixelIn,
-        at_56: Entered,
+        at_76: Entered,
         axis_2: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_55, at_56, along_17, far_3);
+            let _e7 = self.v_slice_above(pixel_55, at_76, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_56, (pixel_55.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e11 = self.v_climb(at_76, (pixel_55.direction / rt::Vec3::splat_from_scalar(along_17)));
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_U)) {
-            let _e16 = self.v_slice_beside(at_56, _e11, _e11.x().abs());
+            let _e16 = self.v_slice_beside(at_76, _e11, _e11.x().abs());
             return _e16;
         }
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_V)) {
-            let _e21 = self.v_slice_beside(at_56, _e11, _e11.y().abs());
+            let _e21 = self.v_slice_beside(at_76, _e11, _e11.y().abs());
             return _e21;
         }
-        let _e24 = self.v_slice_beside(at_56, _e11, (rt::Scalar(1f32) / along_17));
+        let _e24 = self.v_slice_beside(at_76, _e11, (rt::Scalar(1f32) / along_17));
         return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
         pixel_56: PixelIn,
-        at_57: Entered,
-        k_12: impl rt::Into<rt::Scalar<u32>>,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        at_77: Entered,
+        k_13: impl rt::Into<rt::Scalar<u32>>,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_56, at_57, rt::into(k_12), rt::into(params_45)))
+        rt::into(self.v_surface_slices_segment(pixel_56, at_77, rt::into(k_13), rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_segment(
         &self,
         pixel_56: PixelIn,
-        at_57: Entered,
-        k_12: rt::Scalar<u32>,
-        params_45: rt::Vec4<f32>,
+        at_77: Entered,
+        k_13: rt::Scalar<u32>,
+        params_57: rt::Vec4<f32>,
     ) -> Path {
-        let along_37 = pixel_56.direction.length();
+        let along_38 = pixel_56.direction.length();
         let _e6 = self.v_plane_normal(pixel_56);
         let _e7 = self.v_triangle_distance(pixel_56, _e6);
-        let far_7 = (_e7 * along_37);
+        let far_8 = (_e7 * along_38);
         let axis_5 = pixel_56.a.of_surface.z().to_u32();
-        let height_19 = at_57.of_surface.x();
-        let _e17 = self.v_height_at(at_57.uv, rt::Scalar(at_57.level));
-        let _e18 = self.v_slice_spacing(at_57, axis_5);
-        let _e19 = self.v_slices_stage(_e17, height_19, _e18);
-        let _e20 = self.v_slice_before(pixel_56, at_57, axis_5, along_37, far_7);
-        let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_57.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_19 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_57.metric, RAY_VIEW, rt::Scalar(at_57.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
+        let height_22 = at_77.of_surface.x();
+        let _e17 = self.v_height_at(at_77.uv, rt::Scalar(at_77.level));
+        let _e18 = self.v_slice_spacing(at_77, axis_5);
+        let _e19 = self.v_slices_stage(_e17, height_22, _e18);
+        let _e20 = self.v_slice_before(pixel_56, at_77, axis_5, along_38, far_8);
+        let lead_2 = (far_8 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_8), _e20.w().elementwise_gt(rt::Scalar(0f32)));
+        return <Path>::new((at_77.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_22 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_77.metric, RAY_VIEW, rt::Scalar(at_77.level), (far_8 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn within_bounds(
         &self,
-        x_2: impl rt::Into<rt::Scalar<f32>>,
-        dx_1: impl rt::Into<rt::Scalar<f32>>,
-        low: impl rt::Into<rt::Scalar<f32>>,
-        high: impl rt::Into<rt::Scalar<f32>>,
-        interval_5: impl rt::Into<rt::Vec2<f32>>,
+        x_3: impl rt::Into<rt::Scalar<f32>>,
+        dx_2: impl rt::Into<rt::Scalar<f32>>,
+        low_1: impl rt::Into<rt::Scalar<f32>>,
+        high_1: impl rt::Into<rt::Scalar<f32>>,
+        interval_6: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_within_bounds(rt::into(x_2), rt::into(dx_1), rt::into(low), rt::into(high), rt::into(interval_5)))
+        rt::into(self.v_within_bounds(rt::into(x_3), rt::into(dx_2), rt::into(low_1), rt::into(high_1), rt::into(interval_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_within_bounds(
         &self,
-        x_2: rt::Scalar<f32>,
-        dx_1: rt::Scalar<f32>,
-        low: rt::Scalar<f32>,
-        high: rt::Scalar<f32>,
-        interval_5: rt::Vec2<f32>,
+        x_3: rt::Scalar<f32>,
+        dx_2: rt::Scalar<f32>,
+        low_1: rt::Scalar<f32>,
+        high_1: rt::Scalar<f32>,
+        interval_6: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_52: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(dx_1.elementwise_eq(rt::Scalar(0f32))) {
-            if rt::Scalar::into_branch_condition((!x_2.elementwise_lt(low))) {
-                local_52 = x_2.elementwise_gt(high);
+        if rt::Scalar::into_branch_condition(dx_2.elementwise_eq(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition((!x_3.elementwise_lt(low_1))) {
+                local_55 = x_3.elementwise_gt(high_1);
             } else {
-                local_52 = rt::Scalar(true);
+                local_55 = rt::Scalar(true);
             }
-            let _e13 = local_52;
+            let _e13 = local_55;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(0f32));
             }
-            return interval_5;
+            return interval_6;
         }
-        let a_37 = ((low - x_2) / dx_1);
-        let b_37 = ((high - x_2) / dx_1);
-        return <rt::Vec2<f32>>::from_scalars(interval_5.x().max(a_37.min(b_37)), interval_5.y().min(a_37.max(b_37)));
+        let a_38 = ((low_1 - x_3) / dx_2);
+        let b_38 = ((high_1 - x_3) / dx_2);
+        return <rt::Vec2<f32>>::from_scalars(interval_6.x().max(a_38.min(b_38)), interval_6.y().min(a_38.max(b_38)));
     }
     pub(crate) fn metric_of_image(
         &self,
@@ -9153,113 +10351,113 @@ impl<'g> Resources<'g> {
     pub(crate) fn path_through_image(
         &self,
         pixel_57: PixelIn,
-        k_13: impl rt::Into<rt::Scalar<u32>>,
+        k_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_path_through_image(pixel_57, rt::into(k_13)))
+        rt::into(self.v_path_through_image(pixel_57, rt::into(k_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_path_through_image(
         &self,
         pixel_57: PixelIn,
-        k_13: rt::Scalar<u32>,
+        k_14: rt::Scalar<u32>,
     ) -> Path {
         let mut begin_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_53: rt::Scalar<bool>;
-        let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let mut height_5: rt::Vec3<f32>;
+        let mut local_56: rt::Scalar<bool>;
+        let mut interval_7: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let mut height_8: rt::Vec3<f32>;
 
-        let along_38 = pixel_57.direction.normalize();
-        let _e4 = self.v_image_of_object(k_13);
-        let deepens = _e4.depth.xyz().dot(along_38);
+        let along_39 = pixel_57.direction.normalize();
+        let _e4 = self.v_image_of_object(k_14);
+        let deepens = _e4.depth.xyz().dot(along_39);
         let _e9 = self.v_depth_in_image(_e4, pixel_57.origin);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e4.has_eye)) {
             let nearest_2 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
             begin_2 = rt::Scalar(0f32).select(rt::Scalar(300000000000000000000000000000000000000f32), _e9.elementwise_lt(nearest_2));
             if rt::Scalar::into_branch_condition(_e9.elementwise_lt(nearest_2)) {
-                local_53 = deepens.elementwise_gt(rt::Scalar(0f32));
+                local_56 = deepens.elementwise_gt(rt::Scalar(0f32));
             } else {
-                local_53 = rt::Scalar(false);
+                local_56 = rt::Scalar(false);
             }
-            let _e26 = local_53;
+            let _e26 = local_56;
             if rt::Scalar::into_branch_condition(_e26) {
                 begin_2 = ((nearest_2 - _e9) / deepens);
             }
         }
         let _e30 = begin_2;
-        let origin_6 = (pixel_57.origin + (along_38 * _e30));
+        let origin_6 = (pixel_57.origin + (along_39 * _e30));
         let _e33 = self.v_depth_in_image(_e4, origin_6);
         let bend_6 = (deepens / _e33);
         let u_3 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
         let v_5 = ((_e4.v.xyz().dot(origin_6) + _e4.v.w()) / _e33);
-        let h_6 = ((_e4.height.xyz().dot(origin_6) + _e4.height.w()) / _e33);
-        let du_1 = ((_e4.u.xyz().dot(along_38) - (u_3 * deepens)) / _e33);
-        let dv_1 = ((_e4.v.xyz().dot(along_38) - (v_5 * deepens)) / _e33);
-        let dh_1 = ((_e4.height.xyz().dot(along_38) - (h_6 * deepens)) / _e33);
+        let h_10 = ((_e4.height.xyz().dot(origin_6) + _e4.height.w()) / _e33);
+        let du_1 = ((_e4.u.xyz().dot(along_39) - (u_3 * deepens)) / _e33);
+        let dv_1 = ((_e4.v.xyz().dot(along_39) - (v_5 * deepens)) / _e33);
+        let dh_1 = ((_e4.height.xyz().dot(along_39) - (h_10 * deepens)) / _e33);
         let _e74 = self.v_beyond_image(_e4);
-        let _e85 = interval_6;
+        let _e85 = interval_7;
         let _e86 = self.v_within_bounds(u_3, du_1, (rt::Scalar(0f32) - _e74.x()), (rt::Scalar(1f32) + _e74.x()), _e85);
-        interval_6 = _e86;
-        let _e93 = interval_6;
+        interval_7 = _e86;
+        let _e93 = interval_7;
         let _e94 = self.v_within_bounds(v_5, dv_1, (rt::Scalar(0f32) - _e74.y()), (rt::Scalar(1f32) + _e74.y()), _e93);
-        interval_6 = _e94;
-        let _e97 = interval_6;
-        let _e98 = self.v_within_bounds(h_6, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
-        interval_6 = _e98;
-        let start_6 = interval_6.x();
+        interval_7 = _e94;
+        let _e97 = interval_7;
+        let _e98 = self.v_within_bounds(h_10, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
+        interval_7 = _e98;
+        let start_6 = interval_7.x();
         let nearer = (rt::Scalar(1f32) - (bend_6 * start_6));
         let change_5 = (nearer * nearer);
-        height_5 = <rt::Vec3<f32>>::from_scalars((h_6 + (dh_1 * start_6)), (dh_1 * change_5), rt::Scalar(0f32));
+        height_8 = <rt::Vec3<f32>>::from_scalars((h_10 + (dh_1 * start_6)), (dh_1 * change_5), rt::Scalar(0f32));
         let _e113 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e113.elementwise_eq(CELLS_MASK)) {
-            height_5 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
+            height_8 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e133 = height_5;
-        let _e135 = interval_6.y();
+        let _e133 = height_8;
+        let _e135 = interval_7.y();
         let _e140 = self.v_metric_of_image(_e4, (_e33 / nearer));
         let _e143 = begin_2;
-        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_3 + (du_1 * start_6)), (v_5 + (dv_1 * start_6))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_6) / change_5), k_13.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_6 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_3 + (du_1 * start_6)), (v_5 + (dv_1 * start_6))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_6) / change_5), k_14.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_6 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
     }
     pub(crate) fn surface_object_segment(
         &self,
         pixel_58: PixelIn,
-        at_58: Entered,
-        k_14: impl rt::Into<rt::Scalar<u32>>,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        at_78: Entered,
+        k_15: impl rt::Into<rt::Scalar<u32>>,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_58, at_58, rt::into(k_14), rt::into(params_46)))
+        rt::into(self.v_surface_object_segment(pixel_58, at_78, rt::into(k_15), rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_segment(
         &self,
         pixel_58: PixelIn,
-        at_58: Entered,
-        k_14: rt::Scalar<u32>,
-        params_46: rt::Vec4<f32>,
+        at_78: Entered,
+        k_15: rt::Scalar<u32>,
+        params_58: rt::Vec4<f32>,
     ) -> Path {
-        let _e4 = self.v_path_through_image(pixel_58, k_14);
+        let _e4 = self.v_path_through_image(pixel_58, k_15);
         return _e4;
     }
     pub(crate) fn surface_frames_segment(
         &self,
         pixel_59: PixelIn,
-        at_59: Entered,
-        k_15: impl rt::Into<rt::Scalar<u32>>,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        at_79: Entered,
+        k_16: impl rt::Into<rt::Scalar<u32>>,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_59, at_59, rt::into(k_15), rt::into(params_47)))
+        rt::into(self.v_surface_frames_segment(pixel_59, at_79, rt::into(k_16), rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_segment(
         &self,
         pixel_59: PixelIn,
-        at_59: Entered,
-        k_15: rt::Scalar<u32>,
-        params_47: rt::Vec4<f32>,
+        at_79: Entered,
+        k_16: rt::Scalar<u32>,
+        params_59: rt::Vec4<f32>,
     ) -> Path {
         let _e7 = self.v_frames_around((-pixel_59.direction.normalize()));
-        let _e8 = self.v_frame_number(_e7, k_15);
+        let _e8 = self.v_frame_number(_e7, k_16);
         let _e9 = self.v_path_through_image(pixel_59, _e8);
         return _e9;
     }
@@ -9276,77 +10474,77 @@ impl<'g> Resources<'g> {
         image_9: Image,
         point_13: rt::Vec3<f32>,
     ) -> OnImage {
-        let mut local_54: rt::Scalar<bool>;
-        let mut local_55: rt::Scalar<bool>;
-        let mut local_56: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
 
         let _e2 = self.v_depth_in_image(image_9, point_13);
         let u_4 = ((image_9.u.xyz().dot(point_13) + image_9.u.w()) / _e2);
         let v_6 = ((image_9.v.xyz().dot(point_13) + image_9.v.w()) / _e2);
-        let h_7 = ((image_9.height.xyz().dot(point_13) + image_9.height.w()) / _e2);
+        let h_11 = ((image_9.height.xyz().dot(point_13) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
         let beside_5 = ((u_4 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_6 - rt::Scalar(0.5f32)).abs() - _e24.y()));
-        let uv_44 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_4, v_6)));
+        let uv_46 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_4, v_6)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_149 = (((uv_44 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
-        let _e52 = self.v_cell_of(at_149);
-        let part_20 = (at_149 - _e52);
+        let at_160 = (((uv_46 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let _e52 = self.v_cell_of(at_160);
+        let part_22 = (at_160 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
-        let top_8 = (_e56.x() + ((_e56.y() - _e56.x()) * part_20.x()));
-        let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_20.x()));
-        let map_5 = (top_8 + ((bottom_4 - top_8) * part_20.y()));
+        let top_9 = (_e56.x() + ((_e56.y() - _e56.x()) * part_22.x()));
+        let bottom_5 = (_e56.z() + ((_e56.w() - _e56.z()) * part_22.x()));
+        let map_5 = (top_9 + ((bottom_5 - top_9) * part_22.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
-            local_54 = beside_5.elementwise_le(rt::Scalar(0.5f32));
-        } else {
-            local_54 = rt::Scalar(false);
-        }
-        let _e82 = local_54;
-        if rt::Scalar::into_branch_condition(_e82) {
-            local_55 = h_7.elementwise_gt(rt::Scalar(0.00001f32));
-        } else {
-            local_55 = rt::Scalar(false);
-        }
-        let _e88 = local_55;
-        if rt::Scalar::into_branch_condition(_e88) {
-            local_56 = h_7.elementwise_le(rt::Scalar(1f32));
-        } else {
-            local_56 = rt::Scalar(false);
-        }
-        let is_inside_2 = local_56;
-        let _e97 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_44, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
-    }
-    pub(crate) fn is_in_image(&self, at_60: OnImage) -> bool {
-        rt::into(self.v_is_in_image(at_60))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_is_in_image(&self, at_60: OnImage) -> rt::Scalar<bool> {
-        let mut local_57: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_60.is_inside)) {
-            let _e7 = self.v_slices_stage(rt::Scalar(at_60.map), rt::Scalar(at_60.height), rt::Scalar(0f32));
-            local_57 = _e7;
+            local_57 = beside_5.elementwise_le(rt::Scalar(0.5f32));
         } else {
             local_57 = rt::Scalar(false);
         }
-        let _e9 = local_57;
+        let _e82 = local_57;
+        if rt::Scalar::into_branch_condition(_e82) {
+            local_58 = h_11.elementwise_gt(rt::Scalar(0.00001f32));
+        } else {
+            local_58 = rt::Scalar(false);
+        }
+        let _e88 = local_58;
+        if rt::Scalar::into_branch_condition(_e88) {
+            local_59 = h_11.elementwise_le(rt::Scalar(1f32));
+        } else {
+            local_59 = rt::Scalar(false);
+        }
+        let is_inside_2 = local_59;
+        let _e97 = rt::Scalar(self.surface_settings.cells);
+        return <OnImage>::new(uv_46, h_11.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
+    }
+    pub(crate) fn is_in_image(&self, at_80: OnImage) -> bool {
+        rt::into(self.v_is_in_image(at_80))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_is_in_image(&self, at_80: OnImage) -> rt::Scalar<bool> {
+        let mut local_60: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_80.is_inside)) {
+            let _e7 = self.v_slices_stage(rt::Scalar(at_80.map), rt::Scalar(at_80.height), rt::Scalar(0f32));
+            local_60 = _e7;
+        } else {
+            local_60 = rt::Scalar(false);
+        }
+        let _e9 = local_60;
         return _e9;
     }
     pub(crate) fn with_image(
         &self,
-        slice_4: OnSlice,
+        slice_5: OnSlice,
         number_12: impl rt::Into<rt::Scalar<u32>>,
         point_14: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnSlice {
-        rt::into(self.v_with_image(slice_4, rt::into(number_12), rt::into(point_14)))
+        rt::into(self.v_with_image(slice_5, rt::into(number_12), rt::into(point_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_with_image(
         &self,
-        slice_4: OnSlice,
+        slice_5: OnSlice,
         number_12: rt::Scalar<u32>,
         point_14: rt::Vec3<f32>,
     ) -> OnSlice {
@@ -9354,305 +10552,305 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_on_image(_e3, point_14);
         let over_1 = (rt::Scalar(_e4.map) - rt::Scalar(_e4.height));
         let _e8 = self.v_is_in_image(_e4);
-        if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_4.over))) {
+        if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_5.over))) {
             return <OnSlice>::new(_e8, number_12, _e4, over_1);
         }
-        return <OnSlice>::new(_e8, rt::Scalar(slice_4.number), slice_4.nearest, rt::Scalar(slice_4.over));
+        return <OnSlice>::new(_e8, rt::Scalar(slice_5.number), slice_5.nearest, rt::Scalar(slice_5.over));
     }
     pub(crate) fn slice_at(&self, point_15: impl rt::Into<rt::Vec3<f32>>) -> OnSlice {
         rt::into(self.v_slice_at(rt::into(point_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_at(&self, point_15: rt::Vec3<f32>) -> OnSlice {
-        let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
+        let mut slice_6: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_13: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_58: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
                 let _e15 = number_13;
                 let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
-                    let _e23 = rt::Scalar(slice_5.passes);
-                    local_58 = _e23;
+                    let _e23 = rt::Scalar(slice_6.passes);
+                    local_61 = _e23;
                 } else {
-                    local_58 = rt::Scalar(false);
+                    local_61 = rt::Scalar(false);
                 }
-                let _e25 = local_58;
+                let _e25 = local_61;
                 if rt::Scalar::into_branch_condition(_e25) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e26 = slice_5;
+                    let _e26 = slice_6;
                     let _e27 = number_13;
                     let _e28 = self.v_with_image(_e26, _e27, point_15);
-                    slice_5 = _e28;
+                    slice_6 = _e28;
                     let _e29 = number_13;
                     number_13 = (_e29 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e32 = slice_5;
+        let _e32 = slice_6;
         return _e32;
     }
     pub(crate) fn surface_object_slices_segment(
         &self,
         pixel_60: PixelIn,
-        at_61: Entered,
-        k_16: impl rt::Into<rt::Scalar<u32>>,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        at_81: Entered,
+        k_17: impl rt::Into<rt::Scalar<u32>>,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_60, at_61, rt::into(k_16), rt::into(params_48)))
+        rt::into(self.v_surface_object_slices_segment(pixel_60, at_81, rt::into(k_17), rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_segment(
         &self,
         pixel_60: PixelIn,
-        at_61: Entered,
-        k_16: rt::Scalar<u32>,
-        params_48: rt::Vec4<f32>,
+        at_81: Entered,
+        k_17: rt::Scalar<u32>,
+        params_60: rt::Vec4<f32>,
     ) -> Path {
-        let _e5 = self.v_slice_at(at_61.point);
+        let _e5 = self.v_slice_at(at_81.point);
         let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
-        let far_8 = (at_61.point - pixel_60.origin).length();
-        let lead_3 = (far_8 * rt::Scalar(0.0000005f32));
-        let _e28 = self.v_depth_in_image(_e7, at_61.point);
+        let far_9 = (at_81.point - pixel_60.origin).length();
+        let lead_3 = (far_9 * rt::Scalar(0.0000005f32));
+        let _e28 = self.v_depth_in_image(_e7, at_81.point);
         let _e29 = self.v_metric_of_image(_e7, _e28);
-        return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e29, RAY_VIEW, rt::Scalar(0u32), (far_8 - lead_3), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e29, RAY_VIEW, rt::Scalar(0u32), (far_9 - lead_3), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
         pixel_61: PixelIn,
-        at_62: Entered,
-        k_17: impl rt::Into<rt::Scalar<u32>>,
+        at_82: Entered,
+        k_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_61, at_62, rt::into(k_17)))
+        rt::into(self.v_surface_segment_stage(pixel_61, at_82, rt::into(k_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_segment_stage(
         &self,
         pixel_61: PixelIn,
-        at_62: Entered,
-        k_17: rt::Scalar<u32>,
+        at_82: Entered,
+        k_18: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_61, at_62, k_17, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_61, at_82, k_18, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_61, at_62, k_17, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_61, at_82, k_18, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_61, at_62, k_17, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_61, at_82, k_18, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_61, at_62, k_17, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_61, at_82, k_18, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_61, at_62, k_17, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_61, at_82, k_18, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_61, at_62, k_17, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_61, at_82, k_18, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_61, at_62, k_17, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_61, at_82, k_18, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_61, at_62, k_17, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_61, at_82, k_18, _e54);
                 return _e55;
             }
             8u32 => {
                 let _e60 = self.surface_settings.choices[1usize].params;
-                let _e61 = self.v_surface_frames_segment(pixel_61, at_62, k_17, _e60);
+                let _e61 = self.v_surface_frames_segment(pixel_61, at_82, k_18, _e60);
                 return _e61;
             }
             _ => {
                 let _e66 = self.surface_settings.choices[1usize].params;
-                let _e67 = self.v_surface_object_slices_segment(pixel_61, at_62, k_17, _e66);
+                let _e67 = self.v_surface_object_slices_segment(pixel_61, at_82, k_18, _e66);
                 return _e67;
             }
         }
     }
     pub(crate) fn flattened(
         &self,
-        path_23: Path,
-        middle_8: impl rt::Into<rt::Scalar<f32>>,
-        part_5: impl rt::Into<rt::Scalar<f32>>,
+        path_27: Path,
+        middle_9: impl rt::Into<rt::Scalar<f32>>,
+        part_8: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_23, rt::into(middle_8), rt::into(part_5)))
+        rt::into(self.v_flattened(path_27, rt::into(middle_9), rt::into(part_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_flattened(
         &self,
-        path_23: Path,
-        middle_8: rt::Scalar<f32>,
-        part_5: rt::Scalar<f32>,
+        path_27: Path,
+        middle_9: rt::Scalar<f32>,
+        part_8: rt::Scalar<f32>,
     ) -> Path {
         let mut start_1: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        let kept = (rt::Scalar(1f32) - part_5);
-        let top_9 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
-        let above_6 = (path_23.h.x() - top_9);
-        let begins = above_6.elementwise_gt(rt::Scalar(0f32));
+        let kept = (rt::Scalar(1f32) - part_8);
+        let top_10 = (middle_9 + ((rt::Scalar(1f32) - middle_9) * kept));
+        let above_7 = (path_27.h.x() - top_10);
+        let begins = above_7.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_23.h.y(), path_23.h.z()), rt::Scalar(path_23.exit));
-            start_1 = _e22.min(rt::Scalar(path_23.exit));
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_7, path_27.h.y(), path_27.h.z()), rt::Scalar(path_27.exit));
+            start_1 = _e22.min(rt::Scalar(path_27.exit));
         }
-        let height_20 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
+        let height_23 = (middle_9 + ((path_27.h.x() - middle_9) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start_1;
-        let _e33 = self.v_path_slope(path_23, _e32);
-        let h_8 = <rt::Vec3<f32>>::from_scalars(height_20, (_e33 / kept), (path_23.h.z() / kept));
+        let _e33 = self.v_path_slope(path_27, _e32);
+        let h_12 = <rt::Vec3<f32>>::from_scalars(height_23, (_e33 / kept), (path_27.h.z() / kept));
         let _e40 = start_1;
-        let rest_5 = (rt::Scalar(path_23.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_8.x().max(rt::Scalar(0f32)), h_8.y(), h_8.z()), rest_5);
-        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_5);
+        let rest_6 = (rt::Scalar(path_27.exit) - _e40);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_12.x().max(rt::Scalar(0f32)), h_12.y(), h_12.z()), rest_6);
+        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_6);
         let _e53 = start_1;
-        let base_5 = (rt::Scalar(path_23.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_5 = (rt::Scalar(path_27.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start_1;
-        let _e59 = self.v_path_uv(path_23, _e58);
+        let _e59 = self.v_path_uv(path_27, _e58);
         let _e65 = start_1;
-        return <Path>::new(_e59, path_23.duv, h_8, exit_1, base_5, path_23.metric, rt::Scalar(path_23.ray), rt::Scalar(path_23.level), (rt::Scalar(path_23.start) + _e65), rt::Scalar(path_23.share), rt::Scalar(path_23.bend));
+        return <Path>::new(_e59, path_27.duv, h_12, exit_1, base_5, path_27.metric, rt::Scalar(path_27.ray), rt::Scalar(path_27.level), (rt::Scalar(path_27.start) + _e65), rt::Scalar(path_27.share), rt::Scalar(path_27.bend));
     }
     pub(crate) fn segment_of(
         &self,
         pixel_62: PixelIn,
-        at_63: Entered,
-        k_18: impl rt::Into<rt::Scalar<u32>>,
+        at_83: Entered,
+        k_19: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_62, at_63, rt::into(k_18)))
+        rt::into(self.v_segment_of(pixel_62, at_83, rt::into(k_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_segment_of(
         &self,
         pixel_62: PixelIn,
-        at_63: Entered,
-        k_18: rt::Scalar<u32>,
+        at_83: Entered,
+        k_19: rt::Scalar<u32>,
     ) -> Path {
-        let mut path_24: Path;
+        let mut path_28: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_62, at_63, k_18);
-        path_24 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_63.fade).elementwise_gt(rt::Scalar(0f32))) {
-            let _e8 = path_24;
+        let _e3 = self.v_surface_segment_stage(pixel_62, at_83, k_19);
+        path_28 = _e3;
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_83.fade).elementwise_gt(rt::Scalar(0f32))) {
+            let _e8 = path_28;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_63.fade));
-            path_24 = _e13;
-            let _e16 = path_24.h.x();
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_83.fade));
+            path_28 = _e13;
+            let _e16 = path_28.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
-                rt::Scalar(path_24.exit) = rt::Scalar(0f32);
+                rt::Scalar(path_28.exit) = rt::Scalar(0f32);
             }
         }
-        let _e22 = path_24;
+        let _e22 = path_28;
         return _e22;
     }
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_63: PixelIn,
-        at_64: Entered,
-        path_25: Path,
-        hit_9: Hit,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        at_84: Entered,
+        path_29: Path,
+        hit_19: Hit,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_63, at_64, path_25, hit_9, rt::into(params_49)))
+        rt::into(self.v_surface_plane_polish(pixel_63, at_84, path_29, hit_19, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_plane_polish(
         &self,
         pixel_63: PixelIn,
-        at_64: Entered,
-        path_25: Path,
-        hit_9: Hit,
-        params_49: rt::Vec4<f32>,
+        at_84: Entered,
+        path_29: Path,
+        hit_19: Hit,
+        params_61: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_9;
+        return hit_19;
     }
     pub(crate) fn weights_at_offset(
         &self,
         prism_11: Prism,
-        place_16: impl rt::Into<rt::Vec3<f32>>,
+        place_18: impl rt::Into<rt::Vec3<f32>>,
         offset_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_16), rt::into(offset_5)))
+        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_18), rt::into(offset_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_weights_at_offset(
         &self,
         prism_11: Prism,
-        place_16: rt::Vec3<f32>,
+        place_18: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let corner_5 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
-        let a_38 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
-        let b_38 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_6 = (place_16 - corner_5);
-        let across_7 = a_38.cross(b_38);
-        let square_2 = across_7.dot(across_7);
-        if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
+        let a_39 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
+        let b_39 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
+        let rest_7 = (place_18 - corner_5);
+        let across_9 = a_39.cross(b_39);
+        let square_3 = across_9.dot(across_9);
+        if rt::Scalar::into_branch_condition((!square_3.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_5 = (rest_6.cross(b_38).dot(across_7) / square_2);
-        let third_4 = (a_38.cross(rest_6).dot(across_7) / square_2);
-        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_5) - third_4), second_5, third_4);
+        let second_6 = (rest_7.cross(b_39).dot(across_9) / square_3);
+        let third_4 = (a_39.cross(rest_7).dot(across_9) / square_3);
+        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_6) - third_4), second_6, third_4);
     }
     pub(crate) fn shell_point_near(
         &self,
         prism_12: Prism,
-        place_17: impl rt::Into<rt::Vec3<f32>>,
-        height_6: impl rt::Into<rt::Scalar<f32>>,
+        place_19: impl rt::Into<rt::Vec3<f32>>,
+        height_9: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_17), rt::into(height_6)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_19), rt::into(height_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shell_point_near(
         &self,
         prism_12: Prism,
-        place_17: rt::Vec3<f32>,
-        height_6: rt::Scalar<f32>,
+        place_19: rt::Vec3<f32>,
+        height_9: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let low_4 = self.surface_settings.shell_m.x();
+        let low_5 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let offset_8 = (low_4 + ((_e10 - low_4).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_6));
-        let _e16 = self.v_weights_at_offset(prism_12, place_17, offset_8);
+        let offset_8 = (low_5 + ((_e10 - low_5).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_9));
+        let _e16 = self.v_weights_at_offset(prism_12, place_19, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
-        let _e20 = self.v_weights_at_offset(prism_12, place_17, (offset_8 + _e18));
-        let near_8 = <ShellPoint>::new(_e20, height_6);
-        let _e22 = self.v_shell_point_from(prism_12, place_17, near_8);
-        let moved = (_e22.weights - near_8.weights).abs();
-        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_6).abs()));
+        let _e20 = self.v_weights_at_offset(prism_12, place_19, (offset_8 + _e18));
+        let near_9 = <ShellPoint>::new(_e20, height_9);
+        let _e22 = self.v_shell_point_from(prism_12, place_19, near_9);
+        let moved = (_e22.weights - near_9.weights).abs();
+        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_9).abs()));
         if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
             return _e22;
         }
-        return near_8;
+        return near_9;
     }
     pub(crate) fn point_of_way(
         &self,
         pixel_64: PixelIn,
         prism_13: Prism,
-        place_18: impl rt::Into<rt::Vec3<f32>>,
-        height_7: impl rt::Into<rt::Scalar<f32>>,
+        place_20: impl rt::Into<rt::Vec3<f32>>,
+        height_10: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_64, prism_13, rt::into(place_18), rt::into(height_7)))
+        rt::into(self.v_point_of_way(pixel_64, prism_13, rt::into(place_20), rt::into(height_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9660,238 +10858,242 @@ impl<'g> Resources<'g> {
         &self,
         pixel_64: PixelIn,
         prism_13: Prism,
-        place_18: rt::Vec3<f32>,
-        height_7: rt::Scalar<f32>,
+        place_20: rt::Vec3<f32>,
+        height_10: rt::Scalar<f32>,
     ) -> ShellPoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_18, height_7);
+            let _e8 = self.v_shell_point_near(prism_13, place_20, height_10);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_13, place_18, height_7);
+        let _e9 = self.v_shell_point(prism_13, place_20, height_10);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
         &self,
         pixel_65: PixelIn,
-        at_65: Entered,
-        path_26: Path,
-        hit_10: Hit,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        at_85: Entered,
+        path_30: Path,
+        hit_20: Hit,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_65, at_65, path_26, hit_10, rt::into(params_50)))
+        rt::into(self.v_surface_prism_polish(pixel_65, at_85, path_30, hit_20, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_polish(
         &self,
         pixel_65: PixelIn,
-        at_65: Entered,
-        path_26: Path,
-        hit_10: Hit,
-        params_50: rt::Vec4<f32>,
+        at_85: Entered,
+        path_30: Path,
+        hit_20: Hit,
+        params_62: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_15: rt::Scalar<f32>;
+        let mut t_18: rt::Scalar<f32>;
         let mut point_16: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_39 = pixel_65.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_65, along_39);
-        let _e8 = self.v_prism_of(pixel_65, along_39, _e7, params_50);
-        let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_10.t));
-        let _e11 = self.v_grid_of(path_26);
-        let texels_5 = _e11.step.abs();
-        let most_13 = ((rt::Scalar(2f32) * params_50.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
-        t_15 = rt::Scalar(hit_10.t);
-        let _e30 = t_15;
-        let _e34 = t_15;
-        let _e35 = self.v_path_height(path_26, _e34);
-        let _e36 = self.v_point_of_way(pixel_65, _e8, (along_39 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
-        point_16 = _e36;
+        let _e6 = self.v_field_is_ground_stage(rt::Scalar(path_30.level));
+        if rt::Scalar::into_branch_condition((!_e6)) {
+            return hit_20;
+        }
+        let along_40 = pixel_65.direction.normalize();
+        let _e10 = self.v_middle_of(pixel_65, along_40);
+        let _e11 = self.v_prism_of(pixel_65, along_40, _e10, params_62);
+        let _e13 = self.v_path_gap(path_30, rt::Scalar(hit_20.t));
+        let _e14 = self.v_grid_of(path_30);
+        let texels_6 = _e14.step.abs();
+        let most_14 = ((rt::Scalar(2f32) * params_62.x()) / texels_6.x().max(texels_6.y()).max((path_30.h.y().abs() / rt::Scalar(0.0625f32))));
+        t_18 = rt::Scalar(hit_20.t);
+        let _e33 = t_18;
+        let _e37 = t_18;
+        let _e38 = self.v_path_height(path_30, _e37);
+        let _e39 = self.v_point_of_way(pixel_65, _e11, (along_40 * ((rt::Scalar(path_30.start) + _e33) - _e10)), _e38);
+        point_16 = _e39;
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = step_2;
-                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(POLISH_STEPS)) {
+                let _e43 = step_2;
+                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(POLISH_STEPS)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e43 = step_2;
-                    step_2 = (_e43 + rt::Scalar(1u32));
-                    let _e47 = rt::Scalar(point_16.height);
-                    let _e49 = point_16.weights;
-                    let _e50 = self.v_uv_of(pixel_65, _e49);
-                    let _e52 = self.v_height_at(_e50, rt::Scalar(path_26.level));
-                    let gap_1 = ((_e47 - _e52) - _e10);
-                    let _e57 = t_15;
-                    let _e60 = self.v_cell_of((_e11.origin + (_e11.step * _e57)));
-                    let _e61 = t_15;
-                    let _e62 = self.v_cell_gap(path_26, _e11, _e60, _e61);
-                    let change_6 = _e62.y();
+                    let _e46 = step_2;
+                    step_2 = (_e46 + rt::Scalar(1u32));
+                    let _e50 = rt::Scalar(point_16.height);
+                    let _e52 = point_16.weights;
+                    let _e53 = self.v_uv_of(pixel_65, _e52);
+                    let _e55 = self.v_height_at(_e53, rt::Scalar(path_30.level));
+                    let gap_2 = ((_e50 - _e55) - _e13);
+                    let _e60 = t_18;
+                    let _e63 = self.v_cell_of((_e14.origin + (_e14.step * _e60)));
+                    let _e64 = t_18;
+                    let _e65 = self.v_cell_gap(path_30, _e14, _e63, _e64);
+                    let change_6 = _e65.y();
                     if rt::Scalar::into_branch_condition(change_6.elementwise_lt(rt::Scalar(0f32))) {
-                        let _e66 = t_15;
-                        t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_10.t) - most_13), (rt::Scalar(hit_10.t) + most_13));
+                        let _e69 = t_18;
+                        t_18 = (_e69 - (gap_2 / change_6)).clamp((rt::Scalar(hit_20.t) - most_14), (rt::Scalar(hit_20.t) + most_14));
                     }
-                    let _e75 = t_15;
-                    let place_30 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    let _e78 = t_18;
+                    let place_32 = (along_40 * ((rt::Scalar(path_30.start) + _e78) - _e10));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_ge(SHELL_FOLDED)) {
-                        let _e83 = t_15;
-                        let _e84 = self.v_path_height(path_26, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_30, _e84);
-                        point_16 = _e85;
+                        let _e86 = t_18;
+                        let _e87 = self.v_path_height(path_30, _e86);
+                        let _e88 = self.v_shell_point_near(_e11, place_32, _e87);
+                        point_16 = _e88;
                     } else {
-                        let _e86 = point_16;
-                        let _e87 = self.v_shell_point_from(_e8, place_30, _e86);
-                        point_16 = _e87;
+                        let _e89 = point_16;
+                        let _e90 = self.v_shell_point_from(_e11, place_32, _e89);
+                        point_16 = _e90;
                     }
                 }
             }
         }
-        let _e91 = point_16.weights;
-        let _e92 = self.v_uv_of(pixel_65, _e91);
-        let _e94 = rt::Scalar(point_16.height);
-        let _e95 = t_15;
-        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_10.exhausted), _e92, _e94, _e95, hit_10.cost);
+        let _e94 = point_16.weights;
+        let _e95 = self.v_uv_of(pixel_65, _e94);
+        let _e97 = rt::Scalar(point_16.height);
+        let _e98 = t_18;
+        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_20.exhausted), _e95, _e97, _e98, hit_20.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
         pixel_66: PixelIn,
-        at_66: Entered,
-        path_27: Path,
-        hit_11: Hit,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        at_86: Entered,
+        path_31: Path,
+        hit_21: Hit,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_66, path_27, hit_11, rt::into(params_51)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_86, path_31, hit_21, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_66: PixelIn,
-        at_66: Entered,
-        path_27: Path,
-        hit_11: Hit,
-        params_51: rt::Vec4<f32>,
+        at_86: Entered,
+        path_31: Path,
+        hit_21: Hit,
+        params_63: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_11;
+        return hit_21;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
         pixel_67: PixelIn,
-        at_67: Entered,
-        path_28: Path,
-        hit_12: Hit,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        at_87: Entered,
+        path_32: Path,
+        hit_22: Hit,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_67, path_28, hit_12, rt::into(params_52)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_87, path_32, hit_22, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_vertical_polish(
         &self,
         pixel_67: PixelIn,
-        at_67: Entered,
-        path_28: Path,
-        hit_12: Hit,
-        params_52: rt::Vec4<f32>,
+        at_87: Entered,
+        path_32: Path,
+        hit_22: Hit,
+        params_64: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_12;
+        return hit_22;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
         pixel_68: PixelIn,
-        at_68: Entered,
-        path_29: Path,
-        hit_13: Hit,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        at_88: Entered,
+        path_33: Path,
+        hit_23: Hit,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_68, path_29, hit_13, rt::into(params_53)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_88, path_33, hit_23, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_tetrahedra_polish(
         &self,
         pixel_68: PixelIn,
-        at_68: Entered,
-        path_29: Path,
-        hit_13: Hit,
-        params_53: rt::Vec4<f32>,
+        at_88: Entered,
+        path_33: Path,
+        hit_23: Hit,
+        params_65: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_13;
+        return hit_23;
     }
     pub(crate) fn surface_facets_polish(
         &self,
         pixel_69: PixelIn,
-        at_69: Entered,
-        path_30: Path,
-        hit_14: Hit,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        at_89: Entered,
+        path_34: Path,
+        hit_24: Hit,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_69, at_69, path_30, hit_14, rt::into(params_54)))
+        rt::into(self.v_surface_facets_polish(pixel_69, at_89, path_34, hit_24, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_polish(
         &self,
         pixel_69: PixelIn,
-        at_69: Entered,
-        path_30: Path,
-        hit_14: Hit,
-        params_54: rt::Vec4<f32>,
+        at_89: Entered,
+        path_34: Path,
+        hit_24: Hit,
+        params_66: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_14;
+        return hit_24;
     }
     pub(crate) fn surface_slices_polish(
         &self,
         pixel_70: PixelIn,
-        at_70: Entered,
-        path_31: Path,
-        hit_15: Hit,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        at_90: Entered,
+        path_35: Path,
+        hit_25: Hit,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_70, at_70, path_31, hit_15, rt::into(params_55)))
+        rt::into(self.v_surface_slices_polish(pixel_70, at_90, path_35, hit_25, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_polish(
         &self,
         pixel_70: PixelIn,
-        at_70: Entered,
-        path_31: Path,
-        hit_15: Hit,
-        params_55: rt::Vec4<f32>,
+        at_90: Entered,
+        path_35: Path,
+        hit_25: Hit,
+        params_67: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted: Hit;
 
-        counted = hit_15;
-        counted.cost = (hit_15.cost + HEIGHTS_READ);
+        counted = hit_25;
+        counted.cost = (hit_25.cost + HEIGHTS_READ);
         let _e10 = counted;
         return _e10;
     }
     pub(crate) fn metres_on(
         &self,
-        path_32: Path,
-        t_16: impl rt::Into<rt::Scalar<f32>>,
+        path_36: Path,
+        t_19: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_metres_on(path_32, rt::into(t_16)))
+        rt::into(self.v_metres_on(path_36, rt::into(t_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_metres_on(
         &self,
-        path_32: Path,
-        t_16: rt::Scalar<f32>,
+        path_36: Path,
+        t_19: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (t_16 / (rt::Scalar(1f32) - (rt::Scalar(path_32.bend) * t_16)));
+        return (t_19 / (rt::Scalar(1f32) - (rt::Scalar(path_36.bend) * t_19)));
     }
-    pub(crate) fn polished_on_image(&self, path_33: Path, hit_16: Hit) -> Hit {
-        rt::into(self.v_polished_on_image(path_33, hit_16))
+    pub(crate) fn polished_on_image(&self, path_37: Path, hit_26: Hit) -> Hit {
+        rt::into(self.v_polished_on_image(path_37, hit_26))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_polished_on_image(&self, path_33: Path, hit_16: Hit) -> Hit {
+    pub(super) fn v_polished_on_image(&self, path_37: Path, hit_26: Hit) -> Hit {
         let mut polished: Hit;
 
-        polished = hit_16;
-        let _e5 = self.v_metres_on(path_33, rt::Scalar(hit_16.t));
+        polished = hit_26;
+        let _e5 = self.v_metres_on(path_37, rt::Scalar(hit_26.t));
         rt::Scalar(polished.t) = _e5;
         let _e6 = polished;
         return _e6;
@@ -9899,144 +11101,144 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_polish(
         &self,
         pixel_71: PixelIn,
-        at_71: Entered,
-        path_34: Path,
-        hit_17: Hit,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        at_91: Entered,
+        path_38: Path,
+        hit_27: Hit,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_71, at_71, path_34, hit_17, rt::into(params_56)))
+        rt::into(self.v_surface_object_polish(pixel_71, at_91, path_38, hit_27, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_polish(
         &self,
         pixel_71: PixelIn,
-        at_71: Entered,
-        path_34: Path,
-        hit_17: Hit,
-        params_56: rt::Vec4<f32>,
+        at_91: Entered,
+        path_38: Path,
+        hit_27: Hit,
+        params_68: rt::Vec4<f32>,
     ) -> Hit {
-        let _e5 = self.v_polished_on_image(path_34, hit_17);
+        let _e5 = self.v_polished_on_image(path_38, hit_27);
         return _e5;
     }
     pub(crate) fn surface_frames_polish(
         &self,
         pixel_72: PixelIn,
-        at_72: Entered,
-        path_35: Path,
-        hit_18: Hit,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        at_92: Entered,
+        path_39: Path,
+        hit_28: Hit,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_72, at_72, path_35, hit_18, rt::into(params_57)))
+        rt::into(self.v_surface_frames_polish(pixel_72, at_92, path_39, hit_28, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_polish(
         &self,
         pixel_72: PixelIn,
-        at_72: Entered,
-        path_35: Path,
-        hit_18: Hit,
-        params_57: rt::Vec4<f32>,
+        at_92: Entered,
+        path_39: Path,
+        hit_28: Hit,
+        params_69: rt::Vec4<f32>,
     ) -> Hit {
-        let _e5 = self.v_polished_on_image(path_35, hit_18);
+        let _e5 = self.v_polished_on_image(path_39, hit_28);
         return _e5;
     }
     pub(crate) fn surface_object_slices_polish(
         &self,
         pixel_73: PixelIn,
-        at_73: Entered,
-        path_36: Path,
-        hit_19: Hit,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        at_93: Entered,
+        path_40: Path,
+        hit_29: Hit,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_73, at_73, path_36, hit_19, rt::into(params_58)))
+        rt::into(self.v_surface_object_slices_polish(pixel_73, at_93, path_40, hit_29, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_polish(
         &self,
         pixel_73: PixelIn,
-        at_73: Entered,
-        path_36: Path,
-        hit_19: Hit,
-        params_58: rt::Vec4<f32>,
+        at_93: Entered,
+        path_40: Path,
+        hit_29: Hit,
+        params_70: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted_1: Hit;
 
-        counted_1 = hit_19;
+        counted_1 = hit_29;
         let _e10 = rt::Scalar(self.surface_settings.solids);
         let _e15 = rt::Scalar(self.surface_settings.solids);
-        counted_1.cost = (hit_19.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
+        counted_1.cost = (hit_29.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_74: Entered, path_37: Path, hit_20: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_74, at_74, path_37, hit_20))
+    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_94: Entered, path_41: Path, hit_30: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_74, at_94, path_41, hit_30))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_74: Entered, path_37: Path, hit_20: Hit) -> Hit {
+    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_94: Entered, path_41: Path, hit_30: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_74, at_74, path_37, hit_20, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_74, at_94, path_41, hit_30, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_74, at_74, path_37, hit_20, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_74, at_94, path_41, hit_30, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_74, path_37, hit_20, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_94, path_41, hit_30, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_74, path_37, hit_20, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_94, path_41, hit_30, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_74, path_37, hit_20, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_94, path_41, hit_30, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_74, at_74, path_37, hit_20, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_74, at_94, path_41, hit_30, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_74, at_74, path_37, hit_20, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_74, at_94, path_41, hit_30, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_74, at_74, path_37, hit_20, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_74, at_94, path_41, hit_30, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_74, at_74, path_37, hit_20, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_74, at_94, path_41, hit_30, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_74, path_37, hit_20, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_94, path_41, hit_30, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_75: Entered, path_38: Path, hit_21: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_75, at_75, path_38, hit_21))
+    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_95: Entered, path_42: Path, hit_31: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_75, at_95, path_42, hit_31))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_75: Entered, path_38: Path, hit_21: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_75, at_75, path_38, hit_21);
+    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_95: Entered, path_42: Path, hit_31: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_75, at_95, path_42, hit_31);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -10049,14 +11251,14 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_7.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn is_in_hole(&self, uv_21: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_in_hole(rt::into(uv_21)))
+    pub(crate) fn is_in_hole(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_in_hole(rt::into(uv_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_is_in_hole(&self, uv_21: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    pub(super) fn v_is_in_hole(&self, uv_30: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition((_e3 & rt::Scalar(2u32)).elementwise_ne(rt::Scalar(0u32))) {
-            let _e9 = self.v_color_at(uv_21, rt::Scalar(0u32));
+            let _e9 = self.v_color_at(uv_30, rt::Scalar(0u32));
             let _e13 = rt::Scalar(self.surface_settings.cutoff);
             if rt::Scalar::into_branch_condition(_e9.w().elementwise_lt(_e13)) {
                 return rt::Scalar(true);
@@ -10068,119 +11270,137 @@ impl<'g> Resources<'g> {
         }
         let _e25 = self.v_height_texels(rt::Scalar(0u32));
         let _e27 = self.v_height_size(rt::Scalar(0u32));
-        let _e33 = self.v_cell_of(((uv_21 * _e27) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_31 = _e33.to_i32();
-        let _e37 = self.v_wrap_index(cell_31.x(), _e25.x());
-        let _e42 = self.v_wrap_index((cell_31.x() + rt::Scalar(1i32)), _e25.x());
-        let _e45 = self.v_wrap_index(cell_31.y(), _e25.y());
-        let _e50 = self.v_wrap_index((cell_31.y() + rt::Scalar(1i32)), _e25.y());
+        let _e33 = self.v_cell_of(((uv_30 * _e27) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let cell_38 = _e33.to_i32();
+        let _e37 = self.v_wrap_index(cell_38.x(), _e25.x());
+        let _e42 = self.v_wrap_index((cell_38.x() + rt::Scalar(1i32)), _e25.x());
+        let _e45 = self.v_wrap_index(cell_38.y(), _e25.y());
+        let _e50 = self.v_wrap_index((cell_38.y() + rt::Scalar(1i32)), _e25.y());
         let _e54 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37, _e45), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e59 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e42, _e45), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let above_7 = _e54.x().max(_e59.x());
+        let above_8 = _e54.x().max(_e59.x());
         let _e65 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37, _e50), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e70 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e42, _e50), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let below_6 = _e65.x().max(_e70.x());
-        return above_7.max(below_6).elementwise_gt(rt::Scalar(0f32));
+        let below_7 = _e65.x().max(_e70.x());
+        return above_8.max(below_7).elementwise_gt(rt::Scalar(0f32));
     }
-    pub(crate) fn in_hole(&self, uv_22: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_22)))
+    pub(crate) fn in_hole(&self, uv_31: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_in_hole(&self, uv_22: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    pub(super) fn v_in_hole(&self, uv_31: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(false);
         }
-        let _e7 = self.v_is_in_hole(uv_22);
+        let _e7 = self.v_is_in_hole(uv_31);
         return _e7;
     }
     pub(crate) fn hit_on_segment(
         &self,
         pixel_76: PixelIn,
-        at_76: Entered,
-        path_39: Path,
+        at_96: Entered,
+        path_43: Path,
         found: Hit,
-        k_19: impl rt::Into<rt::Scalar<u32>>,
+        k_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_76, at_76, path_39, found, rt::into(k_19)))
+        rt::into(self.v_hit_on_segment(pixel_76, at_96, path_43, found, rt::into(k_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_hit_on_segment(
         &self,
         pixel_76: PixelIn,
-        at_76: Entered,
-        path_39: Path,
+        at_96: Entered,
+        path_43: Path,
         found: Hit,
-        k_19: rt::Scalar<u32>,
+        k_20: rt::Scalar<u32>,
     ) -> FirstHit {
-        let mut first_1: FirstHit;
+        let mut first_2: FirstHit;
 
-        first_1 = <FirstHit>::new(found, k_19, rt::Scalar(0f32));
+        first_2 = <FirstHit>::new(found, k_20, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_76, at_76, path_39, found);
-            let _e12 = self.v_depth_on_ray(pixel_76, path_39, _e11);
+            let _e11 = self.v_polish_hit(pixel_76, at_96, path_43, found);
+            let _e12 = self.v_depth_on_ray(pixel_76, path_43, _e11);
             let _e13 = self.v_key_of(_e12);
-            first_1 = <FirstHit>::new(_e11, k_19, _e13);
+            first_2 = <FirstHit>::new(_e11, k_20, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
             if rt::Scalar::into_branch_condition(_e16) {
-                rt::Scalar(first_1.hit.found) = rt::Scalar(0u32);
+                rt::Scalar(first_2.hit.found) = rt::Scalar(0u32);
             }
         }
-        let _e20 = first_1;
+        let _e20 = first_2;
         return _e20;
+    }
+    pub(crate) fn leaves_at_exit(&self, path_44: Path) -> bool {
+        rt::into(self.v_leaves_at_exit(path_44))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_leaves_at_exit(&self, path_44: Path) -> rt::Scalar<bool> {
+        let mut local_62: rt::Scalar<bool>;
+
+        let _e2 = self.v_path_height(path_44, rt::Scalar(path_44.exit));
+        if rt::Scalar::into_branch_condition((!_e2.elementwise_gt(rt::Scalar(0.000001f32)))) {
+            let _e9 = self.v_field_is_ground_stage(rt::Scalar(path_44.level));
+            local_62 = (!_e9);
+        } else {
+            local_62 = rt::Scalar(true);
+        }
+        let _e12 = local_62;
+        return _e12;
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_40: Path,
-        t_17: impl rt::Into<rt::Scalar<f32>>,
+        path_45: Path,
+        t_20: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_40, rt::into(t_17), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_45, rt::into(t_20), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_hit_on_path(
         &self,
-        path_40: Path,
-        t_17: rt::Scalar<f32>,
+        path_45: Path,
+        t_20: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_59: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_17.elementwise_gt(rt::Scalar(path_40.exit))) {
-            let _e9 = self.v_path_height(path_40, rt::Scalar(path_40.exit));
-            local_59 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        if rt::Scalar::into_branch_condition(t_20.elementwise_gt(rt::Scalar(path_45.exit))) {
+            let _e8 = self.v_leaves_at_exit(path_45);
+            local_63 = _e8;
         } else {
-            local_59 = rt::Scalar(false);
+            local_63 = rt::Scalar(false);
         }
-        let _e13 = local_59;
-        if rt::Scalar::into_branch_condition(_e13) {
-            let _e14 = self.v_miss(cost_3);
-            return _e14;
+        let _e10 = local_63;
+        if rt::Scalar::into_branch_condition(_e10) {
+            let _e11 = self.v_miss(cost_3);
+            return _e11;
         }
-        let inside_6 = t_17.clamp(rt::Scalar(0f32), rt::Scalar(path_40.exit));
-        let _e19 = self.v_path_uv(path_40, inside_6);
-        let _e20 = self.v_path_height(path_40, inside_6);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_6, cost_3);
+        let inside_6 = t_20.clamp(rt::Scalar(0f32), rt::Scalar(path_45.exit));
+        let _e16 = self.v_path_uv(path_45, inside_6);
+        let _e17 = self.v_path_height(path_45, inside_6);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e16, _e17, inside_6, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_41: Path, found_1: SearchResult) -> f32 {
-        rt::into(self.v_starting_point(path_41, found_1))
+    pub(crate) fn starting_point(&self, path_46: Path, found_1: SearchResult) -> f32 {
+        rt::into(self.v_starting_point(path_46, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_starting_point(&self, path_41: Path, found_1: SearchResult) -> rt::Scalar<f32> {
-        let mut local_60: rt::Scalar<bool>;
+    pub(super) fn v_starting_point(&self, path_46: Path, found_1: SearchResult) -> rt::Scalar<f32> {
+        let mut local_64: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_41.base);
+            return rt::Scalar(path_46.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_60 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_64 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_60 = rt::Scalar(true);
+            local_64 = rt::Scalar(true);
         }
-        let _e16 = local_60;
+        let _e16 = local_64;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -10188,226 +11408,226 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_42: Path,
+        path_47: Path,
         found_2: SearchResult,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_42, found_2, rt::into(params_59)))
+        rt::into(self.v_refine_none(path_47, found_2, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_refine_none(
         &self,
-        path_42: Path,
+        path_47: Path,
         found_2: SearchResult,
-        params_59: rt::Vec4<f32>,
+        params_71: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_42, found_2);
-        let _e16 = self.v_hit_on_path(path_42, _e14, exhausted_1, found_2.cost);
+        let _e14 = self.v_starting_point(path_47, found_2);
+        let _e16 = self.v_hit_on_path(path_47, _e14, exhausted_1, found_2.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_43: Path,
+        path_48: Path,
         found_3: SearchResult,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_43, found_3, rt::into(params_60)))
+        rt::into(self.v_refine_offset(path_48, found_3, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_offset(
         &self,
-        path_43: Path,
+        path_48: Path,
         found_3: SearchResult,
-        params_60: rt::Vec4<f32>,
+        params_72: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_18: rt::Scalar<f32>;
+        let mut t_21: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_43, found_3);
-        let _e9 = self.v_path_uv(path_43, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_43.level));
-        let _e12 = self.v_path_slope(path_43, _e8);
-        t_18 = _e8;
+        let _e8 = self.v_starting_point(path_48, found_3);
+        let _e9 = self.v_path_uv(path_48, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_48.level));
+        let _e12 = self.v_path_slope(path_48, _e8);
+        t_21 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_43, _e8);
-            t_18 = (_e8 + ((_e11 - _e16) / _e12));
+            let _e16 = self.v_path_height(path_48, _e8);
+            t_21 = (_e8 + ((_e11 - _e16) / _e12));
         }
-        let _e20 = t_18;
-        let _e30 = self.v_hit_on_path(path_43, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
+        let _e20 = t_21;
+        let _e30 = self.v_hit_on_path(path_48, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_44: Path,
+        path_49: Path,
         found_4: SearchResult,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_44, found_4, rt::into(params_61)))
+        rt::into(self.v_refine_offset_limited(path_49, found_4, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_offset_limited(
         &self,
-        path_44: Path,
+        path_49: Path,
         found_4: SearchResult,
-        params_61: rt::Vec4<f32>,
+        params_73: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_22: Hit;
+        let mut hit_32: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_44, found_4);
-        let _e9 = self.v_path_uv(path_44, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_44.level));
-        let _e12 = self.v_path_height(path_44, _e8);
-        let rise_m = ((_e11 - _e12) * path_44.metric.w());
+        let _e8 = self.v_starting_point(path_49, found_4);
+        let _e9 = self.v_path_uv(path_49, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_49.level));
+        let _e12 = self.v_path_height(path_49, _e8);
+        let rise_m = ((_e11 - _e12) * path_49.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_44, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
-        hit_22 = _e27;
-        let _e30 = rt::Scalar(hit_22.found);
+        let _e27 = self.v_hit_on_path(path_49, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
+        hit_32 = _e27;
+        let _e30 = rt::Scalar(hit_32.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_22.height) = _e11;
+            rt::Scalar(hit_32.height) = _e11;
         }
-        let _e34 = hit_22;
+        let _e34 = hit_32;
         return _e34;
     }
     pub(crate) fn normal_z(
         &self,
-        path_45: Path,
+        path_50: Path,
         slope_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_45, rt::into(slope_1)))
+        rt::into(self.v_normal_z(path_50, rt::into(slope_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_z(
         &self,
-        path_45: Path,
+        path_50: Path,
         slope_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_5 = path_45.metric;
-        let area_5 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
-        let squared_3 = (((((slope_1.x() * slope_1.x()) * m_5.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_5.y())) + ((slope_1.y() * slope_1.y()) * m_5.x())) / area_5);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_5.w() * m_5.w()) * squared_3)).sqrt());
+        let m_5 = path_50.metric;
+        let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
+        let squared_4 = (((((slope_1.x() * slope_1.x()) * m_5.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_5.y())) + ((slope_1.y() * slope_1.y()) * m_5.x())) / area_6);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_5.w() * m_5.w()) * squared_4)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_46: Path,
+        path_51: Path,
         found_5: SearchResult,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_46, found_5, rt::into(params_62)))
+        rt::into(self.v_refine_slope(path_51, found_5, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_slope(
         &self,
-        path_46: Path,
+        path_51: Path,
         found_5: SearchResult,
-        params_62: rt::Vec4<f32>,
+        params_74: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_19: rt::Scalar<f32>;
+        let mut t_22: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_46, found_5);
-        let _e9 = self.v_path_uv(path_46, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_46.level));
-        let _e13 = self.v_path_height(path_46, _e8);
-        let rise_1 = (_e11.x() - _e13);
-        t_19 = _e8;
-        if rt::Scalar::into_branch_condition(params_62.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_46, _e8);
-            let closing = (_e19 - ((_e11.y() * path_46.duv.x()) + (_e11.z() * path_46.duv.y())));
+        let _e8 = self.v_starting_point(path_51, found_5);
+        let _e9 = self.v_path_uv(path_51, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_51.level));
+        let _e13 = self.v_path_height(path_51, _e8);
+        let rise_2 = (_e11.x() - _e13);
+        t_22 = _e8;
+        if rt::Scalar::into_branch_condition(params_74.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_51, _e8);
+            let closing = (_e19 - ((_e11.y() * path_51.duv.x()) + (_e11.z() * path_51.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_19 = (_e8 + (rise_1 / closing));
+                t_22 = (_e8 + (rise_2 / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_46, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_19 = (_e8 - ((rise_1 * path_46.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_51, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_22 = (_e8 - ((rise_2 * path_51.metric.w()) * _e40));
         }
-        let _e43 = t_19;
-        let _e53 = self.v_hit_on_path(path_46, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e43 = t_22;
+        let _e53 = self.v_hit_on_path(path_51, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_47: Path,
+        path_52: Path,
         found_6: SearchResult,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_47, found_6, rt::into(params_63)))
+        rt::into(self.v_refine_slope_iterative(path_52, found_6, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_slope_iterative(
         &self,
-        path_47: Path,
+        path_52: Path,
         found_6: SearchResult,
-        params_63: rt::Vec4<f32>,
+        params_75: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_20: rt::Scalar<f32>;
+        let mut t_23: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
-        let mut k_20: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_21: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_47, found_6);
-        t_20 = _e8;
+        let _e8 = self.v_starting_point(path_52, found_6);
+        t_23 = _e8;
         cost_4 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_20;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_63.x())) {
+                let _e14 = k_21;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_75.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
-                    let _e20 = t_20;
-                    let _e21 = self.v_path_uv(path_47, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_47.level));
+                    let _e20 = t_23;
+                    let _e21 = self.v_path_uv(path_52, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_52.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
-                    let _e28 = t_20;
-                    let _e29 = self.v_path_height(path_47, _e28);
-                    let rise_2 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_63.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e34 = t_20;
-                        let _e35 = self.v_path_slope(path_47, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_47.duv.x()) + (_e23.z() * path_47.duv.y())));
+                    let _e28 = t_23;
+                    let _e29 = self.v_path_height(path_52, _e28);
+                    let rise_3 = (_e23.x() - _e29);
+                    if rt::Scalar::into_branch_condition(params_75.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e34 = t_23;
+                        let _e35 = self.v_path_slope(path_52, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_52.duv.x()) + (_e23.z() * path_52.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e48 = t_20;
-                            t_20 = (_e48 + (rise_2 / closing_1));
+                            let _e48 = t_23;
+                            t_23 = (_e48 + (rise_3 / closing_1));
                         }
                     } else {
-                        let _e51 = t_20;
-                        let _e58 = self.v_normal_z(path_47, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_20 = (_e51 - ((rise_2 * path_47.metric.w()) * _e58));
+                        let _e51 = t_23;
+                        let _e58 = self.v_normal_z(path_52, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_23 = (_e51 - ((rise_3 * path_52.metric.w()) * _e58));
                     }
-                    let _e61 = t_20;
-                    t_20 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_47.exit));
-                    let _e65 = k_20;
-                    k_20 = (_e65 + rt::Scalar(1f32));
+                    let _e61 = t_23;
+                    t_23 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_52.exit));
+                    let _e65 = k_21;
+                    k_21 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e68 = t_20;
+        let _e68 = t_23;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_47, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_52, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_7: SearchResult) -> bool {
@@ -10415,55 +11635,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_has_interval(&self, found_7: SearchResult) -> rt::Scalar<bool> {
-        let mut local_61: rt::Scalar<bool>;
-        let mut local_62: rt::Scalar<bool>;
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_62 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_66 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_62 = rt::Scalar(true);
+                local_66 = rt::Scalar(true);
             }
-            let _e16 = local_62;
+            let _e16 = local_66;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_63 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_67 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_63 = rt::Scalar(true);
+                local_67 = rt::Scalar(true);
             }
-            let _e24 = local_63;
-            local_61 = _e24;
+            let _e24 = local_67;
+            local_65 = _e24;
         } else {
-            local_61 = rt::Scalar(false);
+            local_65 = rt::Scalar(false);
         }
-        let _e26 = local_61;
+        let _e26 = local_65;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_48: Path,
+        path_53: Path,
         found_8: SearchResult,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_48, found_8, rt::into(params_64)))
+        rt::into(self.v_refine_binary(path_53, found_8, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_binary(
         &self,
-        path_48: Path,
+        path_53: Path,
         found_8: SearchResult,
-        params_64: rt::Vec4<f32>,
+        params_76: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_64: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_21: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_22: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_48, found_8, params_64);
+            let _e5 = self.v_refine_none(path_53, found_8, params_76);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -10471,17 +11691,17 @@ impl<'g> Resources<'g> {
         cost_5 = found_8.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
-            let _e19 = self.v_path_height(path_48, _e18);
-            local_64 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_53, _e18);
+            local_68 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_64 = rt::Scalar(true);
+            local_68 = rt::Scalar(true);
         }
-        let _e23 = local_64;
+        let _e23 = local_68;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_21;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_64.x())) {
+                let _e27 = k_22;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_76.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10490,59 +11710,60 @@ impl<'g> Resources<'g> {
                     cost_5 = (_e30 + STEP);
                     let _e33 = near_2;
                     let _e34 = far_4;
-                    let middle_14 = (rt::Scalar(0.5f32) * (_e33 + _e34));
+                    let middle_16 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
-                    cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_48, middle_14);
-                    if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
-                        far_4 = middle_14;
+                    let _e40 = self.v_field_cost_stage(rt::Scalar(path_53.level));
+                    cost_5 = (_e38 + _e40);
+                    let _e42 = self.v_path_gap(path_53, middle_16);
+                    if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
+                        far_4 = middle_16;
                         crossed = rt::Scalar(true);
                     } else {
-                        near_2 = middle_14;
+                        near_2 = middle_16;
                     }
-                    let _e45 = k_21;
-                    k_21 = (_e45 + rt::Scalar(1f32));
+                    let _e46 = k_22;
+                    k_22 = (_e46 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e48 = crossed;
-        if rt::Scalar::into_branch_condition((!_e48)) {
-            let _e50 = cost_5;
-            let _e51 = self.v_miss(_e50);
-            return _e51;
+        let _e49 = crossed;
+        if rt::Scalar::into_branch_condition((!_e49)) {
+            let _e51 = cost_5;
+            let _e52 = self.v_miss(_e51);
+            return _e52;
         }
-        let _e52 = near_2;
-        let _e53 = far_4;
-        let _e58 = cost_5;
-        let _e59 = self.v_hit_on_path(path_48, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
-        return _e59;
+        let _e53 = near_2;
+        let _e54 = far_4;
+        let _e59 = cost_5;
+        let _e60 = self.v_hit_on_path(path_53, (rt::Scalar(0.5f32) * (_e53 + _e54)), rt::Scalar(0u32), _e59);
+        return _e60;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_49: Path,
+        path_54: Path,
         found_9: SearchResult,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_49, found_9, rt::into(params_65)))
+        rt::into(self.v_refine_secant(path_54, found_9, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_secant(
         &self,
-        path_49: Path,
+        path_54: Path,
         found_9: SearchResult,
-        params_65: rt::Vec4<f32>,
+        params_77: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
         let mut near_gap_1: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut t_21: rt::Scalar<f32>;
-        let mut k_22: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut t_24: rt::Scalar<f32>;
+        let mut k_23: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_49, found_9, params_65);
+            let _e5 = self.v_refine_none(path_54, found_9, params_77);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -10552,94 +11773,97 @@ impl<'g> Resources<'g> {
         cost_6 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_49, _e19);
+            let _e20 = self.v_path_gap(path_54, _e19);
             near_gap_1 = _e20;
             let _e21 = far_5;
-            let _e22 = self.v_path_gap(path_49, _e21);
+            let _e22 = self.v_path_gap(path_54, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
-            cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
-            let _e28 = far_gap_1;
-            if rt::Scalar::into_branch_condition(_e28.elementwise_gt(rt::Scalar(0f32))) {
-                let _e31 = cost_6;
-                let _e32 = self.v_miss(_e31);
-                return _e32;
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_54.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_54.level));
+            cost_6 = ((_e23 + _e25) + _e28);
+            let _e30 = far_gap_1;
+            if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
+                let _e33 = cost_6;
+                let _e34 = self.v_miss(_e33);
+                return _e34;
             }
         }
-        let _e33 = far_5;
-        t_21 = _e33;
+        let _e35 = far_5;
+        t_24 = _e35;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_22;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_65.x())) {
+                let _e39 = k_23;
+                if rt::Scalar::into_branch_condition(_e39.elementwise_le(params_77.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e40 = cost_6;
-                    cost_6 = (_e40 + STEP);
-                    let _e43 = near_gap_1;
-                    let _e44 = far_gap_1;
-                    let drop = (_e43 - _e44);
+                    let _e42 = cost_6;
+                    cost_6 = (_e42 + STEP);
+                    let _e45 = near_gap_1;
+                    let _e46 = far_gap_1;
+                    let drop = (_e45 - _e46);
                     if rt::Scalar::into_branch_condition((!drop.elementwise_gt(rt::Scalar(0f32)))) {
                         break 'naga_break;
                     }
-                    let _e49 = near_3;
-                    let _e50 = far_5;
                     let _e51 = near_3;
-                    let _e53 = near_gap_1;
-                    t_21 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_22;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_65.x())) {
-                        let _e60 = t_21;
-                        let _e61 = self.v_path_gap(path_49, _e60);
-                        let _e62 = cost_6;
-                        cost_6 = (_e62 + HEIGHTS_READ);
-                        if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
-                            let _e67 = t_21;
-                            far_5 = _e67;
-                            far_gap_1 = _e61;
+                    let _e52 = far_5;
+                    let _e53 = near_3;
+                    let _e55 = near_gap_1;
+                    t_24 = (_e51 + ((_e52 - _e53) * (_e55 / drop)));
+                    let _e59 = k_23;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_77.x())) {
+                        let _e62 = t_24;
+                        let _e63 = self.v_path_gap(path_54, _e62);
+                        let _e64 = cost_6;
+                        let _e66 = self.v_field_cost_stage(rt::Scalar(path_54.level));
+                        cost_6 = (_e64 + _e66);
+                        if rt::Scalar::into_branch_condition(_e63.elementwise_le(rt::Scalar(0f32))) {
+                            let _e70 = t_24;
+                            far_5 = _e70;
+                            far_gap_1 = _e63;
                         } else {
-                            let _e68 = t_21;
-                            near_3 = _e68;
-                            near_gap_1 = _e61;
+                            let _e71 = t_24;
+                            near_3 = _e71;
+                            near_gap_1 = _e63;
                         }
                     }
-                    let _e69 = k_22;
-                    k_22 = (_e69 + rt::Scalar(1f32));
+                    let _e72 = k_23;
+                    k_23 = (_e72 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e72 = t_21;
-        let _e74 = cost_6;
-        let _e75 = self.v_hit_on_path(path_49, _e72, rt::Scalar(0u32), _e74);
-        return _e75;
+        let _e75 = t_24;
+        let _e77 = cost_6;
+        let _e78 = self.v_hit_on_path(path_54, _e75, rt::Scalar(0u32), _e77);
+        return _e78;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_50: Path,
+        path_55: Path,
         found_10: SearchResult,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_50, found_10, rt::into(params_66)))
+        rt::into(self.v_refine_true_secant(path_55, found_10, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_true_secant(
         &self,
-        path_50: Path,
+        path_55: Path,
         found_10: SearchResult,
-        params_66: rt::Vec4<f32>,
+        params_78: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_1: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_23: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_24: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_50, found_10, params_66);
+            let _e5 = self.v_refine_none(path_55, found_10, params_78);
             return _e5;
         }
         before_1 = rt::Scalar(found_10.near);
@@ -10649,485 +11873,1009 @@ impl<'g> Resources<'g> {
         cost_7 = found_10.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before_1;
-            let _e20 = self.v_path_gap(path_50, _e19);
+            let _e20 = self.v_path_gap(path_55, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_50, _e21);
+            let _e22 = self.v_path_gap(path_55, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
-            cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
-            let _e28 = last_gap;
-            if rt::Scalar::into_branch_condition(_e28.elementwise_gt(rt::Scalar(0f32))) {
-                let _e31 = cost_7;
-                let _e32 = self.v_miss(_e31);
-                return _e32;
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_55.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_55.level));
+            cost_7 = ((_e23 + _e25) + _e28);
+            let _e30 = last_gap;
+            if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
+                let _e33 = cost_7;
+                let _e34 = self.v_miss(_e33);
+                return _e34;
             }
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_23;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_66.x())) {
+                let _e37 = k_24;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_78.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e38 = cost_7;
-                    cost_7 = (_e38 + STEP);
-                    let _e41 = before_gap;
-                    let _e42 = last_gap;
-                    let change_7 = (_e41 - _e42);
+                    let _e40 = cost_7;
+                    cost_7 = (_e40 + STEP);
+                    let _e43 = before_gap;
+                    let _e44 = last_gap;
+                    let change_7 = (_e43 - _e44);
                     if rt::Scalar::into_branch_condition(change_7.elementwise_eq(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e46 = last;
-                    let _e47 = last;
-                    let _e48 = before_1;
-                    let _e50 = last_gap;
-                    let t_38 = (_e46 + ((_e47 - _e48) * (_e50 / change_7))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
-                    let _e57 = last;
-                    before_1 = _e57;
-                    let _e58 = last_gap;
-                    before_gap = _e58;
-                    last = t_38;
-                    let _e59 = k_23;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_66.x())) {
-                        let _e62 = self.v_path_gap(path_50, t_38);
-                        last_gap = _e62;
-                        let _e63 = cost_7;
-                        cost_7 = (_e63 + HEIGHTS_READ);
+                    let _e48 = last;
+                    let _e49 = last;
+                    let _e50 = before_1;
+                    let _e52 = last_gap;
+                    let t_44 = (_e48 + ((_e49 - _e50) * (_e52 / change_7))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let _e59 = last;
+                    before_1 = _e59;
+                    let _e60 = last_gap;
+                    before_gap = _e60;
+                    last = t_44;
+                    let _e61 = k_24;
+                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(params_78.x())) {
+                        let _e64 = self.v_path_gap(path_55, t_44);
+                        last_gap = _e64;
+                        let _e65 = cost_7;
+                        let _e67 = self.v_field_cost_stage(rt::Scalar(path_55.level));
+                        cost_7 = (_e65 + _e67);
                     }
-                    let _e66 = k_23;
-                    k_23 = (_e66 + rt::Scalar(1f32));
+                    let _e69 = k_24;
+                    k_24 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e69 = last;
-        let _e71 = cost_7;
-        let _e72 = self.v_hit_on_path(path_50, _e69, rt::Scalar(0u32), _e71);
-        return _e72;
+        let _e72 = last;
+        let _e74 = cost_7;
+        let _e75 = self.v_hit_on_path(path_55, _e72, rt::Scalar(0u32), _e74);
+        return _e75;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_51: Path,
+        path_56: Path,
         found_11: SearchResult,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_51, found_11, rt::into(params_67)))
+        rt::into(self.v_refine_patch(path_56, found_11, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_patch(
         &self,
-        path_51: Path,
+        path_56: Path,
         found_11: SearchResult,
-        params_67: rt::Vec4<f32>,
+        params_79: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_22: rt::Scalar<f32>;
-        let mut cell_16: rt::Vec2<f32>;
+        let mut t_25: rt::Scalar<f32>;
+        let mut cell_18: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_65: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_51, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
+            let _e14 = self.v_hit_on_path(path_56, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_51, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
+            let _e21 = self.v_hit_on_path(path_56, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_51);
-        t_22 = rt::Scalar(found_11.near);
-        let _e27 = t_22;
+        let _e22 = self.v_grid_of(path_56);
+        t_25 = rt::Scalar(found_11.near);
+        let _e27 = t_25;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_16 = _e30;
+        cell_18 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_67.x().to_u32());
+        let limit_1 = (_e35 + params_79.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
-                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(limit)) {
+                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(limit_1)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e42 = cost_8;
                     cost_8 = (_e42 + STEP);
-                    let _e45 = cell_16;
+                    let _e45 = cell_18;
                     let _e46 = self.v_cell_leave(_e22, _e45);
-                    let end_6 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
-                    let _e52 = t_22;
-                    let span_7 = (end_6 - _e52).max(rt::Scalar(0f32));
-                    let _e56 = cell_16;
-                    let _e57 = t_22;
-                    let _e58 = self.v_cell_gap(path_51, _e22, _e56, _e57);
+                    let end_7 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
+                    let _e52 = t_25;
+                    let span_8 = (end_7 - _e52).max(rt::Scalar(0f32));
+                    let _e56 = cell_18;
+                    let _e57 = t_25;
+                    let _e58 = self.v_cell_gap(path_56, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e65 = t_22;
+                        let _e65 = t_25;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_51, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_56, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
-                    let _e69 = self.v_first_root(_e58, span_7);
+                    let _e69 = self.v_first_root(_e58, span_8);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e72 = t_22;
+                        let _e72 = t_25;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_51, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_56, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
-                    if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(found_11.far))) {
+                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_65 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_69 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_65 = rt::Scalar(true);
+                            local_69 = rt::Scalar(true);
                         }
-                        let _e89 = local_65;
+                        let _e89 = local_69;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_51, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_56, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
                         let _e95 = self.v_miss(_e94);
                         return _e95;
                     }
-                    let _e96 = cell_16;
+                    let _e96 = cell_18;
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
-                    cell_16 = _e97;
-                    let _e98 = t_22;
-                    t_22 = _e98.max(end_6);
+                    cell_18 = _e97;
+                    let _e98 = t_25;
+                    t_25 = _e98.max(end_7);
                 }
             }
         }
-        let _e100 = t_22;
+        let _e100 = t_25;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_51, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_56, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_52: Path,
+        path_57: Path,
         found_12: SearchResult,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_52, found_12, rt::into(params_68)))
+        rt::into(self.v_refine_half_texel(path_57, found_12, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_half_texel(
         &self,
-        path_52: Path,
+        path_57: Path,
         found_12: SearchResult,
-        params_68: rt::Vec4<f32>,
+        params_80: rt::Vec4<f32>,
     ) -> Hit {
-        let mut part_6: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut part_9: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_52, found_12, params_68);
+            let _e6 = self.v_refine_none(path_57, found_12, params_80);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_52.level));
-        let speed_1 = (path_52.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_52.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_52, found_12, params_68);
+        let _e9 = self.v_height_size(rt::Scalar(path_57.level));
+        let speed_1 = (path_57.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_57.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_57, found_12, params_80);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_12.far) - half_1).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_52.exit));
-        let _e28 = self.v_path_gap(path_52, backward);
-        let before_4 = _e28.abs();
-        let _e30 = self.v_path_gap(path_52, forward_2);
+        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_57.exit));
+        let _e28 = self.v_path_gap(path_57, backward);
+        let before_5 = _e28.abs();
+        let _e30 = self.v_path_gap(path_57, forward_2);
         let behind_2 = _e30.abs();
-        if rt::Scalar::into_branch_condition((before_4 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
-            part_6 = (before_4 / (before_4 + behind_2));
+        if rt::Scalar::into_branch_condition((before_5 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
+            part_9 = (before_5 / (before_5 + behind_2));
         }
-        let cost_24 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
-        let _e45 = part_6;
-        let _e49 = self.v_hit_on_path(path_52, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_24);
+        let cost_25 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let _e45 = part_9;
+        let _e49 = self.v_hit_on_path(path_57, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_25);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_53: Path, found_13: SearchResult) -> Hit {
-        rt::into(self.v_refine_stage(path_53, found_13))
+    pub(crate) fn voxel_path(&self, path_58: Path) -> VoxelPath {
+        rt::into(self.v_voxel_path(path_58))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_refine_stage(&self, path_53: Path, found_13: SearchResult) -> Hit {
-        let _e6 = rt::Scalar(self.surface_settings.choices[6usize].number);
+    #[inline(always)]
+    pub(super) fn v_voxel_path(&self, path_58: Path) -> VoxelPath {
+        let _e1 = self.v_volume_size();
+        return <VoxelPath>::new(((<rt::Vec3<f32>>::new_21(path_58.uv, path_58.h.x()) * _e1) - <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (<rt::Vec3<f32>>::new_21(path_58.duv, path_58.h.y()) * _e1), (path_58.h.z() * _e1.z()));
+    }
+    pub(crate) fn turning_point(&self, way_7: VoxelPath) -> f32 {
+        rt::into(self.v_turning_point(way_7))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_turning_point(&self, way_7: VoxelPath) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(way_7.bend).elementwise_eq(rt::Scalar(0f32))) {
+            return rt::Scalar(300000000000000000000000000000000000000f32);
+        }
+        let t_45 = ((rt::Scalar(0f32) - way_7.step.z()) / (rt::Scalar(2f32) * rt::Scalar(way_7.bend)));
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(t_45, t_45.elementwise_gt(rt::Scalar(0f32)));
+    }
+    pub(crate) fn voxel_place_on(
+        &self,
+        way_8: VoxelPath,
+        t_26: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_voxel_place_on(way_8, rt::into(t_26)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_voxel_place_on(
+        &self,
+        way_8: VoxelPath,
+        t_26: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        return (way_8.origin + ((way_8.step + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), (rt::Scalar(way_8.bend) * t_26))) * t_26));
+    }
+    pub(crate) fn rises_on(
+        &self,
+        way_9: VoxelPath,
+        has_turned: impl rt::Into<rt::Scalar<bool>>,
+    ) -> bool {
+        rt::into(self.v_rises_on(way_9, rt::into(has_turned)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_rises_on(
+        &self,
+        way_9: VoxelPath,
+        has_turned: rt::Scalar<bool>,
+    ) -> rt::Scalar<bool> {
+        let mut local_70: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(has_turned) {
+            return rt::Scalar(way_9.bend).elementwise_gt(rt::Scalar(0f32));
+        }
+        if rt::Scalar::into_branch_condition((!way_9.step.z().elementwise_gt(rt::Scalar(0f32)))) {
+            if rt::Scalar::into_branch_condition(way_9.step.z().elementwise_eq(rt::Scalar(0f32))) {
+                local_71 = rt::Scalar(way_9.bend).elementwise_gt(rt::Scalar(0f32));
+            } else {
+                local_71 = rt::Scalar(false);
+            }
+            let _e22 = local_71;
+            local_70 = _e22;
+        } else {
+            local_70 = rt::Scalar(true);
+        }
+        let _e24 = local_70;
+        return _e24;
+    }
+    pub(crate) fn meets_plane(
+        &self,
+        way_10: VoxelPath,
+        plane: impl rt::Into<rt::Scalar<f32>>,
+        rises: impl rt::Into<rt::Scalar<bool>>,
+        has_turned_1: impl rt::Into<rt::Scalar<bool>>,
+    ) -> f32 {
+        rt::into(self.v_meets_plane(way_10, rt::into(plane), rt::into(rises), rt::into(has_turned_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_meets_plane(
+        &self,
+        way_10: VoxelPath,
+        plane: rt::Scalar<f32>,
+        rises: rt::Scalar<bool>,
+        has_turned_1: rt::Scalar<bool>,
+    ) -> rt::Scalar<f32> {
+        let gap_3 = (plane - way_10.origin.z());
+        let discriminant_3 = ((way_10.step.z() * way_10.step.z()) + ((rt::Scalar(4f32) * rt::Scalar(way_10.bend)) * gap_3));
+        if rt::Scalar::into_branch_condition((!discriminant_3.elementwise_ge(rt::Scalar(0f32)))) {
+            return rt::Scalar(300000000000000000000000000000000000000f32);
+        }
+        let root_4 = (rt::Scalar(0f32) - discriminant_3.sqrt()).select(discriminant_3.sqrt(), rises);
+        if rt::Scalar::into_branch_condition(has_turned_1) {
+            return ((root_4 - way_10.step.z()) / (rt::Scalar(2f32) * rt::Scalar(way_10.bend)));
+        }
+        let both_1 = (way_10.step.z() + root_4);
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(((rt::Scalar(2f32) * gap_3) / both_1), both_1.elementwise_ne(rt::Scalar(0f32)));
+    }
+    pub(crate) fn voxel_leave(
+        &self,
+        way_11: VoxelPath,
+        cell_19: impl rt::Into<rt::Vec3<f32>>,
+        has_turned_2: impl rt::Into<rt::Scalar<bool>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_voxel_leave(way_11, rt::into(cell_19), rt::into(has_turned_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_voxel_leave(
+        &self,
+        way_11: VoxelPath,
+        cell_19: rt::Vec3<f32>,
+        has_turned_2: rt::Scalar<bool>,
+    ) -> rt::Vec3<f32> {
+        let none_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        let ahead_2 = (cell_19.xy() + none_2.select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), way_11.step.xy().elementwise_gt(none_2)));
+        let beside_6 = ((ahead_2 - way_11.origin.xy()) / way_11.step.xy());
+        let across_10 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)).select(beside_6, way_11.step.xy().abs().elementwise_gt(none_2));
+        let _e29 = self.v_rises_on(way_11, has_turned_2);
+        let plane_2 = (cell_19.z() + rt::Scalar(0f32).select(rt::Scalar(1f32), _e29));
+        let _e35 = self.v_meets_plane(way_11, plane_2, _e29, has_turned_2);
+        return <rt::Vec3<f32>>::new_21(across_10, _e35);
+    }
+    pub(crate) fn greatest_value(&self, cell_20: VoxelCell) -> f32 {
+        rt::into(self.v_greatest_value(cell_20))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_greatest_value(&self, cell_20: VoxelCell) -> rt::Scalar<f32> {
+        let most_15 = cell_20.low.max(cell_20.high);
+        return most_15.x().max(most_15.y()).max(most_15.z().max(most_15.w()));
+    }
+    pub(crate) fn gap_in_cell(
+        &self,
+        way_12: VoxelPath,
+        cell_21: impl rt::Into<rt::Vec3<f32>>,
+        corners_1: VoxelCell,
+        t_27: impl rt::Into<rt::Scalar<f32>>,
+        span_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> Quartic {
+        rt::into(self.v_gap_in_cell(way_12, rt::into(cell_21), corners_1, rt::into(t_27), rt::into(span_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_gap_in_cell(
+        &self,
+        way_12: VoxelPath,
+        cell_21: rt::Vec3<f32>,
+        corners_1: VoxelCell,
+        t_27: rt::Scalar<f32>,
+        span_4: rt::Scalar<f32>,
+    ) -> Quartic {
+        let _e5 = self.v_voxel_place_on(way_12, t_27);
+        let at_161 = (_e5 - cell_21);
+        let slope_13 = ((way_12.step.z() + ((rt::Scalar(2f32) * rt::Scalar(way_12.bend)) * t_27)) * span_4);
+        let bend_7 = (rt::Scalar(way_12.bend) * (span_4 * span_4));
+        let dx_3 = (way_12.step.x() * span_4);
+        let dy_1 = (way_12.step.y() * span_4);
+        let _e26 = self.v_along_slice(corners_1.low, at_161.xy(), dx_3, dy_1);
+        let _e29 = self.v_along_slice(corners_1.high, at_161.xy(), dx_3, dy_1);
+        let rise_4 = (_e29 - _e26);
+        return <Quartic>::new((rt::Scalar(0.5f32) - (_e26.x() + (rise_4.x() * at_161.z()))), (rt::Scalar(0f32) - ((_e26.y() + (rise_4.y() * at_161.z())) + (rise_4.x() * slope_13))), (rt::Scalar(0f32) - (((_e26.z() + (rise_4.z() * at_161.z())) + (rise_4.y() * slope_13)) + (rise_4.x() * bend_7))), (rt::Scalar(0f32) - ((rise_4.z() * slope_13) + (rise_4.y() * bend_7))), (rt::Scalar(0f32) - (rise_4.z() * bend_7)));
+    }
+    pub(crate) fn is_above_zero(&self, q_3: Quartic) -> bool {
+        rt::into(self.v_is_above_zero(q_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_is_above_zero(&self, q_3: Quartic) -> rt::Scalar<bool> {
+        let p1_ = (rt::Scalar(q_3.a) + (rt::Scalar(0.25f32) * rt::Scalar(q_3.b)));
+        let p2_ = ((rt::Scalar(q_3.a) + (rt::Scalar(0.5f32) * rt::Scalar(q_3.b))) + (rt::Scalar(q_3.c) / rt::Scalar(6f32)));
+        let p3_ = (((rt::Scalar(q_3.a) + (rt::Scalar(0.75f32) * rt::Scalar(q_3.b))) + (rt::Scalar(0.5f32) * rt::Scalar(q_3.c))) + (rt::Scalar(0.25f32) * rt::Scalar(q_3.d)));
+        let p4_ = ((((rt::Scalar(q_3.a) + rt::Scalar(q_3.b)) + rt::Scalar(q_3.c)) + rt::Scalar(q_3.d)) + rt::Scalar(q_3.e));
+        return rt::Scalar(q_3.a).min(p1_).min(p2_.min(p3_)).min(p4_).elementwise_gt(rt::Scalar(0f32));
+    }
+    pub(crate) fn inflections(&self, q_4: Quartic) -> rt::Vec2<f32> {
+        rt::into(self.v_inflections(q_4))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_inflections(&self, q_4: Quartic) -> rt::Vec2<f32> {
+        let mut local_72: rt::Scalar<bool>;
+        let mut local_73: rt::Scalar<bool>;
+
+        let b_40 = (rt::Scalar(3f32) * rt::Scalar(q_4.d));
+        let a_40 = (rt::Scalar(6f32) * rt::Scalar(q_4.e));
+        let discriminant_4 = ((b_40 * b_40) - ((rt::Scalar(4f32) * a_40) * rt::Scalar(q_4.c)));
+        if rt::Scalar::into_branch_condition((!discriminant_4.elementwise_ge(rt::Scalar(0f32)))) {
+            return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32));
+        }
+        let root_5 = discriminant_4.sqrt();
+        let s_2 = (rt::Scalar(-0.5f32) * (b_40 + (rt::Scalar(0f32) - root_5).select(root_5, b_40.elementwise_ge(rt::Scalar(0f32)))));
+        let first_18 = rt::Scalar(1f32).select((s_2 / a_40), a_40.elementwise_ne(rt::Scalar(0f32)));
+        let second_7 = rt::Scalar(1f32).select((rt::Scalar(q_4.c) / s_2), s_2.elementwise_ne(rt::Scalar(0f32)));
+        if rt::Scalar::into_branch_condition(first_18.elementwise_gt(rt::Scalar(0f32))) {
+            local_72 = first_18.elementwise_lt(rt::Scalar(1f32));
+        } else {
+            local_72 = rt::Scalar(false);
+        }
+        let _e46 = local_72;
+        let x_16 = rt::Scalar(1f32).select(first_18, _e46);
+        if rt::Scalar::into_branch_condition(second_7.elementwise_gt(rt::Scalar(0f32))) {
+            local_73 = second_7.elementwise_lt(rt::Scalar(1f32));
+        } else {
+            local_73 = rt::Scalar(false);
+        }
+        let _e56 = local_73;
+        let y_11 = rt::Scalar(1f32).select(second_7, _e56);
+        return <rt::Vec2<f32>>::from_scalars(x_16.min(y_11), x_16.max(y_11));
+    }
+    pub(crate) fn quartic_at(
+        &self,
+        q_5: Quartic,
+        x_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_quartic_at(q_5, rt::into(x_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_quartic_at(
+        &self,
+        q_5: Quartic,
+        x_4: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (rt::Scalar(q_5.a) + (x_4 * (rt::Scalar(q_5.b) + (x_4 * (rt::Scalar(q_5.c) + (x_4 * (rt::Scalar(q_5.d) + (x_4 * rt::Scalar(q_5.e)))))))));
+    }
+    pub(crate) fn root_between(
+        &self,
+        q_6: Quartic,
+        above_2: impl rt::Into<rt::Scalar<f32>>,
+        below_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_root_between(q_6, rt::into(above_2), rt::into(below_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_root_between(
+        &self,
+        q_6: Quartic,
+        above_2: rt::Scalar<f32>,
+        below_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut near_4: rt::Scalar<f32>;
+        let mut far_6: rt::Scalar<f32>;
+        let mut k_25: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        near_4 = above_2;
+        far_6 = below_2;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e7 = k_25;
+                if rt::Scalar::into_branch_condition(_e7.elementwise_lt(HALVINGS)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e10 = near_4;
+                    let _e11 = far_6;
+                    let middle_17 = (rt::Scalar(0.5f32) * (_e10 + _e11));
+                    let _e15 = self.v_quartic_at(q_6, middle_17);
+                    if rt::Scalar::into_branch_condition(_e15.elementwise_gt(rt::Scalar(0f32))) {
+                        near_4 = middle_17;
+                    } else {
+                        far_6 = middle_17;
+                    }
+                    let _e18 = k_25;
+                    k_25 = (_e18 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e21 = far_6;
+        return _e21;
+    }
+    pub(crate) fn first_root_of_quartic(&self, q_7: Quartic) -> f32 {
+        rt::into(self.v_first_root_of_quartic(q_7))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_first_root_of_quartic(&self, q_7: Quartic) -> rt::Scalar<f32> {
+        let mut begin_3: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_74: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition((!rt::Scalar(q_7.a).elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let _e6 = self.v_is_above_zero(q_7);
+        if rt::Scalar::into_branch_condition(_e6) {
+            return rt::Scalar(300000000000000000000000000000000000000f32);
+        }
+        let _e8 = self.v_inflections(q_7);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e13 = k_26;
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(3u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e17 = k_26;
+                    let _e23 = k_26;
+                    let end_8 = rt::Scalar(1f32).select(_e8.y(), _e17.elementwise_eq(rt::Scalar(1u32))).select(_e8.x(), _e23.elementwise_eq(rt::Scalar(0u32)));
+                    let _e27 = begin_3;
+                    if rt::Scalar::into_branch_condition(end_8.elementwise_gt(_e27)) {
+                        let _e29 = begin_3;
+                        let _e30 = self.v_quartic_slope(q_7, _e29);
+                        let _e31 = self.v_quartic_slope(q_7, end_8);
+                        if rt::Scalar::into_branch_condition(_e30.elementwise_lt(rt::Scalar(0f32))) {
+                            local_74 = _e31.elementwise_gt(rt::Scalar(0f32));
+                        } else {
+                            local_74 = rt::Scalar(false);
+                        }
+                        let _e39 = local_74;
+                        if rt::Scalar::into_branch_condition(_e39) {
+                            let _e40 = begin_3;
+                            let _e41 = self.v_extremum_between(q_7, _e40, end_8);
+                            let _e42 = self.v_quartic_at(q_7, _e41);
+                            if rt::Scalar::into_branch_condition((!_e42.elementwise_gt(rt::Scalar(0f32)))) {
+                                let _e46 = begin_3;
+                                let _e47 = self.v_root_between(q_7, _e46, _e41);
+                                return _e47;
+                            }
+                        }
+                        let _e48 = self.v_quartic_at(q_7, end_8);
+                        if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(rt::Scalar(0f32)))) {
+                            let _e52 = begin_3;
+                            let _e53 = self.v_root_between(q_7, _e52, end_8);
+                            return _e53;
+                        }
+                    }
+                    let _e54 = begin_3;
+                    begin_3 = _e54.max(end_8);
+                    let _e56 = k_26;
+                    k_26 = (_e56 + rt::Scalar(1u32));
+                }
+            }
+        }
+        return rt::Scalar(300000000000000000000000000000000000000f32);
+    }
+    pub(crate) fn next_voxel_cell(
+        &self,
+        way_13: VoxelPath,
+        cell_22: impl rt::Into<rt::Vec3<f32>>,
+        leave_5: impl rt::Into<rt::Vec3<f32>>,
+        rises_1: impl rt::Into<rt::Scalar<bool>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_next_voxel_cell(way_13, rt::into(cell_22), rt::into(leave_5), rt::into(rises_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_next_voxel_cell(
+        &self,
+        way_13: VoxelPath,
+        cell_22: rt::Vec3<f32>,
+        leave_5: rt::Vec3<f32>,
+        rises_1: rt::Scalar<bool>,
+    ) -> rt::Vec3<f32> {
+        let mut next_1: rt::Vec3<f32>;
+        let mut local_75: rt::Scalar<bool>;
+
+        next_1 = cell_22;
+        if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(leave_5.y())) {
+            local_75 = leave_5.x().elementwise_le(leave_5.z());
+        } else {
+            local_75 = rt::Scalar(false);
+        }
+        let _e14 = local_75;
+        if rt::Scalar::into_branch_condition(_e14) {
+            next_1.set_x((cell_22.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), way_13.step.x().elementwise_gt(rt::Scalar(0f32)))));
+        } else {
+            if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(leave_5.z())) {
+                next_1.set_y((cell_22.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), way_13.step.y().elementwise_gt(rt::Scalar(0f32)))));
+            } else {
+                next_1.set_z((cell_22.z() + rt::Scalar(-1f32).select(rt::Scalar(1f32), rises_1)));
+            }
+        }
+        let _e44 = next_1;
+        return _e44;
+    }
+    pub(crate) fn walk_voxels(
+        &self,
+        path_59: Path,
+        from_t: impl rt::Into<rt::Scalar<f32>>,
+        to_t: impl rt::Into<rt::Scalar<f32>>,
+        limit: impl rt::Into<rt::Scalar<u32>>,
+    ) -> SearchResult {
+        rt::into(self.v_walk_voxels(path_59, rt::into(from_t), rt::into(to_t), rt::into(limit)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_walk_voxels(
+        &self,
+        path_59: Path,
+        from_t: rt::Scalar<f32>,
+        to_t: rt::Scalar<f32>,
+        limit: rt::Scalar<u32>,
+    ) -> SearchResult {
+        let mut has_turned_3: rt::Scalar<bool>;
+        let mut t_28: rt::Scalar<f32>;
+        let mut cell_23: rt::Vec3<f32>;
+        let mut cost_9: rt::Vec3<u32> = NO_COST;
+        let mut local_76: rt::Scalar<bool>;
+
+        let _e4 = self.v_voxel_path(path_59);
+        let _e5 = self.v_turning_point(_e4);
+        has_turned_3 = from_t.elementwise_ge(_e5);
+        t_28 = from_t;
+        let _e9 = t_28;
+        let _e10 = self.v_voxel_place_on(_e4, _e9);
+        cell_23 = _e10.floor();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e16 = cost_9.y();
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(limit)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e18 = cost_9;
+                    cost_9 = ((_e18 + STEP) + VOXELS_READ);
+                    let _e24 = has_turned_3;
+                    let end_of_part = _e5.min(to_t).select(to_t, _e24);
+                    let _e26 = cell_23;
+                    let _e27 = has_turned_3;
+                    let _e28 = self.v_voxel_leave(_e4, _e26, _e27);
+                    let side_7 = _e28.x().min(_e28.y()).min(_e28.z());
+                    let _e35 = t_28;
+                    let end_9 = side_7.min(end_of_part).max(_e35);
+                    let _e37 = cell_23;
+                    let _e39 = self.v_voxel_cell(_e37.to_i32());
+                    let _e40 = self.v_greatest_value(_e39);
+                    if rt::Scalar::into_branch_condition(_e40.elementwise_ge(rt::Scalar(0.5f32))) {
+                        let _e43 = cell_23;
+                        let _e44 = t_28;
+                        let _e45 = t_28;
+                        let _e47 = self.v_gap_in_cell(_e4, _e43, _e39, _e44, (end_9 - _e45));
+                        let _e48 = self.v_first_root_of_quartic(_e47);
+                        if rt::Scalar::into_branch_condition(_e48.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e47.a).elementwise_lt(rt::Scalar(0f32))) {
+                                let _e56 = t_28;
+                                local_76 = _e56.elementwise_eq(from_t);
+                            } else {
+                                local_76 = rt::Scalar(false);
+                            }
+                            let is_inside_3 = local_76;
+                            let status = FOUND_BRACKET.select(FOUND_STARTED_BELOW, is_inside_3);
+                            let _e63 = t_28;
+                            let _e64 = t_28;
+                            let _e65 = t_28;
+                            let _e73 = cost_9;
+                            return <SearchResult>::new(status, _e63, (_e64 + (_e48 * (end_9 - _e65))), rt::Scalar(_e47.a), rt::Scalar(_e47.a).min(rt::Scalar(0f32)), _e73);
+                        }
+                    }
+                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(to_t)) {
+                        let _e77 = cost_9;
+                        return <SearchResult>::new(FOUND_MISS, end_9, end_9, rt::Scalar(1f32), rt::Scalar(1f32), _e77);
+                    }
+                    if rt::Scalar::into_branch_condition(side_7.elementwise_gt(end_of_part)) {
+                        has_turned_3 = rt::Scalar(true);
+                    } else {
+                        let _e83 = cell_23;
+                        let _e84 = has_turned_3;
+                        let _e85 = self.v_rises_on(_e4, _e84);
+                        let _e86 = self.v_next_voxel_cell(_e4, _e83, _e28, _e85);
+                        cell_23 = _e86;
+                    }
+                    t_28 = end_9;
+                }
+            }
+        }
+        let _e88 = t_28;
+        let _e89 = t_28;
+        let _e90 = cost_9;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e88, _e89, rt::Scalar(1f32), rt::Scalar(1f32), _e90);
+    }
+    pub(crate) fn refine_trilinear(
+        &self,
+        path_60: Path,
+        found_13: SearchResult,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_trilinear(path_60, found_13, rt::into(params_81)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_refine_trilinear(
+        &self,
+        path_60: Path,
+        found_13: SearchResult,
+        params_81: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut local_77: rt::Scalar<bool>;
+
+        let _e3 = self.v_has_interval(found_13);
+        if rt::Scalar::into_branch_condition((!_e3)) {
+            let _e5 = self.v_refine_none(path_60, found_13, params_81);
+            return _e5;
+        }
+        let _e10 = self.v_walk_voxels(path_60, rt::Scalar(found_13.near), rt::Scalar(found_13.far), params_81.x().to_u32());
+        let cost_26 = (found_13.cost + _e10.cost);
+        if rt::Scalar::into_branch_condition((!rt::Scalar(_e10.status).elementwise_eq(FOUND_BRACKET))) {
+            local_77 = rt::Scalar(_e10.status).elementwise_eq(FOUND_STARTED_BELOW);
+        } else {
+            local_77 = rt::Scalar(true);
+        }
+        let _e24 = local_77;
+        if rt::Scalar::into_branch_condition(_e24) {
+            let _e27 = self.v_hit_on_path(path_60, rt::Scalar(_e10.far), rt::Scalar(0u32), cost_26);
+            return _e27;
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_13.status).elementwise_eq(FOUND_BRACKET)) {
+            let _e38 = self.v_hit_on_path(path_60, rt::Scalar(found_13.far), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(_e10.status).elementwise_eq(FOUND_EXHAUSTED)), cost_26);
+            return _e38;
+        }
+        let _e39 = self.v_miss(cost_26);
+        return _e39;
+    }
+    pub(crate) fn refine_stage(&self, path_61: Path, found_14: SearchResult) -> Hit {
+        rt::into(self.v_refine_stage(path_61, found_14))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_refine_stage(&self, path_61: Path, found_14: SearchResult) -> Hit {
+        let _e6 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e11 = self.surface_settings.choices[6usize].params;
-                let _e12 = self.v_refine_none(path_53, found_13, _e11);
+                let _e11 = self.surface_settings.choices[7usize].params;
+                let _e12 = self.v_refine_none(path_61, found_14, _e11);
                 return _e12;
             }
             1u32 => {
-                let _e17 = self.surface_settings.choices[6usize].params;
-                let _e18 = self.v_refine_offset(path_53, found_13, _e17);
+                let _e17 = self.surface_settings.choices[7usize].params;
+                let _e18 = self.v_refine_offset(path_61, found_14, _e17);
                 return _e18;
             }
             2u32 => {
-                let _e23 = self.surface_settings.choices[6usize].params;
-                let _e24 = self.v_refine_offset_limited(path_53, found_13, _e23);
+                let _e23 = self.surface_settings.choices[7usize].params;
+                let _e24 = self.v_refine_offset_limited(path_61, found_14, _e23);
                 return _e24;
             }
             3u32 => {
-                let _e29 = self.surface_settings.choices[6usize].params;
-                let _e30 = self.v_refine_slope(path_53, found_13, _e29);
+                let _e29 = self.surface_settings.choices[7usize].params;
+                let _e30 = self.v_refine_slope(path_61, found_14, _e29);
                 return _e30;
             }
             4u32 => {
-                let _e35 = self.surface_settings.choices[6usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_53, found_13, _e35);
+                let _e35 = self.surface_settings.choices[7usize].params;
+                let _e36 = self.v_refine_slope_iterative(path_61, found_14, _e35);
                 return _e36;
             }
             5u32 => {
-                let _e41 = self.surface_settings.choices[6usize].params;
-                let _e42 = self.v_refine_binary(path_53, found_13, _e41);
+                let _e41 = self.surface_settings.choices[7usize].params;
+                let _e42 = self.v_refine_binary(path_61, found_14, _e41);
                 return _e42;
             }
             6u32 => {
-                let _e47 = self.surface_settings.choices[6usize].params;
-                let _e48 = self.v_refine_secant(path_53, found_13, _e47);
+                let _e47 = self.surface_settings.choices[7usize].params;
+                let _e48 = self.v_refine_secant(path_61, found_14, _e47);
                 return _e48;
             }
             7u32 => {
-                let _e53 = self.surface_settings.choices[6usize].params;
-                let _e54 = self.v_refine_true_secant(path_53, found_13, _e53);
+                let _e53 = self.surface_settings.choices[7usize].params;
+                let _e54 = self.v_refine_true_secant(path_61, found_14, _e53);
                 return _e54;
             }
             8u32 => {
-                let _e59 = self.surface_settings.choices[6usize].params;
-                let _e60 = self.v_refine_patch(path_53, found_13, _e59);
+                let _e59 = self.surface_settings.choices[7usize].params;
+                let _e60 = self.v_refine_patch(path_61, found_14, _e59);
                 return _e60;
             }
-            _ => {
-                let _e65 = self.surface_settings.choices[6usize].params;
-                let _e66 = self.v_refine_half_texel(path_53, found_13, _e65);
+            9u32 => {
+                let _e65 = self.surface_settings.choices[7usize].params;
+                let _e66 = self.v_refine_half_texel(path_61, found_14, _e65);
                 return _e66;
+            }
+            _ => {
+                let _e71 = self.surface_settings.choices[7usize].params;
+                let _e72 = self.v_refine_trilinear(path_61, found_14, _e71);
+                return _e72;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_54: Path,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        path_62: Path,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_none(path_54, rt::into(params_69)))
+        rt::into(self.v_search_none(path_62, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_search_none(
         &self,
-        path_54: Path,
-        params_69: rt::Vec4<f32>,
+        path_62: Path,
+        params_82: rt::Vec4<f32>,
     ) -> SearchResult {
-        return <SearchResult>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <SearchResult>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_55: Path,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        path_63: Path,
+        params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_linear(path_55, rt::into(params_70)))
+        rt::into(self.v_search_linear(path_63, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_linear(
         &self,
-        path_55: Path,
-        params_70: rt::Vec4<f32>,
+        path_63: Path,
+        params_83: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
-        let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_24: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut cost_10: rt::Vec3<u32>;
+        let mut k_27: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_12 = (path_55.h.y().abs() * path_55.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_2 = rt::Scalar(1f32).max(((params_70.x() * params_70.y().mix_scalar(rt::Scalar(1f32), cosine_12)) * rt::Scalar(path_55.share)).ceil());
-        let _e24 = self.v_path_gap(path_55, rt::Scalar(0f32));
+        let cosine_12 = (path_63.h.y().abs() * path_63.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps_2 = rt::Scalar(1f32).max(((params_83.x() * params_83.y().mix_scalar(rt::Scalar(1f32), cosine_12)) * rt::Scalar(path_63.share)).ceil());
+        let _e24 = self.v_path_gap(path_63, rt::Scalar(0f32));
         near_gap_2 = _e24;
-        let _e28 = near_gap_2;
-        if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
-            let _e32 = near_gap_2;
+        let _e27 = self.v_field_cost_stage(rt::Scalar(path_63.level));
+        cost_10 = _e27;
+        let _e29 = near_gap_2;
+        if rt::Scalar::into_branch_condition(_e29.elementwise_lt(rt::Scalar(0f32))) {
             let _e33 = near_gap_2;
-            let _e34 = cost_9;
-            return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e32, _e33, _e34);
+            let _e34 = near_gap_2;
+            let _e35 = cost_10;
+            return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e33, _e34, _e35);
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_24;
-                if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps_2)) {
+                let _e41 = k_27;
+                if rt::Scalar::into_branch_condition(_e41.elementwise_le(steps_2)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e42 = cost_9;
-                    cost_9 = (_e42 + STEP);
-                    let _e46 = k_24;
-                    let t_39 = (rt::Scalar(path_55.exit) * (_e46 / steps_2));
-                    let _e49 = self.v_path_gap(path_55, t_39);
-                    let _e50 = cost_9;
-                    cost_9 = (_e50 + HEIGHTS_READ);
-                    if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
-                        let _e56 = near_4;
-                        let _e57 = near_gap_2;
-                        let _e58 = cost_9;
-                        return <SearchResult>::new(FOUND_BRACKET, _e56, t_39, _e57, _e49, _e58);
+                    let _e43 = cost_10;
+                    cost_10 = (_e43 + STEP);
+                    let _e47 = k_27;
+                    let t_46 = (rt::Scalar(path_63.exit) * (_e47 / steps_2));
+                    let _e50 = self.v_path_gap(path_63, t_46);
+                    let _e51 = cost_10;
+                    let _e53 = self.v_field_cost_stage(rt::Scalar(path_63.level));
+                    cost_10 = (_e51 + _e53);
+                    if rt::Scalar::into_branch_condition(_e50.elementwise_le(rt::Scalar(0f32))) {
+                        let _e58 = near_5;
+                        let _e59 = near_gap_2;
+                        let _e60 = cost_10;
+                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_46, _e59, _e50, _e60);
                     }
-                    near_4 = t_39;
-                    near_gap_2 = _e49;
-                    let _e60 = k_24;
-                    k_24 = (_e60 + rt::Scalar(1f32));
+                    near_5 = t_46;
+                    near_gap_2 = _e50;
+                    let _e62 = k_27;
+                    k_27 = (_e62 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e64 = near_4;
-        let _e65 = near_4;
-        let _e66 = near_gap_2;
-        let _e67 = near_gap_2;
-        let _e68 = cost_9;
-        return <SearchResult>::new(FOUND_MISS, _e64, _e65, _e66, _e67, _e68);
+        let _e66 = near_5;
+        let _e67 = near_5;
+        let _e68 = near_gap_2;
+        let _e69 = near_gap_2;
+        let _e70 = cost_10;
+        return <SearchResult>::new(FOUND_MISS, _e66, _e67, _e68, _e69, _e70);
     }
     pub(crate) fn found_in_cell(
         &self,
         c_10: impl rt::Into<rt::Vec3<f32>>,
-        t_23: impl rt::Into<rt::Scalar<f32>>,
-        span_4: impl rt::Into<rt::Scalar<f32>>,
-        first_2: impl rt::Into<rt::Scalar<bool>>,
-        cost_10: impl rt::Into<rt::Vec3<u32>>,
+        t_29: impl rt::Into<rt::Scalar<f32>>,
+        span_5: impl rt::Into<rt::Scalar<f32>>,
+        first_3: impl rt::Into<rt::Scalar<bool>>,
+        cost_11: impl rt::Into<rt::Vec3<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_found_in_cell(rt::into(c_10), rt::into(t_23), rt::into(span_4), rt::into(first_2), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_10), rt::into(t_29), rt::into(span_5), rt::into(first_3), rt::into(cost_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_found_in_cell(
         &self,
         c_10: rt::Vec3<f32>,
-        t_23: rt::Scalar<f32>,
-        span_4: rt::Scalar<f32>,
-        first_2: rt::Scalar<bool>,
-        cost_10: rt::Vec3<u32>,
+        t_29: rt::Scalar<f32>,
+        span_5: rt::Scalar<f32>,
+        first_3: rt::Scalar<bool>,
+        cost_11: rt::Vec3<u32>,
     ) -> SearchResult {
-        let mut local_66: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_10.x().elementwise_le(rt::Scalar(0f32))) {
-            if rt::Scalar::into_branch_condition(first_2) {
-                local_66 = c_10.x().elementwise_lt(rt::Scalar(0f32));
+            if rt::Scalar::into_branch_condition(first_3) {
+                local_78 = c_10.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_66 = rt::Scalar(false);
+                local_78 = rt::Scalar(false);
             }
-            let _e14 = local_66;
+            let _e14 = local_78;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_10.x(), c_10.x(), cost_10);
+                return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_10.x(), c_10.x(), cost_11);
             }
-            return <SearchResult>::new(FOUND_BRACKET, t_23, t_23, c_10.x(), c_10.x(), cost_10);
+            return <SearchResult>::new(FOUND_BRACKET, t_29, t_29, c_10.x(), c_10.x(), cost_11);
         }
-        let _e25 = self.v_least_at(c_10, span_4);
+        let _e25 = self.v_least_at(c_10, span_5);
         let _e29 = self.v_quadratic(c_10, _e25);
-        return <SearchResult>::new(FOUND_BRACKET, t_23, (t_23 + _e25), c_10.x(), _e29, cost_10);
+        return <SearchResult>::new(FOUND_BRACKET, t_29, (t_29 + _e25), c_10.x(), _e29, cost_11);
     }
     pub(crate) fn search_cells(
         &self,
-        path_56: Path,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        path_64: Path,
+        params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cells(path_56, rt::into(params_71)))
+        rt::into(self.v_search_cells(path_64, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cells(
         &self,
-        path_56: Path,
-        params_71: rt::Vec4<f32>,
+        path_64: Path,
+        params_84: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_17: rt::Vec2<f32>;
-        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_11: rt::Vec3<u32> = NO_COST;
+        let mut cell_24: rt::Vec2<f32>;
+        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_12: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_56);
+        let _e2 = self.v_grid_of(path_64);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_17 = _e4;
-        let limit_1 = params_71.x().to_u32();
+        cell_24 = _e4;
+        let limit_2 = params_84.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = cost_11.x();
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(limit_1)) {
+                let _e13 = cost_12.x();
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(limit_2)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = cost_11;
-                    cost_11 = (_e15 + STEP);
-                    let _e18 = cell_17;
-                    let _e19 = t_24;
-                    let _e20 = self.v_cell_gap(path_56, _e2, _e18, _e19);
-                    let _e21 = cost_11;
-                    cost_11 = (_e21 + HEIGHTS_READ);
-                    let _e24 = cell_17;
+                    let _e15 = cost_12;
+                    cost_12 = (_e15 + STEP);
+                    let _e18 = cell_24;
+                    let _e19 = t_30;
+                    let _e20 = self.v_cell_gap(path_64, _e2, _e18, _e19);
+                    let _e21 = cost_12;
+                    cost_12 = (_e21 + HEIGHTS_READ);
+                    let _e24 = cell_24;
                     let _e25 = self.v_cell_leave(_e2, _e24);
-                    let end_7 = _e25.x().min(_e25.y()).min(rt::Scalar(path_56.exit));
-                    let _e31 = t_24;
-                    let span_8 = (end_7 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = self.v_falls_in_cell(_e20, span_8);
+                    let end_10 = _e25.x().min(_e25.y()).min(rt::Scalar(path_64.exit));
+                    let _e31 = t_30;
+                    let span_9 = (end_10 - _e31).max(rt::Scalar(0f32));
+                    let _e35 = self.v_falls_in_cell(_e20, span_9);
                     if rt::Scalar::into_branch_condition(_e35) {
-                        let _e36 = t_24;
-                        let _e38 = cost_11.x();
-                        let _e41 = cost_11;
-                        let _e42 = self.v_found_in_cell(_e20, _e36, span_8, _e38.elementwise_eq(rt::Scalar(1u32)), _e41);
+                        let _e36 = t_30;
+                        let _e38 = cost_12.x();
+                        let _e41 = cost_12;
+                        let _e42 = self.v_found_in_cell(_e20, _e36, span_9, _e38.elementwise_eq(rt::Scalar(1u32)), _e41);
                         return _e42;
                     }
-                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_56.exit))) {
-                        let _e46 = t_24;
-                        let _e49 = self.v_quadratic(_e20, span_8);
-                        let _e50 = cost_11;
-                        return <SearchResult>::new(FOUND_MISS, _e46, rt::Scalar(path_56.exit), _e20.x(), _e49, _e50);
+                    if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_64.exit))) {
+                        let _e46 = t_30;
+                        let _e49 = self.v_quadratic(_e20, span_9);
+                        let _e50 = cost_12;
+                        return <SearchResult>::new(FOUND_MISS, _e46, rt::Scalar(path_64.exit), _e20.x(), _e49, _e50);
                     }
-                    let _e52 = cell_17;
+                    let _e52 = cell_24;
                     let _e53 = self.v_cell_next(_e2, _e52, _e25);
-                    cell_17 = _e53;
-                    let _e54 = t_24;
-                    t_24 = _e54.max(end_7);
+                    cell_24 = _e53;
+                    let _e54 = t_30;
+                    t_30 = _e54.max(end_10);
                 }
             }
         }
-        let _e57 = t_24;
-        let _e59 = cost_11;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e57, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e59);
+        let _e57 = t_30;
+        let _e59 = cost_12;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e57, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e59);
     }
     pub(crate) fn image_of(
         &self,
-        cell_18: impl rt::Into<rt::Scalar<i32>>,
-        n_7: impl rt::Into<rt::Scalar<i32>>,
+        cell_25: impl rt::Into<rt::Scalar<i32>>,
+        n_8: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_18), rt::into(n_7)))
+        rt::into(self.v_image_of(rt::into(cell_25), rt::into(n_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_image_of(
         &self,
-        cell_18: rt::Scalar<i32>,
-        n_7: rt::Scalar<i32>,
+        cell_25: rt::Scalar<i32>,
+        n_8: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_67: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(cell_18.elementwise_ge(rt::Scalar(0i32))) {
-            local_67 = cell_18.elementwise_lt(n_7);
+        if rt::Scalar::into_branch_condition(cell_25.elementwise_ge(rt::Scalar(0i32))) {
+            local_79 = cell_25.elementwise_lt(n_8);
         } else {
-            local_67 = rt::Scalar(false);
+            local_79 = rt::Scalar(false);
         }
-        let _e8 = local_67;
+        let _e8 = local_79;
         if rt::Scalar::into_branch_condition(_e8) {
-            return <rt::Vec2<i32>>::from_scalars(cell_18, rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_25, rt::Scalar(0i32));
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_18.clamp(rt::Scalar(0i32), (n_7 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_25.clamp(rt::Scalar(0i32), (n_8 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_18 % n_7) + n_7) % n_7), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_25 % n_8) + n_8) % n_8), rt::Scalar(0i32));
         }
-        let period_2 = (rt::Scalar(2i32) * n_7);
-        let folded_2 = (((cell_18 % period_2) + period_2) % period_2);
-        if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_7)) {
+        let period_2 = (rt::Scalar(2i32) * n_8);
+        let folded_2 = (((cell_25 % period_2) + period_2) % period_2);
+        if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_8)) {
             return <rt::Vec2<i32>>::from_scalars(folded_2, rt::Scalar(0i32));
         }
         if rt::Scalar::into_branch_condition(folded_2.elementwise_eq((period_2 - rt::Scalar(1i32)))) {
@@ -11137,341 +12885,118 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_57: Path,
-        cell_19: impl rt::Into<rt::Vec2<i32>>,
+        path_65: Path,
+        cell_26: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_57, rt::into(cell_19), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_65, rt::into(cell_26), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_frustum_slope(
         &self,
-        path_57: Path,
-        cell_19: rt::Vec2<i32>,
+        path_65: Path,
+        cell_26: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_68: rt::Scalar<bool>;
+        let mut local_80: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_57.level));
-        let _e7 = self.v_image_of(cell_19.x(), _e4.x());
-        let _e10 = self.v_image_of(cell_19.y(), _e4.y());
+        let _e4 = self.v_height_texels(rt::Scalar(path_65.level));
+        let _e7 = self.v_image_of(cell_26.x(), _e4.x());
+        let _e10 = self.v_image_of(cell_26.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_68 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_80 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_68 = rt::Scalar(true);
+            local_80 = rt::Scalar(true);
         }
-        let _e21 = local_68;
+        let _e21 = local_80;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_57, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_57.level).to_i32());
+        let _e29 = self.v_search_texel(path_65, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_65.level).to_i32());
         let right_4 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_4).select(_e29.y().select(_e29.x(), right_4), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_58: Path,
+        path_66: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_58, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_66, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_map_read(
         &self,
-        path_58: Path,
+        path_66: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_58.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_66.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
     pub(crate) fn stays_above(
         &self,
-        above_2: impl rt::Into<rt::Vec3<f32>>,
+        above_3: impl rt::Into<rt::Vec3<f32>>,
         slope_2: impl rt::Into<rt::Scalar<f32>>,
         left: impl rt::Into<rt::Scalar<f32>>,
         speed: impl rt::Into<rt::Scalar<f32>>,
         lost: impl rt::Into<rt::Scalar<f32>>,
-        span_5: impl rt::Into<rt::Scalar<f32>>,
+        span_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_above(rt::into(above_2), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_5)))
+        rt::into(self.v_stays_above(rt::into(above_3), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_stays_above(
         &self,
-        above_2: rt::Vec3<f32>,
+        above_3: rt::Vec3<f32>,
         slope_2: rt::Scalar<f32>,
         left: rt::Scalar<f32>,
         speed: rt::Scalar<f32>,
         lost: rt::Scalar<f32>,
-        span_5: rt::Scalar<f32>,
+        span_6: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let rise_3 = (slope_2 * speed.abs());
-        let gap_2 = ((above_2.x() + (slope_2 * left)) - lost);
-        if rt::Scalar::into_branch_condition(gap_2.elementwise_le(rt::Scalar(0f32))) {
+        let rise_5 = (slope_2 * speed.abs());
+        let gap_4 = ((above_3.x() + (slope_2 * left)) - lost);
+        if rt::Scalar::into_branch_condition(gap_4.elementwise_le(rt::Scalar(0f32))) {
             return rt::Scalar(0f32);
         }
-        let closing_2 = ((rise_3 - above_2.y()) + (rt::Scalar(0.0000009536743f32) * (rise_3 + above_2.y().abs())));
-        if rt::Scalar::into_branch_condition(above_2.z().elementwise_ne(rt::Scalar(0f32))) {
-            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_2, (rt::Scalar(0f32) - closing_2), above_2.z()), span_5);
+        let closing_2 = ((rise_5 - above_3.y()) + (rt::Scalar(0.0000009536743f32) * (rise_5 + above_3.y().abs())));
+        if rt::Scalar::into_branch_condition(above_3.z().elementwise_ne(rt::Scalar(0f32))) {
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_4, (rt::Scalar(0f32) - closing_2), above_3.z()), span_6);
             return _e30;
         }
         if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
-            return (gap_2 / closing_2);
+            return (gap_4 / closing_2);
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
     pub(crate) fn search_frustum(
         &self,
-        path_59: Path,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        path_67: Path,
+        params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_frustum(path_59, rt::into(params_72)))
+        rt::into(self.v_search_frustum(path_67, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_frustum(
         &self,
-        path_59: Path,
-        params_72: rt::Vec4<f32>,
+        path_67: Path,
+        params_85: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_20: rt::Vec2<f32>;
-        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_12: rt::Vec3<u32> = NO_COST;
-        let mut next_1: rt::Scalar<f32>;
-        let mut slope_3: rt::Scalar<f32>;
-        let mut local_69: rt::Scalar<bool>;
-
-        let _e2 = self.v_grid_of(path_59);
-        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_cell_of(_e2.origin);
-        cell_20 = _e9;
-        let limit_2 = params_72.x().to_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e18 = cost_12.x();
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_2)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e20 = cost_12;
-                    cost_12 = (_e20 + STEP);
-                    let _e24 = cost_12.x();
-                    let first_16 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_20;
-                    let _e28 = self.v_whole_cell(_e27);
-                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_59.level));
-                    let _e31 = cost_12;
-                    cost_12 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_20;
-                    let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_59.exit));
-                    let _e41 = t_25;
-                    let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
-                    let top_10 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
-                    let _e52 = t_25;
-                    let _e53 = self.v_path_height(path_59, _e52);
-                    let _e55 = t_25;
-                    let _e56 = self.v_path_slope(path_59, _e55);
-                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_10), _e56, path_59.h.z());
-                    let _e63 = t_25;
-                    let _e67 = t_25;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_59.h.x().abs() + (_e63 * (path_59.h.y().abs() + (_e67 * path_59.h.z().abs())))));
-                    let _e77 = t_25;
-                    next_1 = _e77.max(end_8);
-                    slope_3 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_8, span_9);
-                    let _e83 = self.v_quadratic(above_8, _e82);
-                    if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_69 = above_8.x().elementwise_gt(of_heights);
-                    } else {
-                        local_69 = rt::Scalar(false);
-                    }
-                    let _e90 = local_69;
-                    if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_8.elementwise_lt(rt::Scalar(path_59.exit))) {
-                            let _e93 = cell_20;
-                            let _e94 = self.v_whole_cell(_e93);
-                            let _e95 = self.v_frustum_slope(path_59, _e94, forward_3);
-                            slope_3 = _e95;
-                            let _e96 = slope_3;
-                            if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
-                                let _e99 = cost_12;
-                                let _e101 = self.v_map_read(path_59, rt::Scalar(1u32));
-                                cost_12 = (_e99 + _e101);
-                            }
-                        }
-                    } else {
-                        let _e103 = cell_20;
-                        let _e104 = t_25;
-                        let _e105 = self.v_gap_to(path_59, _e2, _e103, _e30, _e104);
-                        let _e106 = self.v_falls_in_cell(_e105, span_9);
-                        if rt::Scalar::into_branch_condition(_e106) {
-                            let _e107 = t_25;
-                            let _e108 = cost_12;
-                            let _e109 = self.v_found_in_cell(_e105, _e107, span_9, first_16, _e108);
-                            return _e109;
-                        }
-                    }
-                    let _e110 = slope_3;
-                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e114 = cell_20;
-                        let _e117 = t_25;
-                        let at_150 = ((_e2.origin - _e114) + (_e2.step * _e117));
-                        let left_5 = at_150.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_150), forward_3);
-                        let _e129 = t_25;
-                        let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                        let _e137 = slope_3;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e137) * far_9));
-                        let _e143 = t_25;
-                        let rest_7 = (rt::Scalar(path_59.exit) - _e143);
-                        let _e145 = slope_3;
-                        let _e150 = self.v_stays_above(above_8, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_7);
-                        let _e151 = slope_3;
-                        let _e156 = self.v_stays_above(above_8, _e151, left_5.y(), _e2.step.y(), lost_1.y(), rest_7);
-                        let _e157 = next_1;
-                        let _e158 = t_25;
-                        next_1 = _e157.max((_e158 + _e150.min(_e156)));
-                    }
-                    let _e162 = next_1;
-                    if rt::Scalar::into_branch_condition(_e162.elementwise_ge(rt::Scalar(path_59.exit))) {
-                        let _e166 = t_25;
-                        let _e168 = cost_12;
-                        return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
-                    }
-                    let _e172 = slope_3;
-                    if rt::Scalar::into_branch_condition(_e172.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e175 = cell_20;
-                        let _e176 = next_1;
-                        let _e177 = self.v_cell_after(_e2, _e175, _e35, forward_3, _e176);
-                        cell_20 = _e177;
-                    } else {
-                        let _e178 = cell_20;
-                        let _e179 = self.v_cell_next(_e2, _e178, _e35);
-                        cell_20 = _e179;
-                    }
-                    let _e180 = next_1;
-                    t_25 = _e180;
-                }
-            }
-        }
-        let _e182 = t_25;
-        let _e184 = cost_12;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
-    }
-    pub(crate) fn nearest_corner(&self, at_77: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_77)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_nearest_corner(&self, at_77: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_77.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-    }
-    pub(crate) fn stays_inside(
-        &self,
-        path_60: Path,
-        grid_8: Grid,
-        offset_6: impl rt::Into<rt::Vec2<f32>>,
-        apex: impl rt::Into<rt::Scalar<f32>>,
-        slope_4: impl rt::Into<rt::Scalar<f32>>,
-        t_26: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_stays_inside(path_60, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_26)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_stays_inside(
-        &self,
-        path_60: Path,
-        grid_8: Grid,
-        offset_6: rt::Vec2<f32>,
-        apex: rt::Scalar<f32>,
-        slope_4: rt::Scalar<f32>,
-        t_26: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        let mut most: rt::Scalar<f32>;
-        let mut local_70: rt::Scalar<bool>;
-        let mut leave_5: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
-
-        let rest_8 = (rt::Scalar(path_60.exit) - t_26);
-        let _e8 = self.v_path_height(path_60, t_26);
-        let height_21 = (_e8 - apex);
-        let terms = (path_60.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_60.exit)) * path_60.h.z().abs()));
-        let _e21 = self.v_path_slope(path_60, t_26);
-        let rise_4 = ((_e21 + (path_60.h.z().min(rt::Scalar(0f32)) * rest_8)) - (rt::Scalar(0.0000009536743f32) * terms));
-        most = rest_8;
-        if rt::Scalar::into_branch_condition(rise_4.elementwise_lt(rt::Scalar(0f32))) {
-            let _e34 = most;
-            most = _e34.min((height_21 / (rt::Scalar(0f32) - rise_4)));
-        }
-        let _e39 = most;
-        let end_9 = (t_26 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_60.level));
-        let far_10 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_9)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_60.h.x().abs() + (end_9 * (path_60.h.y().abs() + (end_9 * path_60.h.z().abs())))));
-        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_10.x() + far_10.y())));
-        let gap_3 = (height_21 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_60.level));
-        let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_26)) / _e85);
-        let c_27 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
-        if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_70 = c_27.elementwise_ge(rt::Scalar(0f32));
-        } else {
-            local_70 = rt::Scalar(true);
-        }
-        let _e102 = local_70;
-        if rt::Scalar::into_branch_condition(_e102) {
-            return rt::Scalar(0f32);
-        }
-        let b_39 = (((slope_4 * slope_4) * aside_5.dot(path_60.duv)) - (gap_3 * rise_4));
-        let a_39 = (((slope_4 * slope_4) * path_60.duv.dot(path_60.duv)) - (rise_4 * rise_4));
-        let discriminant_3 = ((b_39 * b_39) - (a_39 * c_27));
-        if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
-            let root_4 = discriminant_3.sqrt();
-            if rt::Scalar::into_branch_condition(b_39.elementwise_ge(rt::Scalar(0f32))) {
-                leave_5 = ((rt::Scalar(0f32) - c_27) / (b_39 + root_4));
-            } else {
-                if rt::Scalar::into_branch_condition(a_39.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_5 = ((root_4 - b_39) / a_39);
-                }
-            }
-        }
-        let _e135 = leave_5;
-        let _e136 = most;
-        leave_5 = _e135.min(_e136);
-        let _e139 = leave_5;
-        let _e145 = leave_5;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_60.duv * _e139)).length()) + lost_2).elementwise_le((height_21 + (rise_4 * _e145)))) {
-            let _e149 = leave_5;
-            return _e149;
-        }
-        return rt::Scalar(0f32);
-    }
-    pub(crate) fn search_cone(
-        &self,
-        path_61: Path,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
-    ) -> SearchResult {
-        rt::into(self.v_search_cone(path_61, rt::into(params_73)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_search_cone(
-        &self,
-        path_61: Path,
-        params_73: rt::Vec4<f32>,
-    ) -> SearchResult {
-        let mut cell_21: rt::Vec2<f32>;
-        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_27: rt::Vec2<f32>;
+        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
+        let mut slope_3: rt::Scalar<f32>;
+        let mut local_81: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_61);
-        let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e2 = self.v_grid_of(path_67);
+        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_21 = _e9;
-        let limit_3 = params_73.x().to_u32();
+        cell_27 = _e9;
+        let limit_3 = params_85.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -11483,114 +13008,337 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_17 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_21;
+                    let first_19 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let _e27 = cell_27;
                     let _e28 = self.v_whole_cell(_e27);
-                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_61.level));
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_67.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_21;
+                    let _e34 = cell_27;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_10 = _e35.x().min(_e35.y()).min(rt::Scalar(path_61.exit));
-                    let _e41 = t_27;
-                    let span_10 = (end_10 - _e41).max(rt::Scalar(0f32));
-                    let _e46 = cell_21;
-                    let _e49 = t_27;
-                    let at_151 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_151);
-                    let _e53 = self.v_corner_height(_e30, _e52);
-                    let _e54 = t_27;
-                    next_2 = _e54;
-                    let _e56 = t_27;
-                    let _e57 = self.v_path_height(path_61, _e56);
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
-                        let _e59 = cell_21;
-                        let texel_8 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_61, texel_8);
-                        let _e62 = cost_13;
-                        let _e64 = self.v_map_read(path_61, rt::Scalar(1u32));
-                        cost_13 = (_e62 + _e64);
-                        if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e68 = t_27;
-                            let _e69 = t_27;
-                            let _e70 = self.v_stays_inside(path_61, _e2, texel_8, _e53, _e61, _e69);
-                            next_2 = (_e68 + _e70);
+                    let end_11 = _e35.x().min(_e35.y()).min(rt::Scalar(path_67.exit));
+                    let _e41 = t_31;
+                    let span_10 = (end_11 - _e41).max(rt::Scalar(0f32));
+                    let top_11 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
+                    let _e52 = t_31;
+                    let _e53 = self.v_path_height(path_67, _e52);
+                    let _e55 = t_31;
+                    let _e56 = self.v_path_slope(path_67, _e55);
+                    let above_9 = <rt::Vec3<f32>>::from_scalars((_e53 - top_11), _e56, path_67.h.z());
+                    let _e63 = t_31;
+                    let _e67 = t_31;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_67.h.x().abs() + (_e63 * (path_67.h.y().abs() + (_e67 * path_67.h.z().abs())))));
+                    let _e77 = t_31;
+                    next_2 = _e77.max(end_11);
+                    slope_3 = rt::Scalar(-1f32);
+                    let _e82 = self.v_least_at(above_9, span_10);
+                    let _e83 = self.v_quadratic(above_9, _e82);
+                    if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
+                        local_81 = above_9.x().elementwise_gt(of_heights);
+                    } else {
+                        local_81 = rt::Scalar(false);
+                    }
+                    let _e90 = local_81;
+                    if rt::Scalar::into_branch_condition(_e90) {
+                        if rt::Scalar::into_branch_condition(end_11.elementwise_lt(rt::Scalar(path_67.exit))) {
+                            let _e93 = cell_27;
+                            let _e94 = self.v_whole_cell(_e93);
+                            let _e95 = self.v_frustum_slope(path_67, _e94, forward_3);
+                            slope_3 = _e95;
+                            let _e96 = slope_3;
+                            if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
+                                let _e99 = cost_13;
+                                let _e101 = self.v_map_read(path_67, rt::Scalar(1u32));
+                                cost_13 = (_e99 + _e101);
+                            }
+                        }
+                    } else {
+                        let _e103 = cell_27;
+                        let _e104 = t_31;
+                        let _e105 = self.v_gap_to(path_67, _e2, _e103, _e30, _e104);
+                        let _e106 = self.v_falls_in_cell(_e105, span_10);
+                        if rt::Scalar::into_branch_condition(_e106) {
+                            let _e107 = t_31;
+                            let _e108 = cost_13;
+                            let _e109 = self.v_found_in_cell(_e105, _e107, span_10, first_19, _e108);
+                            return _e109;
                         }
                     }
-                    let _e72 = next_2;
-                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_10)) {
-                        let _e74 = cell_21;
-                        let _e75 = t_27;
-                        let _e76 = self.v_gap_to(path_61, _e2, _e74, _e30, _e75);
-                        let _e77 = self.v_falls_in_cell(_e76, span_10);
-                        if rt::Scalar::into_branch_condition(_e77) {
-                            let _e78 = t_27;
-                            let _e79 = cost_13;
-                            let _e80 = self.v_found_in_cell(_e76, _e78, span_10, first_17, _e79);
-                            return _e80;
-                        }
-                        let _e81 = t_27;
-                        next_2 = _e81.max(end_10);
+                    let _e110 = slope_3;
+                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e114 = cell_27;
+                        let _e117 = t_31;
+                        let at_162 = ((_e2.origin - _e114) + (_e2.step * _e117));
+                        let left_5 = at_162.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_162), forward_3);
+                        let _e129 = t_31;
+                        let far_10 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e137 = slope_3;
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e137) * far_10));
+                        let _e143 = t_31;
+                        let rest_8 = (rt::Scalar(path_67.exit) - _e143);
+                        let _e145 = slope_3;
+                        let _e150 = self.v_stays_above(above_9, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_8);
+                        let _e151 = slope_3;
+                        let _e156 = self.v_stays_above(above_9, _e151, left_5.y(), _e2.step.y(), lost_1.y(), rest_8);
+                        let _e157 = next_2;
+                        let _e158 = t_31;
+                        next_2 = _e157.max((_e158 + _e150.min(_e156)));
                     }
-                    let _e83 = next_2;
-                    if rt::Scalar::into_branch_condition(_e83.elementwise_ge(rt::Scalar(path_61.exit))) {
-                        let _e87 = t_27;
-                        let _e89 = cost_13;
-                        return <SearchResult>::new(FOUND_MISS, _e87, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                    let _e162 = next_2;
+                    if rt::Scalar::into_branch_condition(_e162.elementwise_ge(rt::Scalar(path_67.exit))) {
+                        let _e166 = t_31;
+                        let _e168 = cost_13;
+                        return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                     }
-                    let _e93 = cell_21;
-                    let _e94 = next_2;
-                    let _e95 = self.v_cell_after(_e2, _e93, _e35, forward_4, _e94);
-                    cell_21 = _e95;
-                    let _e96 = next_2;
-                    t_27 = _e96;
+                    let _e172 = slope_3;
+                    if rt::Scalar::into_branch_condition(_e172.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e175 = cell_27;
+                        let _e176 = next_2;
+                        let _e177 = self.v_cell_after(_e2, _e175, _e35, forward_3, _e176);
+                        cell_27 = _e177;
+                    } else {
+                        let _e178 = cell_27;
+                        let _e179 = self.v_cell_next(_e2, _e178, _e35);
+                        cell_27 = _e179;
+                    }
+                    let _e180 = next_2;
+                    t_31 = _e180;
                 }
             }
         }
-        let _e98 = t_27;
-        let _e100 = cost_13;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e98, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e100);
+        let _e182 = t_31;
+        let _e184 = cost_13;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
+    }
+    pub(crate) fn nearest_corner(&self, at_97: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_97)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_nearest_corner(&self, at_97: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_97.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    }
+    pub(crate) fn stays_inside(
+        &self,
+        path_68: Path,
+        grid_8: Grid,
+        offset_6: impl rt::Into<rt::Vec2<f32>>,
+        apex: impl rt::Into<rt::Scalar<f32>>,
+        slope_4: impl rt::Into<rt::Scalar<f32>>,
+        t_32: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_stays_inside(path_68, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_32)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_stays_inside(
+        &self,
+        path_68: Path,
+        grid_8: Grid,
+        offset_6: rt::Vec2<f32>,
+        apex: rt::Scalar<f32>,
+        slope_4: rt::Scalar<f32>,
+        t_32: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut most: rt::Scalar<f32>;
+        let mut local_82: rt::Scalar<bool>;
+        let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+
+        let rest_9 = (rt::Scalar(path_68.exit) - t_32);
+        let _e8 = self.v_path_height(path_68, t_32);
+        let height_24 = (_e8 - apex);
+        let terms = (path_68.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_68.exit)) * path_68.h.z().abs()));
+        let _e21 = self.v_path_slope(path_68, t_32);
+        let rise_6 = ((_e21 + (path_68.h.z().min(rt::Scalar(0f32)) * rest_9)) - (rt::Scalar(0.0000009536743f32) * terms));
+        most = rest_9;
+        if rt::Scalar::into_branch_condition(rise_6.elementwise_lt(rt::Scalar(0f32))) {
+            let _e34 = most;
+            most = _e34.min((height_24 / (rt::Scalar(0f32) - rise_6)));
+        }
+        let _e39 = most;
+        let end_12 = (t_32 + _e39);
+        let _e52 = self.v_height_size(rt::Scalar(path_68.level));
+        let far_11 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_12)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_68.h.x().abs() + (end_12 * (path_68.h.y().abs() + (end_12 * path_68.h.z().abs())))));
+        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_11.x() + far_11.y())));
+        let gap_5 = (height_24 - (rt::Scalar(2f32) * lost_2));
+        let _e85 = self.v_height_size(rt::Scalar(path_68.level));
+        let aside_6 = (((grid_8.origin - offset_6) + (grid_8.step * t_32)) / _e85);
+        let c_27 = (((slope_4 * aside_6.length()) - gap_5) * ((slope_4 * aside_6.length()) + gap_5));
+        if rt::Scalar::into_branch_condition((!gap_5.elementwise_le(rt::Scalar(0f32)))) {
+            local_82 = c_27.elementwise_ge(rt::Scalar(0f32));
+        } else {
+            local_82 = rt::Scalar(true);
+        }
+        let _e102 = local_82;
+        if rt::Scalar::into_branch_condition(_e102) {
+            return rt::Scalar(0f32);
+        }
+        let b_41 = (((slope_4 * slope_4) * aside_6.dot(path_68.duv)) - (gap_5 * rise_6));
+        let a_41 = (((slope_4 * slope_4) * path_68.duv.dot(path_68.duv)) - (rise_6 * rise_6));
+        let discriminant_5 = ((b_41 * b_41) - (a_41 * c_27));
+        if rt::Scalar::into_branch_condition(discriminant_5.elementwise_ge(rt::Scalar(0f32))) {
+            let root_6 = discriminant_5.sqrt();
+            if rt::Scalar::into_branch_condition(b_41.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_27) / (b_41 + root_6));
+            } else {
+                if rt::Scalar::into_branch_condition(a_41.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_6 - b_41) / a_41);
+                }
+            }
+        }
+        let _e135 = leave_6;
+        let _e136 = most;
+        leave_6 = _e135.min(_e136);
+        let _e139 = leave_6;
+        let _e145 = leave_6;
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_6 + (path_68.duv * _e139)).length()) + lost_2).elementwise_le((height_24 + (rise_6 * _e145)))) {
+            let _e149 = leave_6;
+            return _e149;
+        }
+        return rt::Scalar(0f32);
+    }
+    pub(crate) fn search_cone(
+        &self,
+        path_69: Path,
+        params_86: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SearchResult {
+        rt::into(self.v_search_cone(path_69, rt::into(params_86)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_cone(
+        &self,
+        path_69: Path,
+        params_86: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let mut cell_28: rt::Vec2<f32>;
+        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_14: rt::Vec3<u32> = NO_COST;
+        let mut next_3: rt::Scalar<f32>;
+
+        let _e2 = self.v_grid_of(path_69);
+        let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_cell_of(_e2.origin);
+        cell_28 = _e9;
+        let limit_4 = params_86.x().to_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e18 = cost_14.x();
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_4)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e20 = cost_14;
+                    cost_14 = (_e20 + STEP);
+                    let _e24 = cost_14.x();
+                    let first_20 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let _e27 = cell_28;
+                    let _e28 = self.v_whole_cell(_e27);
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_69.level));
+                    let _e31 = cost_14;
+                    cost_14 = (_e31 + HEIGHTS_READ);
+                    let _e34 = cell_28;
+                    let _e35 = self.v_cell_leave(_e2, _e34);
+                    let end_13 = _e35.x().min(_e35.y()).min(rt::Scalar(path_69.exit));
+                    let _e41 = t_33;
+                    let span_11 = (end_13 - _e41).max(rt::Scalar(0f32));
+                    let _e46 = cell_28;
+                    let _e49 = t_33;
+                    let at_163 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_163);
+                    let _e53 = self.v_corner_height(_e30, _e52);
+                    let _e54 = t_33;
+                    next_3 = _e54;
+                    let _e56 = t_33;
+                    let _e57 = self.v_path_height(path_69, _e56);
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
+                        let _e59 = cell_28;
+                        let texel_8 = (_e59 + _e52);
+                        let _e61 = self.v_cone_slope(path_69, texel_8);
+                        let _e62 = cost_14;
+                        let _e64 = self.v_map_read(path_69, rt::Scalar(1u32));
+                        cost_14 = (_e62 + _e64);
+                        if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e68 = t_33;
+                            let _e69 = t_33;
+                            let _e70 = self.v_stays_inside(path_69, _e2, texel_8, _e53, _e61, _e69);
+                            next_3 = (_e68 + _e70);
+                        }
+                    }
+                    let _e72 = next_3;
+                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_13)) {
+                        let _e74 = cell_28;
+                        let _e75 = t_33;
+                        let _e76 = self.v_gap_to(path_69, _e2, _e74, _e30, _e75);
+                        let _e77 = self.v_falls_in_cell(_e76, span_11);
+                        if rt::Scalar::into_branch_condition(_e77) {
+                            let _e78 = t_33;
+                            let _e79 = cost_14;
+                            let _e80 = self.v_found_in_cell(_e76, _e78, span_11, first_20, _e79);
+                            return _e80;
+                        }
+                        let _e81 = t_33;
+                        next_3 = _e81.max(end_13);
+                    }
+                    let _e83 = next_3;
+                    if rt::Scalar::into_branch_condition(_e83.elementwise_ge(rt::Scalar(path_69.exit))) {
+                        let _e87 = t_33;
+                        let _e89 = cost_14;
+                        return <SearchResult>::new(FOUND_MISS, _e87, rt::Scalar(path_69.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                    }
+                    let _e93 = cell_28;
+                    let _e94 = next_3;
+                    let _e95 = self.v_cell_after(_e2, _e93, _e35, forward_4, _e94);
+                    cell_28 = _e95;
+                    let _e96 = next_3;
+                    t_33 = _e96;
+                }
+            }
+        }
+        let _e98 = t_33;
+        let _e100 = cost_14;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e98, rt::Scalar(path_69.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e100);
     }
     pub(crate) fn node_extent(
         &self,
-        cell_22: impl rt::Into<rt::Scalar<i32>>,
+        cell_29: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
-        n_8: impl rt::Into<rt::Scalar<i32>>,
-        level_35: impl rt::Into<rt::Scalar<u32>>,
+        n_9: impl rt::Into<rt::Scalar<i32>>,
+        level_46: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_8), rt::into(level_35)))
+        rt::into(self.v_node_extent(rt::into(cell_29), rt::into(image_10), rt::into(n_9), rt::into(level_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_node_extent(
         &self,
-        cell_22: rt::Scalar<i32>,
+        cell_29: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
-        n_8: rt::Scalar<i32>,
-        level_35: rt::Scalar<u32>,
+        n_9: rt::Scalar<i32>,
+        level_46: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_71: rt::Scalar<bool>;
+        let mut local_83: rt::Scalar<bool>;
 
-        let first_18 = ((image_10.x() >> level_35) << level_35);
-        let side_7 = (rt::Scalar(1i32) << level_35);
+        let first_21 = ((image_10.x() >> level_46) << level_46);
+        let side_8 = (rt::Scalar(1i32) << level_46);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_5 = (cell_22 - (image_10.x() - first_18));
-            return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_7.min((n_8 - first_18))));
+            let low_6 = (cell_29 - (image_10.x() - first_21));
+            return <rt::Vec2<i32>>::from_scalars(low_6, (low_6 + side_8.min((n_9 - first_21))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_1 = ((cell_22 + (image_10.x() - first_18)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_1 - side_7.min(((n_8 - rt::Scalar(1i32)) - first_18))), high_1);
+            let high_2 = ((cell_29 + (image_10.x() - first_21)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high_2 - side_8.min(((n_9 - rt::Scalar(1i32)) - first_21))), high_2);
         }
-        if rt::Scalar::into_branch_condition(level_35.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_46.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_71 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_83 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_71 = rt::Scalar(false);
+            local_83 = rt::Scalar(false);
         }
-        let _e43 = local_71;
+        let _e43 = local_83;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_8, cell_22.elementwise_ge(n_8)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_22.elementwise_ge(n_8)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_9, cell_29.elementwise_ge(n_9)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_29.elementwise_ge(n_9)));
         }
-        return <rt::Vec2<i32>>::from_scalars(cell_22, (cell_22 + rt::Scalar(1i32)));
+        return <rt::Vec2<i32>>::from_scalars(cell_29, (cell_29 + rt::Scalar(1i32)));
     }
     pub(crate) fn leaves_extent(
         &self,
@@ -11618,30 +13366,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_62: Path,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
+        path_70: Path,
+        params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_pyramid(path_62, rt::into(params_74)))
+        rt::into(self.v_search_pyramid(path_70, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_pyramid(
         &self,
-        path_62: Path,
-        params_74: rt::Vec4<f32>,
+        path_70: Path,
+        params_87: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_36: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut cell_23: rt::Vec2<i32>;
+        let mut level_47: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cell_30: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_72: rt::Scalar<bool>;
-        let mut local_73: rt::Scalar<bool>;
-        let mut local_74: rt::Scalar<bool>;
+        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_15: rt::Vec3<u32> = NO_COST;
+        let mut local_84: rt::Scalar<bool>;
+        let mut local_85: rt::Scalar<bool>;
+        let mut local_86: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_62);
-        let _e4 = self.v_height_texels(rt::Scalar(path_62.level));
-        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_62.exit));
+        let _e2 = self.v_grid_of(path_70);
+        let _e4 = self.v_height_texels(rt::Scalar(path_70.level));
+        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_70.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -11652,1345 +13400,1367 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_36;
+                    let _e28 = level_47;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_36;
-                        level_36 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_47;
+                        level_47 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
-        cell_23 = _e37.to_i32();
-        let limit_4 = params_74.x().to_u32();
+        cell_30 = _e37.to_i32();
+        let limit_5 = params_87.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e51 = cost_14.x();
-                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_4)) {
+                let _e51 = cost_15.x();
+                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_5)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e53 = cost_14;
-                    cost_14 = (_e53 + STEP);
-                    let _e57 = cell_23.x();
+                    let _e53 = cost_15;
+                    cost_15 = (_e53 + STEP);
+                    let _e57 = cell_30.x();
                     let _e59 = self.v_image_of(_e57, _e4.x());
-                    let _e61 = cell_23.y();
+                    let _e61 = cell_30.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_31 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_36;
+                    let place_33 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let _e67 = level_47;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_31.x() >> above_level), (place_31.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_33.x() >> above_level), (place_33.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_2.x()))) {
                             let _e89 = parent.y();
-                            local_73 = _e89.elementwise_ne(over_2.y());
+                            local_85 = _e89.elementwise_ne(over_2.y());
                         } else {
-                            local_73 = rt::Scalar(true);
+                            local_85 = rt::Scalar(true);
                         }
-                        let _e93 = local_73;
-                        local_72 = _e93;
+                        let _e93 = local_85;
+                        local_84 = _e93;
                     } else {
-                        local_72 = rt::Scalar(false);
+                        local_84 = rt::Scalar(false);
                     }
-                    let left_6 = local_72;
+                    let left_6 = local_84;
                     if rt::Scalar::into_branch_condition(left_6) {
-                        let _e98 = level_36;
+                        let _e98 = level_47;
                         let _e99 = top;
-                        local_74 = _e98.elementwise_lt(_e99);
+                        local_86 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_74 = rt::Scalar(false);
+                        local_86 = rt::Scalar(false);
                     }
-                    let _e102 = local_74;
+                    let _e102 = local_86;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_36 = above_level;
+                        level_47 = above_level;
                     }
-                    let _e104 = cell_23.x();
-                    let _e106 = level_36;
+                    let _e104 = cell_30.x();
+                    let _e106 = level_47;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
-                    let _e109 = cell_23.y();
-                    let _e111 = level_36;
+                    let _e109 = cell_30.y();
+                    let _e111 = level_47;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_11 = _e117.min(_e122).min(rt::Scalar(path_62.exit));
-                    let _e126 = t_28;
-                    let span_11 = (end_11 - _e126).max(rt::Scalar(0f32));
-                    let low_6 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
+                    let end_14 = _e117.min(_e122).min(rt::Scalar(path_70.exit));
+                    let _e126 = t_34;
+                    let span_12 = (end_14 - _e126).max(rt::Scalar(0f32));
+                    let low_7 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_10 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_36;
+                    let _e140 = level_47;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e143 = cost_14;
-                        cost_14 = (_e143 + HEIGHTS_READ);
-                        let _e146 = cell_23;
-                        let _e148 = cell_23;
-                        let _e150 = self.v_object_cell_stage(_e148, rt::Scalar(path_62.level));
-                        let _e151 = t_28;
-                        let _e152 = self.v_gap_to(path_62, _e2, _e146.to_f32(), _e150, _e151);
-                        let _e153 = self.v_falls_in_cell(_e152, span_11);
+                        let _e143 = cost_15;
+                        cost_15 = (_e143 + HEIGHTS_READ);
+                        let _e146 = cell_30;
+                        let _e148 = cell_30;
+                        let _e150 = self.v_object_cell_stage(_e148, rt::Scalar(path_70.level));
+                        let _e151 = t_34;
+                        let _e152 = self.v_gap_to(path_70, _e2, _e146.to_f32(), _e150, _e151);
+                        let _e153 = self.v_falls_in_cell(_e152, span_12);
                         if rt::Scalar::into_branch_condition(_e153) {
-                            let _e154 = t_28;
-                            let _e155 = t_28;
-                            let _e158 = cost_14;
-                            let _e159 = self.v_found_in_cell(_e152, _e154, span_11, _e155.elementwise_eq(rt::Scalar(0f32)), _e158);
+                            let _e154 = t_34;
+                            let _e155 = t_34;
+                            let _e158 = cost_15;
+                            let _e159 = self.v_found_in_cell(_e152, _e154, span_12, _e155.elementwise_eq(rt::Scalar(0f32)), _e158);
                             return _e159;
                         }
                     } else {
-                        let _e160 = cost_14;
-                        let _e162 = self.v_map_read(path_62, rt::Scalar(1u32));
-                        cost_14 = (_e160 + _e162);
-                        let _e165 = level_36;
-                        let _e168 = level_36;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_31.x() >> _e165), (place_31.y() >> _e168));
-                        let _e172 = level_36;
-                        let _e178 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e160 = cost_15;
+                        let _e162 = self.v_map_read(path_70, rt::Scalar(1u32));
+                        cost_15 = (_e160 + _e162);
+                        let _e165 = level_47;
+                        let _e168 = level_47;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_33.x() >> _e165), (place_33.y() >> _e168));
+                        let _e172 = level_47;
+                        let _e178 = self.v_search_texel(path_70, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_70.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
-                        let _e180 = t_28;
-                        let furthest = (_e180 + span_11);
-                        let rounded = (path_62.h.x().abs() + (furthest * (path_62.h.y().abs() + (furthest * path_62.h.z().abs()))));
-                        let _e195 = t_28;
-                        let _e196 = self.v_path_height(path_62, _e195);
-                        let _e201 = t_28;
-                        let _e202 = self.v_path_slope(path_62, _e201);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e196 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e202, path_62.h.z());
-                        let _e206 = self.v_falls_in_cell(gap_4, span_11);
+                        let _e180 = t_34;
+                        let furthest = (_e180 + span_12);
+                        let rounded = (path_70.h.x().abs() + (furthest * (path_70.h.y().abs() + (furthest * path_70.h.z().abs()))));
+                        let _e195 = t_34;
+                        let _e196 = self.v_path_height(path_70, _e195);
+                        let _e201 = t_34;
+                        let _e202 = self.v_path_slope(path_70, _e201);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e196 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e202, path_70.h.z());
+                        let _e206 = self.v_falls_in_cell(gap_6, span_12);
                         if rt::Scalar::into_branch_condition(_e206) {
-                            if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e210 = t_28;
-                                let _e211 = self.v_first_root(gap_4, span_11);
-                                t_28 = (_e210 + _e211.min(span_11));
+                            if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
+                                let _e210 = t_34;
+                                let _e211 = self.v_first_root(gap_6, span_12);
+                                t_34 = (_e210 + _e211.min(span_12));
                             }
-                            let _e216 = t_28;
+                            let _e216 = t_34;
                             let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
-                            cell_23 = _e219.to_i32().clamp(low_6, last_10);
-                            let _e222 = level_36;
-                            level_36 = (_e222 - rt::Scalar(1u32));
+                            cell_30 = _e219.to_i32().clamp(low_7, last_10);
+                            let _e222 = level_47;
+                            level_47 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(path_62.exit))) {
-                        let _e231 = t_28;
-                        let _e233 = cost_14;
-                        return <SearchResult>::new(FOUND_MISS, _e231, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
+                    if rt::Scalar::into_branch_condition(end_14.elementwise_ge(rt::Scalar(path_70.exit))) {
+                        let _e231 = t_34;
+                        let _e233 = cost_15;
+                        return <SearchResult>::new(FOUND_MISS, _e231, rt::Scalar(path_70.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
                     }
-                    let _e241 = self.v_cell_of((_e2.origin + (_e2.step * end_11)));
-                    cell_23 = _e241.to_i32().clamp(low_6, last_10);
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_11)) {
-                        cell_23.set_x((low_6.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    let _e241 = self.v_cell_of((_e2.origin + (_e2.step * end_14)));
+                    cell_30 = _e241.to_i32().clamp(low_7, last_10);
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_14)) {
+                        cell_30.set_x((low_7.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_11)) {
-                        cell_23.set_y((low_6.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_14)) {
+                        cell_30.set_y((low_7.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e267 = level_36;
-                    let _e272 = level_36;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_31.x() >> (_e267 + rt::Scalar(1u32))), (place_31.y() >> (_e272 + rt::Scalar(1u32))));
-                    let _e277 = t_28;
-                    t_28 = _e277.max(end_11);
+                    let _e267 = level_47;
+                    let _e272 = level_47;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_33.x() >> (_e267 + rt::Scalar(1u32))), (place_33.y() >> (_e272 + rt::Scalar(1u32))));
+                    let _e277 = t_34;
+                    t_34 = _e277.max(end_14);
                 }
             }
         }
-        let _e280 = t_28;
-        let _e282 = cost_14;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e280, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e282);
+        let _e280 = t_34;
+        let _e282 = cost_15;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e280, rt::Scalar(path_70.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e282);
     }
     pub(crate) fn texel_extent(
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
-        n_9: impl rt::Into<rt::Scalar<i32>>,
-        level_37: impl rt::Into<rt::Scalar<u32>>,
+        n_10: impl rt::Into<rt::Scalar<i32>>,
+        level_48: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_9), rt::into(level_37)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_10), rt::into(level_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
-        n_9: rt::Scalar<i32>,
-        level_37: rt::Scalar<u32>,
+        n_10: rt::Scalar<i32>,
+        level_48: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_75: rt::Scalar<bool>;
+        let mut local_87: rt::Scalar<bool>;
 
-        let _e3 = self.v_wrap_index(texel_2, n_9);
-        let first_19 = ((_e3 >> level_37) << level_37);
-        let last_11 = (first_19 + (rt::Scalar(1i32) << level_37)).min(n_9);
+        let _e3 = self.v_wrap_index(texel_2, n_10);
+        let first_22 = ((_e3 >> level_48) << level_48);
+        let last_11 = (first_22 + (rt::Scalar(1i32) << level_48)).min(n_10);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_75 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_87 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_75 = rt::Scalar(true);
+            local_87 = rt::Scalar(true);
         }
-        let _e20 = local_75;
+        let _e20 = local_87;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_19), ((texel_2 - _e3) + last_11));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_22), ((texel_2 - _e3) + last_11));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
-            let period_3 = (rt::Scalar(2i32) * n_9);
+            let period_3 = (rt::Scalar(2i32) * n_10);
             let folded_3 = (((texel_2 % period_3) + period_3) % period_3);
-            if rt::Scalar::into_branch_condition(folded_3.elementwise_lt(n_9)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_19), ((texel_2 - _e3) + last_11));
+            if rt::Scalar::into_branch_condition(folded_3.elementwise_lt(n_10)) {
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_22), ((texel_2 - _e3) + last_11));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_11) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_19) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_11) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_22) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_63: Path,
-        params_75: impl rt::Into<rt::Vec4<f32>>,
+        path_71: Path,
+        params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_pyramid_texels(path_63, rt::into(params_75)))
+        rt::into(self.v_search_pyramid_texels(path_71, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_pyramid_texels(
         &self,
-        path_63: Path,
-        params_75: rt::Vec4<f32>,
+        path_71: Path,
+        params_88: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut level_38: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_49: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_15: rt::Vec3<u32> = NO_COST;
+        let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_63.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_63.level));
-        let origin_7 = (path_63.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_63.level));
-        let step_7 = (path_63.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_71.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_71.level));
+        let origin_7 = (path_71.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_71.level));
+        let step_7 = (path_71.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_38;
+                let _e14 = level_49;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_38;
-                    level_38 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_49;
+                    level_49 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_7);
         texel_3 = _e24.to_i32();
-        let limit_5 = params_75.x().to_u32();
-        let _e35 = level_38;
-        finest_1 = params_75.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_63.ray).elementwise_eq(RAY_SHADOW)) {
+        let limit_6 = params_88.x().to_u32();
+        let _e35 = level_49;
+        finest_1 = params_88.y().to_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_71.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e43 = cost_15.x();
-                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_5)) {
+                let _e43 = cost_16.x();
+                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_6)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e45 = cost_15;
-                    cost_15 = (_e45 + STEP);
+                    let _e45 = cost_16;
+                    cost_16 = (_e45 + STEP);
                     let _e49 = texel_3.x();
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_32 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_34 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_38;
+                    let _e59 = level_49;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e62 = cost_15;
-                        cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_32, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e62 = cost_16;
+                        cost_16 = (_e62 + HEIGHT_READ);
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_34, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_38;
-                        let _e73 = level_38;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_32.x() >> _e70), (place_32.y() >> _e73));
-                        let _e76 = cost_15;
-                        let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
-                        cost_15 = (_e76 + _e78);
-                        let _e81 = level_38;
-                        let _e85 = self.v_search_texel(path_63, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
+                        let _e70 = level_49;
+                        let _e73 = level_49;
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_34.x() >> _e70), (place_34.y() >> _e73));
+                        let _e76 = cost_16;
+                        let _e78 = self.v_map_read(path_71, rt::Scalar(1u32));
+                        cost_16 = (_e76 + _e78);
+                        let _e81 = level_49;
+                        let _e85 = self.v_search_texel(path_71, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_38;
+                    let _e90 = level_49;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_38;
+                    let _e95 = level_49;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
-                    let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
-                    let _e109 = t_29;
-                    let end_12 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_63.exit)).max(_e109);
-                    let _e111 = t_29;
-                    let _e112 = self.v_path_height(path_63, _e111);
+                    let leave_8 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
+                    let _e109 = t_35;
+                    let end_15 = leave_8.x().min(leave_8.y()).min(rt::Scalar(path_71.exit)).max(_e109);
+                    let _e111 = t_35;
+                    let _e112 = self.v_path_height(path_71, _e111);
                     let _e113 = highest;
-                    let _e115 = t_29;
-                    let _e116 = self.v_path_slope(path_63, _e115);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_63.h.z());
+                    let _e115 = t_35;
+                    let _e116 = self.v_path_slope(path_71, _e115);
+                    let gap_7 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_71.h.z());
                     sinks = rt::Scalar(0f32);
-                    if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e125 = t_29;
-                        let _e127 = self.v_first_root(gap_5, (end_12 - _e125));
+                    if rt::Scalar::into_branch_condition(gap_7.x().elementwise_gt(rt::Scalar(0f32))) {
+                        let _e125 = t_35;
+                        let _e127 = self.v_first_root(gap_7, (end_15 - _e125));
                         sinks = _e127;
                     }
-                    let low_7 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
+                    let low_8 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
                     let last_12 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e141 = t_29;
+                        let _e141 = t_35;
                         let _e142 = sinks;
-                        t_29 = (_e141 + _e142);
-                        let _e144 = level_38;
+                        t_35 = (_e141 + _e142);
+                        let _e144 = level_49;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
-                            let _e148 = t_29;
-                            let _e149 = cost_15;
+                            let _e148 = t_35;
+                            let _e149 = cost_16;
                             return <SearchResult>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_38;
-                        level_38 = (_e154 - rt::Scalar(1u32));
-                        let _e157 = t_29;
+                        let _e154 = level_49;
+                        level_49 = (_e154 - rt::Scalar(1u32));
+                        let _e157 = t_35;
                         let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
-                        texel_3 = _e160.to_i32().clamp(low_7, last_12);
+                        texel_3 = _e160.to_i32().clamp(low_8, last_12);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_12.elementwise_ge(rt::Scalar(path_63.exit))) {
-                            let _e166 = t_29;
-                            let _e168 = cost_15;
-                            return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                        if rt::Scalar::into_branch_condition(end_15.elementwise_ge(rt::Scalar(path_71.exit))) {
+                            let _e166 = t_35;
+                            let _e168 = cost_16;
+                            return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_71.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_7 + (step_7 * end_12)));
-                        texel_3 = _e174.to_i32().clamp(low_7, last_12);
-                        if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_12)) {
-                            texel_3.set_x((low_7.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
+                        let _e174 = self.v_cell_of((origin_7 + (step_7 * end_15)));
+                        texel_3 = _e174.to_i32().clamp(low_8, last_12);
+                        if rt::Scalar::into_branch_condition(leave_8.x().elementwise_le(end_15)) {
+                            texel_3.set_x((low_8.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_12)) {
-                            texel_3.set_y((low_7.y() - rt::Scalar(1i32)).select(_e96.y(), step_7.y().elementwise_gt(rt::Scalar(0f32))));
+                        if rt::Scalar::into_branch_condition(leave_8.y().elementwise_le(end_15)) {
+                            texel_3.set_y((low_8.y() - rt::Scalar(1i32)).select(_e96.y(), step_7.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_29 = end_12;
+                        t_35 = end_15;
                     }
                 }
             }
         }
-        let _e200 = t_29;
-        let _e202 = cost_15;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        let _e200 = t_35;
+        let _e202 = cost_16;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_71.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
         grid_9: Grid,
-        cell_24: impl rt::Into<rt::Vec2<f32>>,
+        cell_31: impl rt::Into<rt::Vec2<f32>>,
         radius: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_window(grid_9, rt::into(cell_24), rt::into(radius)))
+        rt::into(self.v_leaves_window(grid_9, rt::into(cell_31), rt::into(radius)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_leaves_window(
         &self,
         grid_9: Grid,
-        cell_24: rt::Vec2<f32>,
+        cell_31: rt::Vec2<f32>,
         radius: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
-        let _e5 = self.v_cell_leave(grid_9, (cell_24 - wide_1));
-        let _e7 = self.v_cell_leave(grid_9, (cell_24 + wide_1));
-        let leave_8 = _e5.select(_e7, grid_9.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
-        return leave_8.x().min(leave_8.y());
+        let _e5 = self.v_cell_leave(grid_9, (cell_31 - wide_1));
+        let _e7 = self.v_cell_leave(grid_9, (cell_31 + wide_1));
+        let leave_9 = _e5.select(_e7, grid_9.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+        return leave_9.x().min(leave_9.y());
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_64: Path,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        path_72: Path,
+        params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_dilation_erosion(path_64, rt::into(params_76)))
+        rt::into(self.v_search_dilation_erosion(path_72, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_dilation_erosion(
         &self,
-        path_64: Path,
-        params_76: rt::Vec4<f32>,
+        path_72: Path,
+        params_89: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_25: rt::Vec2<f32>;
-        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_32: rt::Vec2<f32>;
+        let mut t_36: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_16: rt::Vec3<u32> = NO_COST;
-        let mut next_3: rt::Scalar<f32>;
+        let mut cost_17: rt::Vec3<u32> = NO_COST;
+        let mut next_4: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_76: rt::Scalar<bool>;
-        let mut local_77: rt::Scalar<bool>;
-        let mut local_78: rt::Scalar<bool>;
-        let mut local_79: rt::Scalar<bool>;
+        let mut local_88: rt::Scalar<bool>;
+        let mut local_89: rt::Scalar<bool>;
+        let mut local_90: rt::Scalar<bool>;
+        let mut local_91: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_64);
-        let _e4 = self.v_height_texels(rt::Scalar(path_64.level));
+        let _e2 = self.v_grid_of(path_72);
+        let _e4 = self.v_height_texels(rt::Scalar(path_72.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
-        cell_25 = _e11;
-        let limit_6 = params_76.x().to_u32();
+        cell_32 = _e11;
+        let limit_7 = params_89.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e22 = cost_16.x();
-                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_6)) {
+                let _e22 = cost_17.x();
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = cost_16;
-                    cost_16 = (_e24 + STEP);
-                    let _e27 = cell_25;
+                    let _e24 = cost_17;
+                    cost_17 = (_e24 + STEP);
+                    let _e27 = cell_32;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_13 = _e28.x().min(_e28.y()).min(rt::Scalar(path_64.exit));
-                    let _e34 = t_30;
-                    let span_12 = (end_13 - _e34).max(rt::Scalar(0f32));
-                    let _e38 = t_30;
-                    next_3 = _e38;
-                    looks = params_76.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e44 = cell_25;
+                    let end_16 = _e28.x().min(_e28.y()).min(rt::Scalar(path_72.exit));
+                    let _e34 = t_36;
+                    let span_13 = (end_16 - _e34).max(rt::Scalar(0f32));
+                    let _e38 = t_36;
+                    next_4 = _e38;
+                    looks = params_89.y().elementwise_gt(rt::Scalar(0.5f32));
+                    let _e44 = cell_32;
                     let _e45 = self.v_whole_cell(_e44);
                     let _e48 = self.v_image_of(_e45.x(), _e4.x());
                     let _e51 = self.v_image_of(_e45.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_76 = _e51.y().elementwise_eq(rt::Scalar(2i32));
+                        local_88 = _e51.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_76 = rt::Scalar(true);
+                        local_88 = rt::Scalar(true);
                     }
-                    let _e62 = local_76;
+                    let _e62 = local_88;
                     if rt::Scalar::into_branch_condition(_e62) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e70 = self.v_search_texel(path_64, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_64.level).to_i32());
-                        let _e71 = cost_16;
-                        let _e73 = self.v_map_read(path_64, rt::Scalar(1u32));
-                        cost_16 = (_e71 + _e73);
-                        let _e75 = cell_25;
-                        let _e77 = self.v_leaves_window(_e2, _e75, params_76.z());
-                        let _e80 = t_30;
-                        let reach = (_e77.min(rt::Scalar(path_64.exit)) - _e80).max(rt::Scalar(0f32));
-                        let _e84 = t_30;
+                        let _e70 = self.v_search_texel(path_72, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_72.level).to_i32());
+                        let _e71 = cost_17;
+                        let _e73 = self.v_map_read(path_72, rt::Scalar(1u32));
+                        cost_17 = (_e71 + _e73);
+                        let _e75 = cell_32;
+                        let _e77 = self.v_leaves_window(_e2, _e75, params_89.z());
+                        let _e80 = t_36;
+                        let reach = (_e77.min(rt::Scalar(path_72.exit)) - _e80).max(rt::Scalar(0f32));
+                        let _e84 = t_36;
                         let furthest_1 = (_e84 + reach);
-                        let rounded_1 = (path_64.h.x().abs() + (furthest_1 * (path_64.h.y().abs() + (furthest_1 * path_64.h.z().abs()))));
-                        let _e99 = t_30;
-                        let _e100 = self.v_path_height(path_64, _e99);
-                        let _e106 = t_30;
-                        let _e107 = self.v_path_slope(path_64, _e106);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e100 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e107, path_64.h.z());
-                        if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e114 = t_30;
+                        let rounded_1 = (path_72.h.x().abs() + (furthest_1 * (path_72.h.y().abs() + (furthest_1 * path_72.h.z().abs()))));
+                        let _e99 = t_36;
+                        let _e100 = self.v_path_height(path_72, _e99);
+                        let _e106 = t_36;
+                        let _e107 = self.v_path_slope(path_72, _e106);
+                        let gap_8 = <rt::Vec3<f32>>::from_scalars(((_e100 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e107, path_72.h.z());
+                        if rt::Scalar::into_branch_condition(gap_8.x().elementwise_gt(rt::Scalar(0f32))) {
+                            let _e114 = t_36;
                             safe_ = _e114;
-                            let _e115 = t_30;
-                            next_3 = (_e115 + reach);
-                            let _e117 = self.v_least_at(gap_6, reach);
-                            let _e118 = self.v_quadratic(gap_6, _e117);
+                            let _e115 = t_36;
+                            next_4 = (_e115 + reach);
+                            let _e117 = self.v_least_at(gap_8, reach);
+                            let _e118 = self.v_quadratic(gap_8, _e117);
                             if rt::Scalar::into_branch_condition(_e118.elementwise_le(rt::Scalar(0f32))) {
-                                let _e121 = t_30;
-                                let _e122 = self.v_first_root(gap_6, reach);
-                                next_3 = (_e121 + _e122.min(reach));
+                                let _e121 = t_36;
+                                let _e122 = self.v_first_root(gap_8, reach);
+                                next_4 = (_e121 + _e122.min(reach));
                             }
                         }
                         let _e125 = looks;
                         if rt::Scalar::into_branch_condition((!_e125)) {
-                            let _e129 = next_3;
-                            local_77 = _e129.elementwise_lt(end_13);
+                            let _e129 = next_4;
+                            local_89 = _e129.elementwise_lt(end_16);
                         } else {
-                            local_77 = rt::Scalar(false);
+                            local_89 = rt::Scalar(false);
                         }
-                        let _e132 = local_77;
+                        let _e132 = local_89;
                         if rt::Scalar::into_branch_condition(_e132) {
-                            let _e135 = self.v_path_height(path_64, end_13);
-                            local_78 = _e135.elementwise_lt(_e70.x());
+                            let _e135 = self.v_path_height(path_72, end_16);
+                            local_90 = _e135.elementwise_lt(_e70.x());
                         } else {
-                            local_78 = rt::Scalar(false);
+                            local_90 = rt::Scalar(false);
                         }
-                        let _e139 = local_78;
+                        let _e139 = local_90;
                         if rt::Scalar::into_branch_condition(_e139) {
                             let _e140 = safe_;
-                            let _e141 = cost_16;
-                            let _e142 = self.v_bracket_between(path_64, _e140, end_13, _e141);
+                            let _e141 = cost_17;
+                            let _e142 = self.v_bracket_between(path_72, _e140, end_16, _e141);
                             return _e142;
                         }
                     }
-                    let _e143 = next_3;
-                    if rt::Scalar::into_branch_condition((!_e143.elementwise_lt(end_13))) {
-                        let _e148 = t_30;
-                        local_79 = (!end_13.elementwise_gt(_e148));
+                    let _e143 = next_4;
+                    if rt::Scalar::into_branch_condition((!_e143.elementwise_lt(end_16))) {
+                        let _e148 = t_36;
+                        local_91 = (!end_16.elementwise_gt(_e148));
                     } else {
-                        local_79 = rt::Scalar(true);
+                        local_91 = rt::Scalar(true);
                     }
-                    let _e152 = local_79;
+                    let _e152 = local_91;
                     if rt::Scalar::into_branch_condition(_e152) {
                         let _e153 = looks;
                         if rt::Scalar::into_branch_condition(_e153) {
-                            let _e154 = cost_16;
-                            cost_16 = (_e154 + HEIGHTS_READ);
-                            let _e158 = self.v_height_cell(_e45, rt::Scalar(path_64.level));
-                            let _e159 = cell_25;
-                            let _e160 = t_30;
-                            let _e161 = self.v_gap_to(path_64, _e2, _e159, _e158, _e160);
-                            let _e162 = self.v_falls_in_cell(_e161, span_12);
+                            let _e154 = cost_17;
+                            cost_17 = (_e154 + HEIGHTS_READ);
+                            let _e158 = self.v_height_cell(_e45, rt::Scalar(path_72.level));
+                            let _e159 = cell_32;
+                            let _e160 = t_36;
+                            let _e161 = self.v_gap_to(path_72, _e2, _e159, _e158, _e160);
+                            let _e162 = self.v_falls_in_cell(_e161, span_13);
                             if rt::Scalar::into_branch_condition(_e162) {
-                                let _e163 = t_30;
-                                let _e164 = t_30;
-                                let _e167 = cost_16;
-                                let _e168 = self.v_found_in_cell(_e161, _e163, span_12, _e164.elementwise_eq(rt::Scalar(0f32)), _e167);
+                                let _e163 = t_36;
+                                let _e164 = t_36;
+                                let _e167 = cost_17;
+                                let _e168 = self.v_found_in_cell(_e161, _e163, span_13, _e164.elementwise_eq(rt::Scalar(0f32)), _e167);
                                 return _e168;
                             }
                         }
-                        let _e169 = t_30;
-                        next_3 = _e169.max(end_13);
+                        let _e169 = t_36;
+                        next_4 = _e169.max(end_16);
                     }
-                    let _e171 = next_3;
-                    if rt::Scalar::into_branch_condition(_e171.elementwise_ge(rt::Scalar(path_64.exit))) {
-                        let _e175 = t_30;
-                        let _e177 = cost_16;
-                        return <SearchResult>::new(FOUND_MISS, _e175, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e177);
+                    let _e171 = next_4;
+                    if rt::Scalar::into_branch_condition(_e171.elementwise_ge(rt::Scalar(path_72.exit))) {
+                        let _e175 = t_36;
+                        let _e177 = cost_17;
+                        return <SearchResult>::new(FOUND_MISS, _e175, rt::Scalar(path_72.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e177);
                     }
-                    let _e181 = cell_25;
-                    let _e182 = next_3;
+                    let _e181 = cell_32;
+                    let _e182 = next_4;
                     let _e183 = self.v_cell_after(_e2, _e181, _e28, forward_5, _e182);
-                    cell_25 = _e183;
-                    let _e184 = next_3;
-                    t_30 = _e184;
+                    cell_32 = _e183;
+                    let _e184 = next_4;
+                    t_36 = _e184;
                 }
             }
         }
-        let _e186 = t_30;
-        let _e188 = cost_16;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e186, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
+        let _e186 = t_36;
+        let _e188 = cost_17;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e186, rt::Scalar(path_72.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_65: Path,
-        params_77: impl rt::Into<rt::Vec4<f32>>,
+        path_73: Path,
+        params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_sphere(path_65, rt::into(params_77)))
+        rt::into(self.v_search_sphere(path_73, rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_sphere(
         &self,
-        path_65: Path,
-        params_77: rt::Vec4<f32>,
+        path_73: Path,
+        params_90: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_26: rt::Vec2<f32>;
-        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_17: rt::Vec3<u32> = NO_COST;
-        let mut next_4: rt::Scalar<f32>;
-        let mut local_80: rt::Scalar<bool>;
+        let mut cell_33: rt::Vec2<f32>;
+        let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_18: rt::Vec3<u32> = NO_COST;
+        let mut next_5: rt::Scalar<f32>;
+        let mut local_92: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_65);
+        let _e2 = self.v_grid_of(path_73);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_65, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_65, rt::Scalar(path_65.exit));
+        let _e9 = self.v_path_slope(path_73, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_73, rt::Scalar(path_73.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_65.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_73.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_11 = (path_65.uv.abs() + (path_65.duv.abs() * rt::Scalar(path_65.exit)));
-        let height_terms = (path_65.h.x().abs() + (rt::Scalar(path_65.exit) * (path_65.h.y().abs() + (rt::Scalar(path_65.exit) * path_65.h.z().abs()))));
-        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_11.x() + far_11.y()) + height_terms) + rt::Scalar(1f32)));
+        let far_12 = (path_73.uv.abs() + (path_73.duv.abs() * rt::Scalar(path_73.exit)));
+        let height_terms = (path_73.h.x().abs() + (rt::Scalar(path_73.exit) * (path_73.h.y().abs() + (rt::Scalar(path_73.exit) * path_73.h.z().abs()))));
+        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_12.x() + far_12.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
-        cell_26 = _e52;
-        let limit_7 = params_77.x().to_u32();
+        cell_33 = _e52;
+        let limit_8 = params_90.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e61 = cost_17.x();
-                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_7)) {
+                let _e61 = cost_18.x();
+                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_8)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e63 = cost_17;
-                    cost_17 = (_e63 + STEP);
-                    let _e66 = cell_26;
+                    let _e63 = cost_18;
+                    cost_18 = (_e63 + STEP);
+                    let _e66 = cell_33;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_14 = _e67.x().min(_e67.y()).min(rt::Scalar(path_65.exit));
-                    let _e73 = t_31;
-                    let span_13 = (end_14 - _e73).max(rt::Scalar(0f32));
-                    let _e77 = t_31;
-                    let _e78 = self.v_path_uv(path_65, _e77);
-                    let _e79 = t_31;
-                    let _e80 = self.v_path_height(path_65, _e79);
-                    let _e82 = self.v_distance_at(path_65, _e78, _e80, params_77.z());
+                    let end_17 = _e67.x().min(_e67.y()).min(rt::Scalar(path_73.exit));
+                    let _e73 = t_37;
+                    let span_14 = (end_17 - _e73).max(rt::Scalar(0f32));
+                    let _e77 = t_37;
+                    let _e78 = self.v_path_uv(path_73, _e77);
+                    let _e79 = t_37;
+                    let _e80 = self.v_path_height(path_73, _e79);
+                    let _e82 = self.v_distance_at(path_73, _e78, _e80, params_90.z());
                     let free_1 = (_e82 - lost_3);
-                    let _e84 = cost_17;
-                    let _e86 = self.v_map_read(path_65, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_65, rt::Scalar(4u32));
-                    cost_17 = ((_e84 + _e86) + _e89);
-                    let _e91 = t_31;
-                    next_4 = _e91;
+                    let _e84 = cost_18;
+                    let _e86 = self.v_map_read(path_73, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_73, rt::Scalar(4u32));
+                    cost_18 = ((_e84 + _e86) + _e89);
+                    let _e91 = t_37;
+                    next_5 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e95 = t_31;
-                        next_4 = (_e95 + (free_1 / speed_2));
+                        let _e95 = t_37;
+                        next_5 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_77.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e101 = next_4;
-                        let _e102 = t_31;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_65.exit))))) {
-                            let _e110 = t_31;
-                            let _e112 = cost_17;
-                            return <SearchResult>::new(FOUND_ABOVE, _e110, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                    if rt::Scalar::into_branch_condition(params_90.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e101 = next_5;
+                        let _e102 = t_37;
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_73.exit))))) {
+                            let _e110 = t_37;
+                            let _e112 = cost_18;
+                            return <SearchResult>::new(FOUND_ABOVE, _e110, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
-                        let _e116 = next_4;
-                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_14))) {
-                            let _e121 = t_31;
-                            local_80 = (!end_14.elementwise_gt(_e121));
+                        let _e116 = next_5;
+                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_17))) {
+                            let _e121 = t_37;
+                            local_92 = (!end_17.elementwise_gt(_e121));
                         } else {
-                            local_80 = rt::Scalar(true);
+                            local_92 = rt::Scalar(true);
                         }
-                        let _e125 = local_80;
+                        let _e125 = local_92;
                         if rt::Scalar::into_branch_condition(_e125) {
-                            let _e126 = cost_17;
-                            cost_17 = (_e126 + HEIGHTS_READ);
-                            let _e129 = cell_26;
-                            let _e130 = cell_26;
+                            let _e126 = cost_18;
+                            cost_18 = (_e126 + HEIGHTS_READ);
+                            let _e129 = cell_33;
+                            let _e130 = cell_33;
                             let _e131 = self.v_whole_cell(_e130);
-                            let _e133 = self.v_height_cell(_e131, rt::Scalar(path_65.level));
-                            let _e134 = t_31;
-                            let _e135 = self.v_gap_to(path_65, _e2, _e129, _e133, _e134);
-                            let _e136 = self.v_falls_in_cell(_e135, span_13);
+                            let _e133 = self.v_height_cell(_e131, rt::Scalar(path_73.level));
+                            let _e134 = t_37;
+                            let _e135 = self.v_gap_to(path_73, _e2, _e129, _e133, _e134);
+                            let _e136 = self.v_falls_in_cell(_e135, span_14);
                             if rt::Scalar::into_branch_condition(_e136) {
-                                let _e137 = t_31;
-                                let _e138 = t_31;
-                                let _e141 = cost_17;
-                                let _e142 = self.v_found_in_cell(_e135, _e137, span_13, _e138.elementwise_eq(rt::Scalar(0f32)), _e141);
+                                let _e137 = t_37;
+                                let _e138 = t_37;
+                                let _e141 = cost_18;
+                                let _e142 = self.v_found_in_cell(_e135, _e137, span_14, _e138.elementwise_eq(rt::Scalar(0f32)), _e141);
                                 return _e142;
                             }
-                            let _e143 = t_31;
-                            next_4 = _e143.max(end_14);
+                            let _e143 = t_37;
+                            next_5 = _e143.max(end_17);
                         }
                     }
-                    let _e145 = next_4;
-                    if rt::Scalar::into_branch_condition(_e145.elementwise_ge(rt::Scalar(path_65.exit))) {
-                        let _e149 = t_31;
-                        let _e151 = cost_17;
-                        return <SearchResult>::new(FOUND_MISS, _e149, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+                    let _e145 = next_5;
+                    if rt::Scalar::into_branch_condition(_e145.elementwise_ge(rt::Scalar(path_73.exit))) {
+                        let _e149 = t_37;
+                        let _e151 = cost_18;
+                        return <SearchResult>::new(FOUND_MISS, _e149, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
                     }
-                    let _e155 = cell_26;
-                    let _e156 = next_4;
+                    let _e155 = cell_33;
+                    let _e156 = next_5;
                     let _e157 = self.v_cell_after(_e2, _e155, _e67, forward_6, _e156);
-                    cell_26 = _e157;
-                    let _e158 = next_4;
-                    t_31 = _e158;
+                    cell_33 = _e157;
+                    let _e158 = next_5;
+                    t_37 = _e158;
                 }
             }
         }
-        let _e160 = t_31;
-        let _e162 = cost_17;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e160, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e162);
+        let _e160 = t_37;
+        let _e162 = cost_18;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e160, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e162);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_66: Path,
-        params_78: impl rt::Into<rt::Vec4<f32>>,
+        path_74: Path,
+        params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cone_moved(path_66, rt::into(params_78)))
+        rt::into(self.v_search_cone_moved(path_74, rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cone_moved(
         &self,
-        path_66: Path,
-        params_78: rt::Vec4<f32>,
+        path_74: Path,
+        params_91: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut k_25: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_81: rt::Scalar<bool>;
+        let mut cost_19: rt::Vec3<u32> = NO_COST;
+        let mut k_28: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_93: rt::Scalar<bool>;
 
-        let aside_6 = path_66.duv.length();
+        let aside_7 = path_74.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_25;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_78.x())) {
+                let _e14 = k_28;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_91.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = cost_18;
-                    cost_18 = (_e17 + STEP);
-                    let _e20 = t_32;
-                    let _e21 = self.v_path_gap(path_66, _e20);
-                    let _e22 = cost_18;
-                    cost_18 = (_e22 + HEIGHTS_READ);
+                    let _e17 = cost_19;
+                    cost_19 = (_e17 + STEP);
+                    let _e20 = t_38;
+                    let _e21 = self.v_path_gap(path_74, _e20);
+                    let _e22 = cost_19;
+                    cost_19 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
-                        let _e27 = t_32;
+                        let _e27 = t_38;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_81 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_93 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_81 = rt::Scalar(false);
+                            local_93 = rt::Scalar(false);
                         }
-                        let _e35 = local_81;
+                        let _e35 = local_93;
                         if rt::Scalar::into_branch_condition(_e35) {
-                            let _e37 = cost_18;
+                            let _e37 = cost_19;
                             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
-                        let _e42 = near_5;
-                        let _e43 = t_32;
+                        let _e42 = near_6;
+                        let _e43 = t_38;
                         let _e44 = near_gap_3;
-                        let _e45 = cost_18;
+                        let _e45 = cost_19;
                         return <SearchResult>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e47 = t_32;
-                    near_5 = _e47;
+                    let _e47 = t_38;
+                    near_6 = _e47;
                     near_gap_3 = _e21;
-                    let _e48 = t_32;
-                    let _e49 = self.v_path_uv(path_66, _e48);
-                    let _e51 = self.v_search_texel_between(path_66, _e49, rt::Scalar(0i32));
+                    let _e48 = t_38;
+                    let _e49 = self.v_path_uv(path_74, _e48);
+                    let _e51 = self.v_search_texel_between(path_74, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
-                    let _e54 = cost_18;
-                    let _e56 = self.v_map_read(path_66, rt::Scalar(4u32));
-                    cost_18 = (_e54 + _e56);
+                    let _e54 = cost_19;
+                    let _e56 = self.v_map_read(path_74, rt::Scalar(4u32));
+                    cost_19 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e61 = t_32;
-                    let rest_9 = (rt::Scalar(path_66.exit) - _e61);
-                    let _e63 = t_32;
-                    let _e64 = self.v_path_slope(path_66, _e63);
-                    let rise_5 = (_e64 + (path_66.h.z().min(rt::Scalar(0f32)) * rest_9));
-                    let terms_1 = (path_66.h.x().abs() + (rt::Scalar(path_66.exit) * (path_66.h.y().abs() + (rt::Scalar(path_66.exit) * path_66.h.z().abs()))));
-                    let far_12 = (((path_66.uv.abs() + (path_66.duv.abs() * rt::Scalar(path_66.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
-                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_12.x()) + far_12.y()));
-                    let nearing = ((_e53 * aside_6) - rise_5);
+                    let _e61 = t_38;
+                    let rest_10 = (rt::Scalar(path_74.exit) - _e61);
+                    let _e63 = t_38;
+                    let _e64 = self.v_path_slope(path_74, _e63);
+                    let rise_7 = (_e64 + (path_74.h.z().min(rt::Scalar(0f32)) * rest_10));
+                    let terms_1 = (path_74.h.x().abs() + (rt::Scalar(path_74.exit) * (path_74.h.y().abs() + (rt::Scalar(path_74.exit) * path_74.h.z().abs()))));
+                    let far_13 = (((path_74.uv.abs() + (path_74.duv.abs() * rt::Scalar(path_74.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_13.x()) + far_13.y()));
+                    let nearing = ((_e53 * aside_7) - rise_7);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
-                        let _e112 = t_32;
-                        let _e114 = cost_18;
-                        return <SearchResult>::new(FOUND_MISS, _e112, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        let _e112 = t_38;
+                        let _e114 = cost_19;
+                        return <SearchResult>::new(FOUND_MISS, _e112, rt::Scalar(path_74.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e118 = t_32;
-                    t_32 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
-                    let _e124 = t_32;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_66.exit))) {
-                        let _e128 = near_5;
-                        let _e130 = cost_18;
-                        return <SearchResult>::new(FOUND_MISS, _e128, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                    let _e118 = t_38;
+                    t_38 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
+                    let _e124 = t_38;
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_74.exit))) {
+                        let _e128 = near_6;
+                        let _e130 = cost_19;
+                        return <SearchResult>::new(FOUND_MISS, _e128, rt::Scalar(path_74.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_25;
-                    k_25 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_28;
+                    k_28 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e138 = t_32;
-        let _e140 = t_32;
-        let _e141 = self.v_path_height(path_66, _e140);
-        let _e142 = cost_18;
-        return <SearchResult>::new(FOUND_ABOVE, _e138, rt::Scalar(path_66.exit), _e141, rt::Scalar(0f32), _e142);
+        let _e138 = t_38;
+        let _e140 = t_38;
+        let _e141 = self.v_path_height(path_74, _e140);
+        let _e142 = cost_19;
+        return <SearchResult>::new(FOUND_ABOVE, _e138, rt::Scalar(path_74.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_67: Path,
-        params_79: impl rt::Into<rt::Vec4<f32>>,
+        path_75: Path,
+        params_92: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_relaxed_cone(path_67, rt::into(params_79)))
+        rt::into(self.v_search_relaxed_cone(path_75, rt::into(params_92)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_relaxed_cone(
         &self,
-        path_67: Path,
-        params_79: rt::Vec4<f32>,
+        path_75: Path,
+        params_92: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_27: rt::Vec2<f32>;
-        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_34: rt::Vec2<f32>;
+        let mut t_39: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_82: rt::Scalar<bool>;
+        let mut cost_20: rt::Vec3<u32> = NO_COST;
+        let mut local_94: rt::Scalar<bool>;
         let mut start_2: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
-        let mut next_5: rt::Scalar<f32>;
-        let mut local_83: rt::Scalar<bool>;
+        let mut next_6: rt::Scalar<f32>;
+        let mut local_95: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_67);
+        let _e2 = self.v_grid_of(path_75);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_7 = path_67.duv.length();
-        let _e11 = self.v_path_slope(path_67, rt::Scalar(0f32));
-        let terms_2 = (path_67.h.x().abs() + (rt::Scalar(path_67.exit) * path_67.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_67.level));
-        let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_67.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_8 = path_75.duv.length();
+        let _e11 = self.v_path_slope(path_75, rt::Scalar(0f32));
+        let terms_2 = (path_75.h.x().abs() + (rt::Scalar(path_75.exit) * path_75.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_75.level));
+        let far_14 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_75.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
-        cell_27 = _e36;
-        let limit_8 = params_79.x().to_u32();
+        cell_34 = _e36;
+        let limit_9 = params_92.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e49 = cost_19.x();
-                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_8)) {
+                let _e49 = cost_20.x();
+                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_9)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e51 = cost_19;
-                    cost_19 = (_e51 + STEP);
-                    let _e54 = cell_27;
+                    let _e51 = cost_20;
+                    cost_20 = (_e51 + STEP);
+                    let _e54 = cell_34;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_15 = _e55.x().min(_e55.y()).min(rt::Scalar(path_67.exit));
-                    let _e61 = t_33;
-                    let span_14 = (end_15 - _e61).max(rt::Scalar(0f32));
-                    let _e65 = cell_27;
-                    let _e66 = cell_27;
+                    let end_18 = _e55.x().min(_e55.y()).min(rt::Scalar(path_75.exit));
+                    let _e61 = t_39;
+                    let span_15 = (end_18 - _e61).max(rt::Scalar(0f32));
+                    let _e65 = cell_34;
+                    let _e66 = cell_34;
                     let _e67 = self.v_whole_cell(_e66);
-                    let _e69 = self.v_height_cell(_e67, rt::Scalar(path_67.level));
-                    let _e70 = t_33;
-                    let _e71 = self.v_gap_to(path_67, _e2, _e65, _e69, _e70);
-                    let _e72 = cost_19;
-                    cost_19 = (_e72 + HEIGHTS_READ);
+                    let _e69 = self.v_height_cell(_e67, rt::Scalar(path_75.level));
+                    let _e70 = t_39;
+                    let _e71 = self.v_gap_to(path_75, _e2, _e65, _e69, _e70);
+                    let _e72 = cost_20;
+                    cost_20 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e78 = near_6;
-                        let _e79 = t_33;
+                        let _e78 = near_7;
+                        let _e79 = t_39;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_82 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_94 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_82 = rt::Scalar(false);
+                            local_94 = rt::Scalar(false);
                         }
-                        let _e87 = local_82;
+                        let _e87 = local_94;
                         if rt::Scalar::into_branch_condition(_e87) {
-                            let _e88 = near_6;
-                            let _e89 = t_33;
+                            let _e88 = near_7;
+                            let _e89 = t_39;
                             let _e90 = near_gap_4;
-                            let _e92 = cost_19;
-                            let _e93 = self.v_entered_once(path_67, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e92 = cost_20;
+                            let _e93 = self.v_entered_once(path_75, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
-                        let _e94 = t_33;
-                        let _e95 = t_33;
-                        let _e98 = cost_19;
-                        let _e99 = self.v_found_in_cell(_e71, _e94, span_14, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
+                        let _e94 = t_39;
+                        let _e95 = t_39;
+                        let _e98 = cost_20;
+                        let _e99 = self.v_found_in_cell(_e71, _e94, span_15, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
-                    let _e100 = t_33;
+                    let _e100 = t_39;
                     start_2 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_79.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e107 = self.v_falls_in_cell(_e71, span_14);
+                    if rt::Scalar::into_branch_condition(params_92.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e107 = self.v_falls_in_cell(_e71, span_15);
                         if rt::Scalar::into_branch_condition(_e107) {
-                            let _e108 = t_33;
-                            let _e109 = t_33;
-                            let _e112 = cost_19;
-                            let _e113 = self.v_found_in_cell(_e71, _e108, span_14, _e109.elementwise_eq(rt::Scalar(0f32)), _e112);
+                            let _e108 = t_39;
+                            let _e109 = t_39;
+                            let _e112 = cost_20;
+                            let _e113 = self.v_found_in_cell(_e71, _e108, span_15, _e109.elementwise_eq(rt::Scalar(0f32)), _e112);
                             return _e113;
                         }
-                        let _e114 = t_33;
-                        start_2 = _e114.max(end_15);
-                        let _e116 = self.v_quadratic(_e71, span_14);
+                        let _e114 = t_39;
+                        start_2 = _e114.max(end_18);
+                        let _e116 = self.v_quadratic(_e71, span_15);
                         gap = _e116;
                     }
                     let _e117 = start_2;
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_67.exit))) {
-                        let _e121 = t_33;
-                        let _e123 = cost_19;
-                        return <SearchResult>::new(FOUND_MISS, _e121, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_75.exit))) {
+                        let _e121 = t_39;
+                        let _e123 = cost_20;
+                        return <SearchResult>::new(FOUND_MISS, _e121, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
                     }
                     let _e127 = start_2;
-                    near_6 = _e127;
+                    near_7 = _e127;
                     let _e128 = gap;
                     near_gap_4 = _e128;
-                    let _e129 = cell_27;
-                    let _e131 = cell_27;
+                    let _e129 = cell_34;
+                    let _e131 = cell_34;
                     let _e134 = start_2;
                     let _e137 = self.v_nearest_corner(((_e2.origin - _e131) + (_e2.step * _e134)));
-                    let _e139 = self.v_cone_slope(path_67, (_e129 + _e137));
-                    let _e140 = cost_19;
-                    let _e142 = self.v_map_read(path_67, rt::Scalar(1u32));
-                    cost_19 = (_e140 + _e142);
+                    let _e139 = self.v_cone_slope(path_75, (_e129 + _e137));
+                    let _e140 = cost_20;
+                    let _e142 = self.v_map_read(path_75, rt::Scalar(1u32));
+                    cost_20 = (_e140 + _e142);
                     let _e144 = start_2;
-                    next_5 = _e144;
+                    next_6 = _e144;
                     if rt::Scalar::into_branch_condition(_e139.elementwise_ge(rt::Scalar(0f32))) {
-                        let nearing_1 = ((_e139 * aside_7) - _e11);
+                        let nearing_1 = ((_e139 * aside_8) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e153 = gap;
-                        let room_1 = (_e153 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e139 * (far_13.x() + far_13.y())))));
-                        next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
+                        let room_1 = (_e153 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e139 * (far_14.x() + far_14.y())))));
+                        next_6 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e165 = start_2;
-                            next_5 = (_e165 + (room_1.max(rt::Scalar(0f32)) / closing_4));
+                            next_6 = (_e165 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_79.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e175 = next_5;
-                        let _e176 = t_33;
-                        local_83 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
+                    if rt::Scalar::into_branch_condition(params_92.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e175 = next_6;
+                        let _e176 = t_39;
+                        local_95 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_75.exit))));
                     } else {
-                        local_83 = rt::Scalar(false);
+                        local_95 = rt::Scalar(false);
                     }
-                    let _e184 = local_83;
+                    let _e184 = local_95;
                     if rt::Scalar::into_branch_condition(_e184) {
-                        let _e186 = t_33;
+                        let _e186 = t_39;
                         let _e188 = gap;
-                        let _e189 = cost_19;
-                        return <SearchResult>::new(FOUND_ABOVE, _e186, rt::Scalar(path_67.exit), _e188, rt::Scalar(0f32), _e189);
+                        let _e189 = cost_20;
+                        return <SearchResult>::new(FOUND_ABOVE, _e186, rt::Scalar(path_75.exit), _e188, rt::Scalar(0f32), _e189);
                     }
-                    let _e192 = next_5;
-                    if rt::Scalar::into_branch_condition(_e192.elementwise_ge(rt::Scalar(path_67.exit))) {
-                        let _e196 = self.v_path_gap(path_67, rt::Scalar(path_67.exit));
-                        let _e197 = cost_19;
-                        cost_19 = (_e197 + HEIGHTS_READ);
+                    let _e192 = next_6;
+                    if rt::Scalar::into_branch_condition(_e192.elementwise_ge(rt::Scalar(path_75.exit))) {
+                        let _e196 = self.v_path_gap(path_75, rt::Scalar(path_75.exit));
+                        let _e197 = cost_20;
+                        cost_20 = (_e197 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e196.elementwise_le(rt::Scalar(0f32))) {
                             let _e202 = start_2;
                             let _e204 = gap;
-                            let _e205 = cost_19;
-                            let _e206 = self.v_entered_once(path_67, _e2, _e202, rt::Scalar(path_67.exit), _e204, _e196, _e205);
+                            let _e205 = cost_20;
+                            let _e206 = self.v_entered_once(path_75, _e2, _e202, rt::Scalar(path_75.exit), _e204, _e196, _e205);
                             return _e206;
                         }
                         let _e208 = start_2;
-                        let _e210 = cost_19;
-                        return <SearchResult>::new(FOUND_MISS, _e208, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
+                        let _e210 = cost_20;
+                        return <SearchResult>::new(FOUND_MISS, _e208, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
                     }
-                    let _e214 = cell_27;
-                    let _e215 = next_5;
+                    let _e214 = cell_34;
+                    let _e215 = next_6;
                     let _e216 = self.v_cell_after(_e2, _e214, _e55, forward_7, _e215);
-                    cell_27 = _e216;
-                    let _e217 = next_5;
-                    t_33 = _e217;
+                    cell_34 = _e216;
+                    let _e217 = next_6;
+                    t_39 = _e217;
                 }
             }
         }
-        let _e219 = t_33;
-        let _e221 = cost_19;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e219, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e221);
+        let _e219 = t_39;
+        let _e221 = cost_20;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e219, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e221);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_68: Path,
-        params_80: impl rt::Into<rt::Vec4<f32>>,
+        path_76: Path,
+        params_93: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_relaxed_cone_resting(path_68, rt::into(params_80)))
+        rt::into(self.v_search_relaxed_cone_resting(path_76, rt::into(params_93)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_relaxed_cone_resting(
         &self,
-        path_68: Path,
-        params_80: rt::Vec4<f32>,
+        path_76: Path,
+        params_93: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_28: rt::Vec2<f32>;
-        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_35: rt::Vec2<f32>;
+        let mut t_40: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_8: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_84: rt::Scalar<bool>;
-        let mut next_6: rt::Scalar<f32>;
+        let mut cost_21: rt::Vec3<u32> = NO_COST;
+        let mut local_96: rt::Scalar<bool>;
+        let mut next_7: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_68);
+        let _e2 = self.v_grid_of(path_76);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_28 = _e9;
-        let limit_9 = params_80.x().to_u32();
+        cell_35 = _e9;
+        let limit_10 = params_93.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e22 = cost_20.x();
-                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_9)) {
+                let _e22 = cost_21.x();
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_10)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = cost_20;
-                    cost_20 = (_e24 + STEP);
-                    let _e27 = cell_28;
+                    let _e24 = cost_21;
+                    cost_21 = (_e24 + STEP);
+                    let _e27 = cell_35;
                     let _e28 = self.v_whole_cell(_e27);
-                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_68.level));
-                    let _e31 = cost_20;
-                    cost_20 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_28;
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_76.level));
+                    let _e31 = cost_21;
+                    cost_21 = (_e31 + HEIGHTS_READ);
+                    let _e34 = cell_35;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_16 = _e35.x().min(_e35.y()).min(rt::Scalar(path_68.exit));
-                    let _e41 = t_34;
-                    let span_15 = (end_16 - _e41).max(rt::Scalar(0f32));
-                    let _e45 = cell_28;
-                    let _e46 = t_34;
-                    let _e47 = self.v_gap_to(path_68, _e2, _e45, _e30, _e46);
+                    let end_19 = _e35.x().min(_e35.y()).min(rt::Scalar(path_76.exit));
+                    let _e41 = t_40;
+                    let span_16 = (end_19 - _e41).max(rt::Scalar(0f32));
+                    let _e45 = cell_35;
+                    let _e46 = t_40;
+                    let _e47 = self.v_gap_to(path_76, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e51 = near_7;
-                        let _e52 = t_34;
+                        let _e51 = near_8;
+                        let _e52 = t_40;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_84 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_96 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_84 = rt::Scalar(false);
+                            local_96 = rt::Scalar(false);
                         }
-                        let _e60 = local_84;
+                        let _e60 = local_96;
                         if rt::Scalar::into_branch_condition(_e60) {
-                            let _e61 = near_7;
-                            let _e62 = t_34;
+                            let _e61 = near_8;
+                            let _e62 = t_40;
                             let _e63 = near_gap_5;
-                            let _e65 = cost_20;
-                            let _e66 = self.v_entered_once(path_68, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e65 = cost_21;
+                            let _e66 = self.v_entered_once(path_76, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
-                        let _e67 = t_34;
-                        let _e68 = t_34;
-                        let _e71 = cost_20;
-                        let _e72 = self.v_found_in_cell(_e47, _e67, span_15, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
+                        let _e67 = t_40;
+                        let _e68 = t_40;
+                        let _e71 = cost_21;
+                        let _e72 = self.v_found_in_cell(_e47, _e67, span_16, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
-                    let _e73 = self.v_falls_in_cell(_e47, span_15);
+                    let _e73 = self.v_falls_in_cell(_e47, span_16);
                     if rt::Scalar::into_branch_condition(_e73) {
-                        let _e74 = t_34;
-                        let _e75 = t_34;
-                        let _e78 = cost_20;
-                        let _e79 = self.v_found_in_cell(_e47, _e74, span_15, _e75.elementwise_eq(rt::Scalar(0f32)), _e78);
+                        let _e74 = t_40;
+                        let _e75 = t_40;
+                        let _e78 = cost_21;
+                        let _e79 = self.v_found_in_cell(_e47, _e74, span_16, _e75.elementwise_eq(rt::Scalar(0f32)), _e78);
                         return _e79;
                     }
-                    let _e80 = t_34;
-                    let start_7 = _e80.max(end_16);
-                    if rt::Scalar::into_branch_condition(start_7.elementwise_ge(rt::Scalar(path_68.exit))) {
-                        let _e85 = t_34;
-                        let _e87 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, _e85, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
+                    let _e80 = t_40;
+                    let start_7 = _e80.max(end_19);
+                    if rt::Scalar::into_branch_condition(start_7.elementwise_ge(rt::Scalar(path_76.exit))) {
+                        let _e85 = t_40;
+                        let _e87 = cost_21;
+                        return <SearchResult>::new(FOUND_MISS, _e85, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
                     }
-                    near_7 = start_7;
-                    let _e91 = self.v_quadratic(_e47, span_15);
+                    near_8 = start_7;
+                    let _e91 = self.v_quadratic(_e47, span_16);
                     near_gap_5 = _e91;
-                    let _e93 = cell_28;
+                    let _e93 = cell_35;
                     let _e98 = self.v_nearest_corner(((_e2.origin - _e93) + (_e2.step * start_7)));
                     let _e99 = self.v_corner_height(_e30, _e98);
-                    next_6 = start_7;
-                    let _e101 = self.v_path_height(path_68, start_7);
+                    next_7 = start_7;
+                    let _e101 = self.v_path_height(path_76, start_7);
                     if rt::Scalar::into_branch_condition(_e101.elementwise_gt(_e99)) {
-                        let _e103 = cell_28;
+                        let _e103 = cell_35;
                         let texel_9 = (_e103 + _e98);
-                        let _e105 = self.v_cone_slope(path_68, texel_9);
-                        let _e106 = cost_20;
-                        let _e108 = self.v_map_read(path_68, rt::Scalar(1u32));
-                        cost_20 = (_e106 + _e108);
+                        let _e105 = self.v_cone_slope(path_76, texel_9);
+                        let _e106 = cost_21;
+                        let _e108 = self.v_map_read(path_76, rt::Scalar(1u32));
+                        cost_21 = (_e106 + _e108);
                         if rt::Scalar::into_branch_condition(_e105.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e112 = self.v_stays_inside(path_68, _e2, texel_9, _e99, _e105, start_7);
-                            next_6 = (start_7 + _e112);
+                            let _e112 = self.v_stays_inside(path_76, _e2, texel_9, _e99, _e105, start_7);
+                            next_7 = (start_7 + _e112);
                         }
                     }
-                    let _e114 = next_6;
-                    if rt::Scalar::into_branch_condition(_e114.elementwise_ge(rt::Scalar(path_68.exit))) {
-                        let _e118 = self.v_path_gap(path_68, rt::Scalar(path_68.exit));
-                        let _e119 = cost_20;
-                        cost_20 = (_e119 + HEIGHTS_READ);
+                    let _e114 = next_7;
+                    if rt::Scalar::into_branch_condition(_e114.elementwise_ge(rt::Scalar(path_76.exit))) {
+                        let _e118 = self.v_path_gap(path_76, rt::Scalar(path_76.exit));
+                        let _e119 = cost_21;
+                        cost_21 = (_e119 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e118.elementwise_le(rt::Scalar(0f32))) {
                             let _e125 = near_gap_5;
-                            let _e126 = cost_20;
-                            let _e127 = self.v_entered_once(path_68, _e2, start_7, rt::Scalar(path_68.exit), _e125, _e118, _e126);
+                            let _e126 = cost_21;
+                            let _e127 = self.v_entered_once(path_76, _e2, start_7, rt::Scalar(path_76.exit), _e125, _e118, _e126);
                             return _e127;
                         }
-                        let _e130 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, start_7, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        let _e130 = cost_21;
+                        return <SearchResult>::new(FOUND_MISS, start_7, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = cell_28;
-                    let _e135 = next_6;
+                    let _e134 = cell_35;
+                    let _e135 = next_7;
                     let _e136 = self.v_cell_after(_e2, _e134, _e35, forward_8, _e135);
-                    cell_28 = _e136;
-                    let _e137 = next_6;
-                    t_34 = _e137;
+                    cell_35 = _e136;
+                    let _e137 = next_7;
+                    t_40 = _e137;
                 }
             }
         }
-        let _e139 = t_34;
-        let _e141 = cost_20;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e139, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e141);
+        let _e139 = t_40;
+        let _e141 = cost_21;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e139, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e141);
     }
-    pub(crate) fn search_stage(&self, path_69: Path) -> SearchResult {
-        rt::into(self.v_search_stage(path_69))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_search_stage(&self, path_69: Path) -> SearchResult {
-        let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
-        match rt::Scalar::into_inner(_e5) {
-            0u32 => {
-                let _e10 = self.surface_settings.choices[5usize].params;
-                let _e11 = self.v_search_none(path_69, _e10);
-                return _e11;
-            }
-            1u32 => {
-                let _e16 = self.surface_settings.choices[5usize].params;
-                let _e17 = self.v_search_linear(path_69, _e16);
-                return _e17;
-            }
-            2u32 => {
-                let _e22 = self.surface_settings.choices[5usize].params;
-                let _e23 = self.v_search_cells(path_69, _e22);
-                return _e23;
-            }
-            3u32 => {
-                let _e28 = self.surface_settings.choices[5usize].params;
-                let _e29 = self.v_search_frustum(path_69, _e28);
-                return _e29;
-            }
-            4u32 => {
-                let _e34 = self.surface_settings.choices[5usize].params;
-                let _e35 = self.v_search_cone(path_69, _e34);
-                return _e35;
-            }
-            5u32 => {
-                let _e40 = self.surface_settings.choices[5usize].params;
-                let _e41 = self.v_search_pyramid(path_69, _e40);
-                return _e41;
-            }
-            6u32 => {
-                let _e46 = self.surface_settings.choices[5usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_69, _e46);
-                return _e47;
-            }
-            7u32 => {
-                let _e52 = self.surface_settings.choices[5usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_69, _e52);
-                return _e53;
-            }
-            8u32 => {
-                let _e58 = self.surface_settings.choices[5usize].params;
-                let _e59 = self.v_search_sphere(path_69, _e58);
-                return _e59;
-            }
-            9u32 => {
-                let _e64 = self.surface_settings.choices[5usize].params;
-                let _e65 = self.v_search_cone_moved(path_69, _e64);
-                return _e65;
-            }
-            10u32 => {
-                let _e70 = self.surface_settings.choices[5usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_69, _e70);
-                return _e71;
-            }
-            _ => {
-                let _e76 = self.surface_settings.choices[5usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_69, _e76);
-                return _e77;
-            }
-        }
-    }
-    pub(crate) fn trace(&self, path_70: Path) -> Hit {
-        rt::into(self.v_trace(path_70))
+    pub(crate) fn search_voxels(
+        &self,
+        path_77: Path,
+        params_94: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SearchResult {
+        rt::into(self.v_search_voxels(path_77, rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_trace(&self, path_70: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_70);
-        let _e2 = self.v_refine_stage(path_70, _e1);
+    pub(super) fn v_search_voxels(
+        &self,
+        path_77: Path,
+        params_94: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let _e6 = self.v_walk_voxels(path_77, rt::Scalar(0f32), rt::Scalar(path_77.exit), params_94.x().to_u32());
+        return _e6;
+    }
+    pub(crate) fn search_stage(&self, path_78: Path) -> SearchResult {
+        rt::into(self.v_search_stage(path_78))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_stage(&self, path_78: Path) -> SearchResult {
+        let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
+        match rt::Scalar::into_inner(_e5) {
+            0u32 => {
+                let _e10 = self.surface_settings.choices[6usize].params;
+                let _e11 = self.v_search_none(path_78, _e10);
+                return _e11;
+            }
+            1u32 => {
+                let _e16 = self.surface_settings.choices[6usize].params;
+                let _e17 = self.v_search_linear(path_78, _e16);
+                return _e17;
+            }
+            2u32 => {
+                let _e22 = self.surface_settings.choices[6usize].params;
+                let _e23 = self.v_search_cells(path_78, _e22);
+                return _e23;
+            }
+            3u32 => {
+                let _e28 = self.surface_settings.choices[6usize].params;
+                let _e29 = self.v_search_frustum(path_78, _e28);
+                return _e29;
+            }
+            4u32 => {
+                let _e34 = self.surface_settings.choices[6usize].params;
+                let _e35 = self.v_search_cone(path_78, _e34);
+                return _e35;
+            }
+            5u32 => {
+                let _e40 = self.surface_settings.choices[6usize].params;
+                let _e41 = self.v_search_pyramid(path_78, _e40);
+                return _e41;
+            }
+            6u32 => {
+                let _e46 = self.surface_settings.choices[6usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_78, _e46);
+                return _e47;
+            }
+            7u32 => {
+                let _e52 = self.surface_settings.choices[6usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_78, _e52);
+                return _e53;
+            }
+            8u32 => {
+                let _e58 = self.surface_settings.choices[6usize].params;
+                let _e59 = self.v_search_sphere(path_78, _e58);
+                return _e59;
+            }
+            9u32 => {
+                let _e64 = self.surface_settings.choices[6usize].params;
+                let _e65 = self.v_search_cone_moved(path_78, _e64);
+                return _e65;
+            }
+            10u32 => {
+                let _e70 = self.surface_settings.choices[6usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_78, _e70);
+                return _e71;
+            }
+            11u32 => {
+                let _e76 = self.surface_settings.choices[6usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_78, _e76);
+                return _e77;
+            }
+            _ => {
+                let _e82 = self.surface_settings.choices[6usize].params;
+                let _e83 = self.v_search_voxels(path_78, _e82);
+                return _e83;
+            }
+        }
+    }
+    pub(crate) fn trace(&self, path_79: Path) -> Hit {
+        rt::into(self.v_trace(path_79))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_trace(&self, path_79: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_79);
+        let _e2 = self.v_refine_stage(path_79, _e1);
         return _e2;
     }
     pub(crate) fn object_none(
         &self,
         pixel_77: PixelIn,
-        at_78: Entered,
-        params_81: impl rt::Into<rt::Vec4<f32>>,
+        at_98: Entered,
+        params_95: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_77, at_78, rt::into(params_81)))
+        rt::into(self.v_object_none(pixel_77, at_98, rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_none(
         &self,
         pixel_77: PixelIn,
-        at_78: Entered,
-        params_81: rt::Vec4<f32>,
+        at_98: Entered,
+        params_95: rt::Vec4<f32>,
     ) -> FirstHit {
-        let mut cost_21: rt::Vec3<u32> = NO_COST;
-        let mut first_3: FirstHit;
-        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_85: rt::Scalar<bool>;
+        let mut cost_22: rt::Vec3<u32> = NO_COST;
+        let mut first_4: FirstHit;
+        let mut k_29: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_97: rt::Scalar<bool>;
 
-        let _e5 = cost_21;
+        let _e5 = cost_22;
         let _e6 = self.v_miss(_e5);
-        first_3 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_4 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = k_26;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_78.segments))) {
+                let _e13 = k_29;
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_98.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e16 = k_26;
-                    let _e17 = self.v_segment_of(pixel_77, at_78, _e16);
+                    let _e16 = k_29;
+                    let _e17 = self.v_segment_of(pixel_77, at_98, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
-                        let _e22 = k_26;
-                        let _e23 = self.v_hit_on_segment(pixel_77, at_78, _e17, _e21, _e22);
-                        let _e24 = cost_21;
-                        cost_21 = (_e24 + _e23.hit.cost);
+                        let _e22 = k_29;
+                        let _e23 = self.v_hit_on_segment(pixel_77, at_98, _e17, _e21, _e22);
+                        let _e24 = cost_22;
+                        cost_22 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
-                            let _e34 = rt::Scalar(first_3.hit.found);
+                            let _e34 = rt::Scalar(first_4.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
-                                let _e42 = rt::Scalar(first_3.key);
-                                local_85 = rt::Scalar(_e23.key).elementwise_gt(_e42);
+                                let _e42 = rt::Scalar(first_4.key);
+                                local_97 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_85 = rt::Scalar(true);
+                                local_97 = rt::Scalar(true);
                             }
-                            let _e45 = local_85;
+                            let _e45 = local_97;
                             if rt::Scalar::into_branch_condition(_e45) {
-                                first_3 = _e23;
+                                first_4 = _e23;
                             }
                             if rt::Scalar::into_branch_condition(rt::Scalar(pixel_77.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
                             }
                         }
                     }
-                    let _e50 = k_26;
-                    k_26 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_29;
+                    k_29 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e55 = cost_21;
-        first_3.hit.cost = _e55;
-        let _e56 = first_3;
+        let _e55 = cost_22;
+        first_4.hit.cost = _e55;
+        let _e56 = first_4;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_79: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_78, at_79))
+    pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_99: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_78, at_99))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_79: Entered) -> FirstHit {
-        let mut cost_22: rt::Vec3<u32> = NO_COST;
-        let mut first_4: FirstHit;
+    pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_99: Entered) -> FirstHit {
+        let mut cost_23: rt::Vec3<u32> = NO_COST;
+        let mut first_5: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_86: rt::Scalar<bool>;
-        let mut local_87: rt::Scalar<bool>;
-        let mut local_88: rt::Scalar<bool>;
+        let mut local_98: rt::Scalar<bool>;
+        let mut local_99: rt::Scalar<bool>;
+        let mut local_100: rt::Scalar<bool>;
 
-        let _e4 = cost_22;
+        let _e4 = cost_23;
         let _e5 = self.v_miss(_e4);
-        first_4 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_14 = (rt::Scalar(at_79.segments) * MOST_ROUNDS);
+        first_5 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
+        let most_16 = (rt::Scalar(at_99.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_79.segments))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_99.segments))) {
                     let _e26 = turns;
-                    local_86 = _e26.elementwise_lt(most_14);
+                    local_98 = _e26.elementwise_lt(most_16);
                 } else {
-                    local_86 = rt::Scalar(false);
+                    local_98 = rt::Scalar(false);
                 }
-                let _e29 = local_86;
+                let _e29 = local_98;
                 if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = k_27;
-                    let _e31 = self.v_segment_of(pixel_78, at_79, _e30);
+                    let _e30 = k_30;
+                    let _e31 = self.v_segment_of(pixel_78, at_99, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
-                    let ahead_2 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
-                    let passed = (passed_m / ahead_2);
-                    if rt::Scalar::into_branch_condition(ahead_2.elementwise_gt(rt::Scalar(0f32))) {
-                        local_87 = passed.elementwise_lt(rt::Scalar(_e31.exit));
+                    let ahead_3 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
+                    let passed = (passed_m / ahead_3);
+                    if rt::Scalar::into_branch_condition(ahead_3.elementwise_gt(rt::Scalar(0f32))) {
+                        local_99 = passed.elementwise_lt(rt::Scalar(_e31.exit));
                     } else {
-                        local_87 = rt::Scalar(false);
+                        local_99 = rt::Scalar(false);
                     }
-                    let _e49 = local_87;
+                    let _e49 = local_99;
                     if rt::Scalar::into_branch_condition((!_e49)) {
-                        let _e52 = cost_22;
+                        let _e52 = cost_23;
                         let _e53 = self.v_miss(_e52);
-                        first_4.hit = _e53;
-                        let _e54 = first_4;
+                        first_5.hit = _e53;
+                        let _e54 = first_5;
                         return _e54;
                     }
                     let _e55 = self.v_beginning_at(_e31, passed);
                     let _e56 = self.v_trace(_e55);
-                    let _e57 = cost_22;
-                    cost_22 = (_e57 + _e56.cost);
+                    let _e57 = cost_23;
+                    cost_23 = (_e57 + _e56.cost);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e56.found).elementwise_eq(rt::Scalar(0u32))) {
-                        let _e64 = cost_22;
+                        let _e64 = cost_23;
                         let _e65 = self.v_miss(_e64);
-                        first_4.hit = _e65;
-                        let _e66 = first_4;
+                        first_5.hit = _e65;
+                        let _e66 = first_5;
                         return _e66;
                     }
-                    let t_40 = (passed + rt::Scalar(_e56.t));
-                    let _e70 = self.v_metres_on(_e31, t_40);
+                    let t_47 = (passed + rt::Scalar(_e56.t));
+                    let _e70 = self.v_metres_on(_e31, t_47);
                     let at_m = (rt::Scalar(_e31.start) + _e70);
-                    let _e74 = rt::Scalar(first_4.hit.found);
+                    let _e74 = rt::Scalar(first_5.hit.found);
                     if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
                         let _e80 = reached_1;
                         let _e81 = reached_1;
-                        local_88 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
+                        local_100 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
                     } else {
-                        local_88 = rt::Scalar(true);
+                        local_100 = rt::Scalar(true);
                     }
-                    let _e87 = local_88;
+                    let _e87 = local_100;
                     if rt::Scalar::into_branch_condition(_e87) {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
-                        let _e93 = cost_22;
-                        let _e95 = k_27;
-                        let _e96 = self.v_hit_on_segment(pixel_78, at_79, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_40, _e93), _e95);
-                        first_4 = _e96;
-                        let _e99 = first_4.hit.cost;
-                        cost_22 = _e99;
+                        let _e93 = cost_23;
+                        let _e95 = k_30;
+                        let _e96 = self.v_hit_on_segment(pixel_78, at_99, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_47, _e93), _e95);
+                        first_5 = _e96;
+                        let _e99 = first_5.hit.cost;
+                        cost_23 = _e99;
                     }
                     let _e100 = agreed;
                     agreed = (_e100 + rt::Scalar(1u32));
-                    let _e103 = k_27;
-                    let _e107 = k_27;
-                    k_27 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_79.segments)));
+                    let _e103 = k_30;
+                    let _e107 = k_30;
+                    k_30 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_99.segments)));
                     let _e113 = turns;
                     turns = (_e113 + rt::Scalar(1u32));
                 }
             }
         }
         let _e120 = agreed;
-        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_79.segments)));
-        let _e126 = cost_22;
-        first_4.hit.cost = _e126;
-        let _e127 = first_4;
+        rt::Scalar(first_5.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_99.segments)));
+        let _e126 = cost_23;
+        first_5.hit.cost = _e126;
+        let _e127 = first_5;
         return _e127;
     }
     pub(crate) fn object_depth(
         &self,
         pixel_79: PixelIn,
-        at_80: Entered,
-        params_82: impl rt::Into<rt::Vec4<f32>>,
+        at_100: Entered,
+        params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_79, at_80, rt::into(params_82)))
+        rt::into(self.v_object_depth(pixel_79, at_100, rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth(
         &self,
         pixel_79: PixelIn,
-        at_80: Entered,
-        params_82: rt::Vec4<f32>,
+        at_100: Entered,
+        params_96: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_79, at_80);
+        let _e3 = self.v_first_in_all(pixel_79, at_100);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
         pixel_80: PixelIn,
-        at_81: Entered,
-        params_83: impl rt::Into<rt::Vec4<f32>>,
+        at_101: Entered,
+        params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_80, at_81, rt::into(params_83)))
+        rt::into(self.v_object_hull(pixel_80, at_101, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull(
         &self,
         pixel_80: PixelIn,
-        at_81: Entered,
-        params_83: rt::Vec4<f32>,
+        at_101: Entered,
+        params_97: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_80, at_81);
+        let _e3 = self.v_first_in_all(pixel_80, at_101);
         return _e3;
     }
-    pub(crate) fn look_into_frame(&self, uv_23: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_look_into_frame(rt::into(uv_23)))
+    pub(crate) fn look_into_frame(&self, uv_32: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_look_into_frame(rt::into(uv_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_look_into_frame(&self, uv_23: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_look_into_frame(&self, uv_32: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_152 = ((uv_23 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_152);
-        let part_21 = (at_152 - _e8);
+        let at_164 = ((uv_32 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_164);
+        let part_23 = (at_164 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_10 = (rt::Scalar(1f32) - part_21.x());
-        let y_7 = (rt::Scalar(1f32) - part_21.y());
-        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_10 * y_7), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_21.x() * y_7), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_10 * part_21.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_21.x() * part_21.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let x_17 = (rt::Scalar(1f32) - part_23.x());
+        let y_12 = (rt::Scalar(1f32) - part_23.y());
+        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_17 * y_12), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_23.x() * y_12), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_17 * part_23.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_23.x() * part_23.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
         let cover_2 = ((weights_6.x() + weights_6.y()) + (weights_6.z() + weights_6.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_6.dot(_e12) / cover_2));
@@ -12999,27 +14769,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn look_along(
         &self,
-        path_71: Path,
+        path_80: Path,
         image_11: Image,
         steps_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_look_along(path_71, image_11, rt::into(steps_1)))
+        rt::into(self.v_look_along(path_80, image_11, rt::into(steps_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_look_along(
         &self,
-        path_71: Path,
+        path_80: Path,
         image_11: Image,
         steps_1: rt::Scalar<u32>,
     ) -> rt::Vec2<f32> {
-        let mut height_8: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut height_11: rt::Scalar<f32> = rt::Scalar(0.5f32);
         let mut cover: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut step_4: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         let beyond_7 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
-        let low_8 = (image_11.corner - beyond_7);
-        let high_2 = ((image_11.corner + image_11.extent) + beyond_7);
+        let low_9 = (image_11.corner - beyond_7);
+        let high_3 = ((image_11.corner + image_11.extent) + beyond_7);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = step_4;
@@ -13028,68 +14798,68 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e23 = height_8;
-                    let _e30 = self.v_path_uv(path_71, ((_e23 - path_71.h.x()) / path_71.h.y()));
-                    let _e32 = self.v_look_into_frame(_e30.clamp(low_8, high_2));
+                    let _e23 = height_11;
+                    let _e30 = self.v_path_uv(path_80, ((_e23 - path_80.h.x()) / path_80.h.y()));
+                    let _e32 = self.v_look_into_frame(_e30.clamp(low_9, high_3));
                     cover = _e32.x();
-                    let _e34 = height_8;
+                    let _e34 = height_11;
                     let _e36 = cover;
-                    height_8 = _e34.select(_e32.y(), _e36.elementwise_gt(rt::Scalar(0f32)));
+                    height_11 = _e34.select(_e32.y(), _e36.elementwise_gt(rt::Scalar(0f32)));
                     let _e40 = step_4;
                     step_4 = (_e40 + rt::Scalar(1u32));
                 }
             }
         }
         let _e43 = cover;
-        let _e44 = height_8;
+        let _e44 = height_11;
         return <rt::Vec2<f32>>::from_scalars(_e43, _e44);
     }
     pub(crate) fn object_blend(
         &self,
         pixel_81: PixelIn,
-        at_82: Entered,
-        params_84: impl rt::Into<rt::Vec4<f32>>,
+        at_102: Entered,
+        params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_81, at_82, rt::into(params_84)))
+        rt::into(self.v_object_blend(pixel_81, at_102, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_blend(
         &self,
         pixel_81: PixelIn,
-        at_82: Entered,
-        params_84: rt::Vec4<f32>,
+        at_102: Entered,
+        params_98: rt::Vec4<f32>,
     ) -> FirstHit {
-        let mut cost_23: rt::Vec3<u32> = NO_COST;
+        let mut cost_24: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut along_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut heaviest: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_28: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut first_5: FirstHit;
-        let mut local_89: rt::Scalar<bool>;
+        let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut first_6: FirstHit;
+        let mut local_101: rt::Scalar<bool>;
 
-        let toward_8 = (-pixel_81.direction.normalize());
-        let _e6 = self.v_frames_around(toward_8);
+        let toward_9 = (-pixel_81.direction.normalize());
+        let _e6 = self.v_frames_around(toward_9);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_28;
+                let _e19 = k_31;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e22 = k_28;
+                    let _e22 = k_31;
                     let _e23 = self.v_frame_number(_e6, _e22);
                     let _e24 = self.v_image_of_object(_e23);
-                    let _e25 = k_28;
+                    let _e25 = k_31;
                     let _e26 = self.v_frame_weight(_e6, _e25);
-                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_8).elementwise_ge(rt::Scalar(0.05f32))) {
-                        let _e31 = k_28;
-                        let _e32 = self.v_segment_of(pixel_81, at_82, _e31);
-                        let _e35 = self.v_look_along(_e32, _e24, params_84.w().to_u32());
+                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_9).elementwise_ge(rt::Scalar(0.05f32))) {
+                        let _e31 = k_31;
+                        let _e32 = self.v_segment_of(pixel_81, at_102, _e31);
+                        let _e35 = self.v_look_along(_e32, _e24, params_98.w().to_u32());
                         let seen_7 = (_e26 * _e35.x());
-                        let _e38 = cost_23;
-                        cost_23 = (_e38 + (LOOK * (params_84.w().to_u32() + rt::Scalar(1u32))));
+                        let _e38 = cost_24;
+                        cost_24 = (_e38 + (LOOK * (params_98.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
                         cover_1 = (_e46 + seen_7);
                         let _e48 = along_18;
@@ -13097,79 +14867,79 @@ impl<'g> Resources<'g> {
                         let _e60 = most_1;
                         if rt::Scalar::into_branch_condition(seen_7.elementwise_gt(_e60)) {
                             most_1 = seen_7;
-                            let _e62 = k_28;
+                            let _e62 = k_31;
                             heaviest = _e62;
                         }
                     }
-                    let _e63 = k_28;
-                    k_28 = (_e63 + rt::Scalar(1u32));
+                    let _e63 = k_31;
+                    k_31 = (_e63 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e66 = cost_23;
+        let _e66 = cost_24;
         let _e67 = self.v_miss(_e66);
-        first_5 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_6 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
-            local_89 = _e78.elementwise_lt(rt::Scalar(0f32));
+            local_101 = _e78.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_89 = rt::Scalar(true);
+            local_101 = rt::Scalar(true);
         }
-        let _e82 = local_89;
+        let _e82 = local_101;
         if rt::Scalar::into_branch_condition(_e82) {
-            let _e83 = first_5;
+            let _e83 = first_6;
             return _e83;
         }
         let _e84 = heaviest;
-        let _e85 = self.v_segment_of(pixel_81, at_82, _e84);
+        let _e85 = self.v_segment_of(pixel_81, at_102, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
-        let t_41 = ((_e86 / _e87) - rt::Scalar(_e85.start));
-        let _e93 = self.v_path_uv(_e85, t_41);
-        let _e94 = self.v_path_height(_e85, t_41);
-        let _e95 = cost_23;
-        let hit_67 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
+        let t_48 = ((_e86 / _e87) - rt::Scalar(_e85.start));
+        let _e93 = self.v_path_uv(_e85, t_48);
+        let _e94 = self.v_path_height(_e85, t_48);
+        let _e95 = cost_24;
+        let hit_76 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_48, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_81, at_82, _e85, hit_67, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_81, at_102, _e85, hit_76, _e97);
         return _e98;
     }
-    pub(crate) fn object_stage(&self, pixel_82: PixelIn, at_83: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_82, at_83))
+    pub(crate) fn object_stage(&self, pixel_82: PixelIn, at_103: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_82, at_103))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_object_stage(&self, pixel_82: PixelIn, at_83: Entered) -> FirstHit {
+    pub(super) fn v_object_stage(&self, pixel_82: PixelIn, at_103: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_82, at_83, _e11);
+                let _e12 = self.v_object_none(pixel_82, at_103, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_82, at_83, _e17);
+                let _e18 = self.v_object_depth(pixel_82, at_103, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_82, at_83, _e23);
+                let _e24 = self.v_object_hull(pixel_82, at_103, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend(pixel_82, at_83, _e29);
+                let _e30 = self.v_object_blend(pixel_82, at_103, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_83: PixelIn, at_84: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_83, at_84))
+    pub(crate) fn first_hit(&self, pixel_83: PixelIn, at_104: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_83, at_104))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_first_hit(&self, pixel_83: PixelIn, at_84: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_83, at_84);
+    pub(super) fn v_first_hit(&self, pixel_83: PixelIn, at_104: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_83, at_104);
         return _e2;
     }
     pub(crate) fn quotient_up(
@@ -13217,182 +14987,96 @@ impl<'g> Resources<'g> {
         let _e43 = self.v_quotient_up((m_6 * (doubled - (rt::Scalar(2i32) * sweep_5.apex.x()))), (rt::Scalar(2i32) * (sweep_5.end.x() - sweep_5.apex.x())));
         return (n_14 + _e43);
     }
-    pub(crate) fn footprint_m(&self, at_85: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_85))
+    pub(crate) fn footprint_m(&self, at_105: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_105))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_footprint_m(&self, at_85: Entered) -> rt::Scalar<f32> {
+    pub(super) fn v_footprint_m(&self, at_105: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_85.footprint) * at_85.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_105.footprint) * at_105.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_24: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_24)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_near_uv(&self, uv_24: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        let _e3 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_24 - uv_24.floor());
-        }
-        let _e10 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_24 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_24).floor()));
-        }
-        return uv_24;
-    }
-    pub(crate) fn from_hit(&self, at_86: Entered, hit_23: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_86, hit_23, light_1))
+    pub(crate) fn shadow_search_stage(&self, path_81: Path) -> SearchResult {
+        rt::into(self.v_shadow_search_stage(path_81))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_from_hit(&self, at_86: Entered, hit_23: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_86, light_1.direction);
-        let _e6 = self.v_near_uv(hit_23.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_86.level));
-        let h_9 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_86.metric, RAY_SHADOW, rt::Scalar(at_86.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
-    }
-    pub(crate) fn way_out(&self, path_72: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_72, light_2))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_way_out(&self, path_72: Path, light_2: Toward) -> rt::Scalar<f32> {
-        let mut way_6: rt::Scalar<f32>;
-        let mut interval_7: rt::Vec2<f32>;
-
-        way_6 = ((rt::Scalar(1f32) - path_72.h.x()) / path_72.h.y()).min(rt::Scalar(light_2.distance));
-        let _e14 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
-            let _e21 = way_6;
-            let _e24 = self.v_inside_unit(path_72.uv.x(), path_72.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
-            interval_7 = _e24;
-            let _e30 = interval_7;
-            let _e31 = self.v_inside_unit(path_72.uv.y(), path_72.duv.y(), _e30);
-            interval_7 = _e31;
-            let _e33 = interval_7.y();
-            way_6 = _e33;
-        }
-        let _e34 = way_6;
-        return _e34;
-    }
-    pub(crate) fn light_ray(&self, at_87: Entered, hit_24: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_87, hit_24, light_3))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_light_ray(&self, at_87: Entered, hit_24: Hit, light_3: Toward) -> LightRay {
-        let mut local_90: rt::Scalar<bool>;
-
-        let _e3 = self.v_from_hit(at_87, hit_24, light_3);
-        if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_DARK, _e3);
-        }
-        let _e11 = self.v_way_out(_e3, light_3);
-        if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_LIT, _e3);
-        }
-        let _e17 = self.v_grid_of(_e3);
-        let _e19 = self.v_cell_of(_e17.origin);
-        let _e20 = self.v_cell_leave(_e17, _e19);
-        let end_17 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
-        let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
-        let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
-        if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_90 = (_e31.y() + (_e31.z() * end_17)).elementwise_lt(rt::Scalar(0f32));
-        } else {
-            local_90 = rt::Scalar(true);
-        }
-        let _e45 = local_90;
-        if rt::Scalar::into_branch_condition(_e45) {
-            return <LightRay>::new(LIGHT_RAY_DARK, _e3);
-        }
-        if rt::Scalar::into_branch_condition(end_17.elementwise_ge(_e11)) {
-            return <LightRay>::new(LIGHT_RAY_LIT, _e3);
-        }
-        let _e51 = self.v_path_uv(_e3, end_17);
-        let gap_7 = (end_17 * (_e31.y() + (_e31.z() * end_17)));
-        let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
-        let h_10 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_87 = <Path>::new(_e51, _e3.duv, h_10, (_e11 - end_17), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_17, rt::Scalar(1f32), rt::Scalar(0f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_87);
-    }
-    pub(crate) fn shadow_search_stage(&self, path_73: Path) -> SearchResult {
-        rt::into(self.v_shadow_search_stage(path_73))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_shadow_search_stage(&self, path_73: Path) -> SearchResult {
-        let _e5 = rt::Scalar(self.surface_settings.choices[9usize].number);
+    pub(super) fn v_shadow_search_stage(&self, path_81: Path) -> SearchResult {
+        let _e5 = rt::Scalar(self.surface_settings.choices[10usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[9usize].params;
-                let _e11 = self.v_search_none(path_73, _e10);
+                let _e10 = self.surface_settings.choices[10usize].params;
+                let _e11 = self.v_search_none(path_81, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[9usize].params;
-                let _e17 = self.v_search_linear(path_73, _e16);
+                let _e16 = self.surface_settings.choices[10usize].params;
+                let _e17 = self.v_search_linear(path_81, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[9usize].params;
-                let _e23 = self.v_search_cells(path_73, _e22);
+                let _e22 = self.surface_settings.choices[10usize].params;
+                let _e23 = self.v_search_cells(path_81, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[9usize].params;
-                let _e29 = self.v_search_frustum(path_73, _e28);
+                let _e28 = self.surface_settings.choices[10usize].params;
+                let _e29 = self.v_search_frustum(path_81, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[9usize].params;
-                let _e35 = self.v_search_cone(path_73, _e34);
+                let _e34 = self.surface_settings.choices[10usize].params;
+                let _e35 = self.v_search_cone(path_81, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[9usize].params;
-                let _e41 = self.v_search_pyramid(path_73, _e40);
+                let _e40 = self.surface_settings.choices[10usize].params;
+                let _e41 = self.v_search_pyramid(path_81, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[9usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_73, _e46);
+                let _e46 = self.surface_settings.choices[10usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_81, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[9usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_73, _e52);
+                let _e52 = self.surface_settings.choices[10usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_81, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[9usize].params;
-                let _e59 = self.v_search_sphere(path_73, _e58);
+                let _e58 = self.surface_settings.choices[10usize].params;
+                let _e59 = self.v_search_sphere(path_81, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[9usize].params;
-                let _e65 = self.v_search_cone_moved(path_73, _e64);
+                let _e64 = self.surface_settings.choices[10usize].params;
+                let _e65 = self.v_search_cone_moved(path_81, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[9usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_73, _e70);
+                let _e70 = self.surface_settings.choices[10usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_81, _e70);
                 return _e71;
             }
-            _ => {
-                let _e76 = self.surface_settings.choices[9usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_73, _e76);
+            11u32 => {
+                let _e76 = self.surface_settings.choices[10usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_81, _e76);
                 return _e77;
+            }
+            _ => {
+                let _e82 = self.surface_settings.choices[10usize].params;
+                let _e83 = self.v_search_voxels(path_81, _e82);
+                return _e83;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_88: Entered, hit_25: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_88, hit_25, light_4))
+    pub(crate) fn free_way(&self, at_106: Entered, hit_33: Hit, light_8: Toward) -> f32 {
+        rt::into(self.v_free_way(at_106, hit_33, light_8))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_free_way(&self, at_88: Entered, hit_25: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_88, hit_25, light_4);
+    pub(super) fn v_free_way(&self, at_106: Entered, hit_33: Hit, light_8: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_field_light_ray_stage(at_106, hit_33, light_8);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -13408,10 +15092,10 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_11 = (turn_1 * rt::Scalar(6.2831855f32));
-        let s_2 = (x_11 * x_11);
-        let last_13 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_11 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_13)))))));
+        let x_18 = (turn_1 * rt::Scalar(6.2831855f32));
+        let s_3 = (x_18 * x_18);
+        let last_13 = (rt::Scalar(-0.0001984127f32) + (s_3 * rt::Scalar(0.0000027557319f32)));
+        return (x_18 * (rt::Scalar(1f32) + (s_3 * (rt::Scalar(-0.16666667f32) + (s_3 * (rt::Scalar(0.008333334f32) + (s_3 * last_13)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -13419,9 +15103,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_22 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_22 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_22.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_24 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_24 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_24.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned_1(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned_1(rt::into(turn_3)))
@@ -13444,19 +15128,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn gradient_at(
         &self,
         point_17: impl rt::Into<rt::Vec2<f32>>,
-        way_7: impl rt::Into<rt::Vec2<f32>>,
+        way_14: impl rt::Into<rt::Vec2<f32>>,
         count_5: impl rt::Into<rt::Scalar<f32>>,
         turns_1: impl rt::Into<rt::Scalar<f32>>,
         seed_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_at(rt::into(point_17), rt::into(way_7), rt::into(count_5), rt::into(turns_1), rt::into(seed_2)))
+        rt::into(self.v_gradient_at(rt::into(point_17), rt::into(way_14), rt::into(count_5), rt::into(turns_1), rt::into(seed_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gradient_at(
         &self,
         point_17: rt::Vec2<f32>,
-        way_7: rt::Vec2<f32>,
+        way_14: rt::Vec2<f32>,
         count_5: rt::Scalar<f32>,
         turns_1: rt::Scalar<f32>,
         seed_2: rt::Scalar<u32>,
@@ -13464,166 +15148,157 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_bits_of_point(point_17, count_5, seed_2);
         let _e6 = self.v_unit_of(_e5);
         let _e8 = self.v_turned_1((_e6 + turns_1));
-        return _e8.dot(way_7);
+        return _e8.dot(way_14);
     }
     pub(crate) fn gradient_noise(
         &self,
-        at_89: impl rt::Into<rt::Vec2<f32>>,
+        at_107: impl rt::Into<rt::Vec2<f32>>,
         count_6: impl rt::Into<rt::Scalar<f32>>,
         turns_2: impl rt::Into<rt::Scalar<f32>>,
         seed_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_noise(rt::into(at_89), rt::into(count_6), rt::into(turns_2), rt::into(seed_3)))
+        rt::into(self.v_gradient_noise(rt::into(at_107), rt::into(count_6), rt::into(turns_2), rt::into(seed_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gradient_noise(
         &self,
-        at_89: rt::Vec2<f32>,
+        at_107: rt::Vec2<f32>,
         count_6: rt::Scalar<f32>,
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let cell_32 = at_89.floor();
-        let part_23 = (at_89 - cell_32);
-        let fade = (((part_23 * part_23) * part_23) * ((part_23 * ((part_23 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
+        let cell_39 = at_107.floor();
+        let part_25 = (at_107 - cell_39);
+        let fade = (((part_25 * part_25) * part_25) * ((part_25 * ((part_25 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_32, part_23, count_6, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_32 + right_5), (part_23 - right_5), count_6, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_32 + down_1), (part_23 - down_1), count_6, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_32 + right_5) + down_1), ((part_23 - right_5) - down_1), count_6, turns_2, seed_3);
-        let above_9 = (_e24 + ((_e27 - _e24) * fade.x()));
-        let below_7 = (_e30 + ((_e35 - _e30) * fade.x()));
-        return (above_9 + ((below_7 - above_9) * fade.y()));
-    }
-    pub(crate) fn has_table(&self, levels: Levels) -> bool {
-        rt::into(self.v_has_table(levels))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_has_table(&self, levels: Levels) -> rt::Scalar<bool> {
-        let _e6 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
-        return rt::Scalar(levels.fine).elementwise_ge(_e6);
+        let _e24 = self.v_gradient_at(cell_39, part_25, count_6, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_39 + right_5), (part_25 - right_5), count_6, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_39 + down_1), (part_25 - down_1), count_6, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_39 + right_5) + down_1), ((part_25 - right_5) - down_1), count_6, turns_2, seed_3);
+        let above_10 = (_e24 + ((_e27 - _e24) * fade.x()));
+        let below_8 = (_e30 + ((_e35 - _e30) * fade.x()));
+        return (above_10 + ((below_8 - above_10) * fade.y()));
     }
     pub(crate) fn holds_filter(
         &self,
-        view_12: LightView,
-        place_19: impl rt::Into<rt::Vec3<f32>>,
+        view_18: LightView,
+        place_21: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_12, rt::into(place_19), rt::into(half)))
+        rt::into(self.v_holds_filter(view_18, rt::into(place_21), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_holds_filter(
         &self,
-        view_12: LightView,
-        place_19: rt::Vec3<f32>,
+        view_18: LightView,
+        place_21: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_91: rt::Scalar<bool>;
-        let mut local_92: rt::Scalar<bool>;
+        let mut local_102: rt::Scalar<bool>;
+        let mut local_103: rt::Scalar<bool>;
 
-        let least_8 = (place_19.x().min(place_19.y()) - half);
-        let most_15 = (place_19.x().max(place_19.y()) + half);
-        if rt::Scalar::into_branch_condition(place_19.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_91 = least_8.elementwise_ge(rt::Scalar(0f32));
+        let least_8 = (place_21.x().min(place_21.y()) - half);
+        let most_17 = (place_21.x().max(place_21.y()) + half);
+        if rt::Scalar::into_branch_condition(place_21.z().elementwise_gt(rt::Scalar(0f32))) {
+            local_102 = least_8.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_91 = rt::Scalar(false);
+            local_102 = rt::Scalar(false);
         }
-        let _e19 = local_91;
+        let _e19 = local_102;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_92 = most_15.elementwise_le(rt::Scalar(view_12.size).to_f32());
+            local_103 = most_17.elementwise_le(rt::Scalar(view_18.size).to_f32());
         } else {
-            local_92 = rt::Scalar(false);
+            local_103 = rt::Scalar(false);
         }
-        let _e26 = local_92;
+        let _e26 = local_103;
         return _e26;
     }
     pub(crate) fn is_before(
         &self,
-        plane: impl rt::Into<rt::Vec4<f32>>,
+        plane_1: impl rt::Into<rt::Vec4<f32>>,
         position: impl rt::Into<rt::Vec3<f32>>,
         direction_5: impl rt::Into<rt::Vec3<f32>>,
         low_m: impl rt::Into<rt::Scalar<f32>>,
         high_m: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_is_before(rt::into(plane), rt::into(position), rt::into(direction_5), rt::into(low_m), rt::into(high_m)))
+        rt::into(self.v_is_before(rt::into(plane_1), rt::into(position), rt::into(direction_5), rt::into(low_m), rt::into(high_m)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_is_before(
         &self,
-        plane: rt::Vec4<f32>,
+        plane_1: rt::Vec4<f32>,
         position: rt::Vec3<f32>,
         direction_5: rt::Vec3<f32>,
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_93: rt::Scalar<bool>;
+        let mut local_104: rt::Scalar<bool>;
 
-        let low_9 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
-        let high_3 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
-        if rt::Scalar::into_branch_condition(low_9.elementwise_gt(rt::Scalar(0f32))) {
-            local_93 = high_3.elementwise_gt(rt::Scalar(0f32));
+        let low_10 = (plane_1.xyz().dot((position + (direction_5 * low_m))) + plane_1.w());
+        let high_4 = (plane_1.xyz().dot((position + (direction_5 * high_m))) + plane_1.w());
+        if rt::Scalar::into_branch_condition(low_10.elementwise_gt(rt::Scalar(0f32))) {
+            local_104 = high_4.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_93 = rt::Scalar(false);
+            local_104 = rt::Scalar(false);
         }
-        let _e24 = local_93;
+        let _e24 = local_104;
         return _e24;
     }
     pub(crate) fn is_left_out(
         &self,
         grid_10: Tessellation,
-        a_14: BaseVertex,
-        b_14: BaseVertex,
+        a_15: BaseVertex,
+        b_15: BaseVertex,
         c_11: BaseVertex,
         low_m_1: impl rt::Into<rt::Scalar<f32>>,
         high_m_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_is_left_out(grid_10, a_14, b_14, c_11, rt::into(low_m_1), rt::into(high_m_1)))
+        rt::into(self.v_is_left_out(grid_10, a_15, b_15, c_11, rt::into(low_m_1), rt::into(high_m_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_is_left_out(
         &self,
         grid_10: Tessellation,
-        a_14: BaseVertex,
-        b_14: BaseVertex,
+        a_15: BaseVertex,
+        b_15: BaseVertex,
         c_11: BaseVertex,
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_29: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_94: rt::Scalar<bool>;
-        let mut local_95: rt::Scalar<bool>;
+        let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_105: rt::Scalar<bool>;
+        let mut local_106: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_29;
+                let _e8 = k_32;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_29;
-                    let plane_1 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_29;
-                    k_29 = (_e14 + rt::Scalar(1u32));
-                    let _e19 = self.v_is_before(plane_1, a_14.position, a_14.direction, low_m_1, high_m_1);
+                    let _e12 = k_32;
+                    let plane_3 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
+                    let _e14 = k_32;
+                    k_32 = (_e14 + rt::Scalar(1u32));
+                    let _e19 = self.v_is_before(plane_3, a_15.position, a_15.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
-                        let _e24 = self.v_is_before(plane_1, b_14.position, b_14.direction, low_m_1, high_m_1);
-                        local_94 = _e24;
+                        let _e24 = self.v_is_before(plane_3, b_15.position, b_15.direction, low_m_1, high_m_1);
+                        local_105 = _e24;
                     } else {
-                        local_94 = rt::Scalar(false);
+                        local_105 = rt::Scalar(false);
                     }
-                    let _e26 = local_94;
+                    let _e26 = local_105;
                     if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_1, c_11.position, c_11.direction, low_m_1, high_m_1);
-                        local_95 = _e31;
+                        let _e31 = self.v_is_before(plane_3, c_11.position, c_11.direction, low_m_1, high_m_1);
+                        local_106 = _e31;
                     } else {
-                        local_95 = rt::Scalar(false);
+                        local_106 = rt::Scalar(false);
                     }
-                    let _e33 = local_95;
+                    let _e33 = local_106;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -13640,25 +15315,25 @@ impl<'g> Resources<'g> {
     pub(super) fn v_magnitude(&self, number_14: rt::Scalar<i32>) -> rt::Scalar<u32> {
         return number_14.abs().to_u32();
     }
-    pub(crate) fn stretch_of(&self, a_15: SweptPoint, b_15: SweptPoint) -> u32 {
-        rt::into(self.v_stretch_of(a_15, b_15))
+    pub(crate) fn stretch_of(&self, a_16: SweptPoint, b_16: SweptPoint) -> u32 {
+        rt::into(self.v_stretch_of(a_16, b_16))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_stretch_of(&self, a_15: SweptPoint, b_15: SweptPoint) -> rt::Scalar<u32> {
-        let _e9 = self.v_magnitude(((rt::Scalar(b_15.x) * rt::Scalar(a_15.w)) - (rt::Scalar(a_15.x) * rt::Scalar(b_15.w))));
-        let _e17 = self.v_magnitude(((rt::Scalar(b_15.y) * rt::Scalar(a_15.w)) - (rt::Scalar(a_15.y) * rt::Scalar(b_15.w))));
+    pub(super) fn v_stretch_of(&self, a_16: SweptPoint, b_16: SweptPoint) -> rt::Scalar<u32> {
+        let _e9 = self.v_magnitude(((rt::Scalar(b_16.x) * rt::Scalar(a_16.w)) - (rt::Scalar(a_16.x) * rt::Scalar(b_16.w))));
+        let _e17 = self.v_magnitude(((rt::Scalar(b_16.y) * rt::Scalar(a_16.w)) - (rt::Scalar(a_16.y) * rt::Scalar(b_16.w))));
         return (_e9 + _e17);
     }
-    pub(crate) fn is_no_longer(&self, a_16: SweptPoint, b_16: SweptPoint, c_12: SweptPoint, d_3: SweptPoint) -> bool {
-        rt::into(self.v_is_no_longer(a_16, b_16, c_12, d_3))
+    pub(crate) fn is_no_longer(&self, a_17: SweptPoint, b_17: SweptPoint, c_12: SweptPoint, d_3: SweptPoint) -> bool {
+        rt::into(self.v_is_no_longer(a_17, b_17, c_12, d_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_is_no_longer(&self, a_16: SweptPoint, b_16: SweptPoint, c_12: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
-        let _e4 = self.v_stretch_of(a_16, b_16);
+    pub(super) fn v_is_no_longer(&self, a_17: SweptPoint, b_17: SweptPoint, c_12: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
+        let _e4 = self.v_stretch_of(a_17, b_17);
         let _e9 = self.v_stretch_of(c_12, d_3);
-        let _e14 = self.v_compared(_e4, (rt::Scalar(c_12.w) * rt::Scalar(d_3.w)).to_u32(), _e9, (rt::Scalar(a_16.w) * rt::Scalar(b_16.w)).to_u32());
+        let _e14 = self.v_compared(_e4, (rt::Scalar(c_12.w) * rt::Scalar(d_3.w)).to_u32(), _e9, (rt::Scalar(a_17.w) * rt::Scalar(b_17.w)).to_u32());
         return _e14.elementwise_le(rt::Scalar(0i32));
     }
     pub(crate) fn longest_of(&self, between_1: impl rt::Into<rt::Vec3<i32>>) -> i32 {
@@ -13667,159 +15342,159 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_longest_of(&self, between_1: rt::Vec3<i32>) -> rt::Scalar<i32> {
-        let along_40 = between_1.abs();
-        return along_40.x().max(along_40.y()).max(along_40.z());
+        let along_41 = between_1.abs();
+        return along_41.x().max(along_41.y()).max(along_41.z());
     }
     pub(crate) fn is_swept(
         &self,
         grid_11: Tessellation,
-        a_17: Voxel,
-        b_17: Voxel,
+        a_18: Voxel,
+        b_18: Voxel,
         c_13: Voxel,
-        level_39: impl rt::Into<rt::Scalar<u32>>,
+        level_50: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_13, rt::into(level_39)))
+        rt::into(self.v_is_swept(grid_11, a_18, b_18, c_13, rt::into(level_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_is_swept(
         &self,
         grid_11: Tessellation,
-        a_17: Voxel,
-        b_17: Voxel,
+        a_18: Voxel,
+        b_18: Voxel,
         c_13: Voxel,
-        level_39: rt::Scalar<u32>,
+        level_50: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let mut local_96: rt::Scalar<bool>;
-        let mut local_97: rt::Scalar<bool>;
+        let mut local_107: rt::Scalar<bool>;
+        let mut local_108: rt::Scalar<bool>;
 
-        let _e6 = self.v_coarser_voxel(a_17.at, level_39);
-        let _e8 = self.v_coarser_voxel(b_17.at, level_39);
-        let _e10 = self.v_coarser_voxel(c_13.at, level_39);
+        let _e6 = self.v_coarser_voxel(a_18.at, level_50);
+        let _e8 = self.v_coarser_voxel(b_18.at, level_50);
+        let _e10 = self.v_coarser_voxel(c_13.at, level_50);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
         let longest = _e12.max(_e14).max(_e17);
         if rt::Scalar::into_branch_condition(longest.elementwise_gt(rt::Scalar(0i32))) {
-            local_96 = longest.elementwise_le(rt::Scalar(1023i32));
+            local_107 = longest.elementwise_le(rt::Scalar(1023i32));
         } else {
-            local_96 = rt::Scalar(false);
+            local_107 = rt::Scalar(false);
         }
-        let _e26 = local_96;
+        let _e26 = local_107;
         if rt::Scalar::into_branch_condition(_e26) {
-            local_97 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
+            local_108 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
         } else {
-            local_97 = rt::Scalar(false);
+            local_108 = rt::Scalar(false);
         }
-        let _e33 = local_97;
+        let _e33 = local_108;
         return _e33;
     }
     pub(crate) fn light_place(
         &self,
-        view_13: LightView,
+        view_19: LightView,
         point_18: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_light_place(view_13, rt::into(point_18)))
+        rt::into(self.v_light_place(view_19, rt::into(point_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_light_place(
         &self,
-        view_13: LightView,
+        view_19: LightView,
         point_18: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_153 = <rt::Vec4<f32>>::new_31(point_18, rt::Scalar(1f32));
-        let depth_9 = view_13.depth.dot(at_153);
-        let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_13.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_13.column.dot(at_153), view_13.row.dot(at_153)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
+        let at_165 = <rt::Vec4<f32>>::new_31(point_18, rt::Scalar(1f32));
+        let depth_9 = view_19.depth.dot(at_165);
+        let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_19.from_point).elementwise_eq(rt::Scalar(1u32)));
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_19.column.dot(at_165), view_19.row.dot(at_165)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_90: Entered,
-        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        at_108: Entered,
+        uv_33: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_90, rt::into(uv_25)))
+        rt::into(self.v_patch_normal(at_108, rt::into(uv_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_patch_normal(
         &self,
-        at_90: Entered,
-        uv_25: rt::Vec2<f32>,
+        at_108: Entered,
+        uv_33: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_90.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_90.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_108.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_108.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_25, rt::Scalar(at_90.level));
+        let _e18 = self.v_height_and_slope(uv_33, rt::Scalar(at_108.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_90.tangent + (at_90.normal * (_e18.y() * _e24)));
+        let along_u_4 = (at_108.tangent + (at_108.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_90.bitangent + (at_90.normal * (_e18.z() * _e33)));
-        let across_8 = along_v_2.cross(along_u_2).normalize();
-        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_90.normal).elementwise_ge(rt::Scalar(0f32))));
+        let along_v_4 = (at_108.bitangent + (at_108.normal * (_e18.z() * _e33)));
+        let across_11 = along_v_4.cross(along_u_4).normalize();
+        return (across_11 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_11.dot(at_108.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
-        view_14: LightView,
+        view_20: LightView,
         point_19: impl rt::Into<rt::Vec3<f32>>,
-        normal_18: impl rt::Into<rt::Vec3<f32>>,
+        normal_19: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_14, rt::into(point_19), rt::into(normal_18), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_20, rt::into(point_19), rt::into(normal_19), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_plane_depth(
         &self,
-        view_14: LightView,
+        view_20: LightView,
         point_19: rt::Vec3<f32>,
-        normal_18: rt::Vec3<f32>,
+        normal_19: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_6 = ((view_14.corner.xyz() + (view_14.across.xyz() * texel_4.x())) + (view_14.along.xyz() * texel_4.y()));
-        if rt::Scalar::into_branch_condition(rt::Scalar(view_14.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_18.dot((point_19 - view_14.eye.xyz())) / normal_18.dot(corner_6));
+        let corner_6 = ((view_20.corner.xyz() + (view_20.across.xyz() * texel_4.x())) + (view_20.along.xyz() * texel_4.y()));
+        if rt::Scalar::into_branch_condition(rt::Scalar(view_20.from_point).elementwise_eq(rt::Scalar(1u32))) {
+            return (normal_19.dot((point_19 - view_20.eye.xyz())) / normal_19.dot(corner_6));
         }
-        return (normal_18.dot((point_19 - corner_6)) / normal_18.dot(view_14.depth.xyz()));
+        return (normal_19.dot((point_19 - corner_6)) / normal_19.dot(view_20.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
-        place_20: impl rt::Into<rt::Vec2<i32>>,
-        view_15: impl rt::Into<rt::Scalar<i32>>,
+        place_22: impl rt::Into<rt::Vec2<i32>>,
+        view_21: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_20), rt::into(view_15)))
+        rt::into(self.v_light_texel(rt::into(place_22), rt::into(view_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_light_texel(
         &self,
-        place_20: rt::Vec2<i32>,
-        view_15: rt::Scalar<i32>,
+        place_22: rt::Vec2<i32>,
+        view_21: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_20, rt::Scalar::into_inner(view_15), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_22, rt::Scalar::into_inner(view_21), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
         &self,
-        at_91: InView,
+        at_109: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_91, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_109, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_row_sees(
         &self,
-        at_91: InView,
+        at_109: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column_2: rt::Scalar<f32>;
 
-        let view_31 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_91.number))];
-        column_2 = at_91.low.x().floor();
+        let view_34 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_109.number))];
+        column_2 = at_109.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column_2;
@@ -13830,13 +15505,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column_2;
                     let _e24 = column_2;
-                    let wide_2 = (at_91.high.x().min((_e18 + rt::Scalar(1f32))) - at_91.low.x().max(_e24));
+                    let wide_2 = (at_109.high.x().min((_e18 + rt::Scalar(1f32))) - at_109.low.x().max(_e24));
                     let _e27 = column_2;
-                    let place_33 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_31, at_91.point, at_91.normal, (place_33 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_10 = _e35.clamp(rt::Scalar(at_91.least_depth), rt::Scalar(at_91.most_depth));
-                    let key = (rt::Scalar(view_31.near) / (rt::Scalar(view_31.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_33.to_i32(), rt::Scalar(at_91.number).to_i32());
+                    let place_35 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_34, at_109.point, at_109.normal, (place_35 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_10 = _e35.clamp(rt::Scalar(at_109.least_depth), rt::Scalar(at_109.most_depth));
+                    let key = (rt::Scalar(view_34.near) / (rt::Scalar(view_34.near) + depth_10.max(rt::Scalar(0f32))));
+                    let _e48 = self.v_light_texel(place_35.to_i32(), rt::Scalar(at_109.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -13852,37 +15527,37 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_15: impl rt::Into<rt::Scalar<u32>>,
-        at_92: Entered,
-        normal_19: impl rt::Into<rt::Vec3<f32>>,
-        place_21: impl rt::Into<rt::Vec3<f32>>,
+        at_110: Entered,
+        normal_20: impl rt::Into<rt::Vec3<f32>>,
+        place_23: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_15), at_92, rt::into(normal_19), rt::into(place_21), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_15), at_110, rt::into(normal_20), rt::into(place_23), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_part(
         &self,
         number_15: rt::Scalar<u32>,
-        at_92: Entered,
-        normal_19: rt::Vec3<f32>,
-        place_21: rt::Vec3<f32>,
+        at_110: Entered,
+        normal_20: rt::Vec3<f32>,
+        place_23: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut seen_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_7: rt::Scalar<f32>;
 
-        let view_32 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
-        let texel_m = (rt::Scalar(view_32.texel_m) * rt::Scalar(1f32).select(place_21.z(), rt::Scalar(view_32.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_92);
-        let point_32 = (at_92.point + (normal_19 * (bias * texel_m.max(_e19))));
+        let view_35 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
+        let texel_m = (rt::Scalar(view_35.texel_m) * rt::Scalar(1f32).select(place_23.z(), rt::Scalar(view_35.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let _e19 = self.v_footprint_m(at_110);
+        let point_32 = (at_110.point + (normal_20 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
-        let low_10 = (place_21.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
-        let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_14 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_32.size).to_f32(), rt::Scalar(view_32.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_15, point_32, normal_19, low_10, high_4, (place_21.z() - reach_1), (place_21.z() + reach_1));
-        row_7 = low_10.y().floor();
+        let low_11 = (place_23.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let high_5 = (low_11 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
+        let last_14 = high_5.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_35.size).to_f32(), rt::Scalar(view_35.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_15, point_32, normal_20, low_11, high_5, (place_23.z() - reach_1), (place_23.z() + reach_1));
+        row_7 = low_11.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_7;
@@ -13893,73 +15568,73 @@ impl<'g> Resources<'g> {
                 {
                     let _e59 = row_7;
                     let _e64 = row_7;
-                    let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_10.y().max(_e64));
-                    let _e67 = seen;
+                    let tall = (high_5.y().min((_e59 + rt::Scalar(1f32))) - low_11.y().max(_e64));
+                    let _e67 = seen_1;
                     let _e68 = row_7;
                     let _e70 = self.v_row_sees(in_view, _e68, last_14.x());
-                    seen = (_e67 + (_e70 * tall));
+                    seen_1 = (_e67 + (_e70 * tall));
                     let _e73 = row_7;
                     row_7 = (_e73 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e76 = seen;
+        let _e76 = seen_1;
         return (_e76 / (filter_width * filter_width)).min(rt::Scalar(1f32));
     }
     pub(crate) fn light_seen(
         &self,
-        at_93: Entered,
-        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        at_111: Entered,
+        uv_34: impl rt::Into<rt::Vec2<f32>>,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_93, rt::into(uv_26), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_111, rt::into(uv_34), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_light_seen(
         &self,
-        at_93: Entered,
-        uv_26: rt::Vec2<f32>,
+        at_111: Entered,
+        uv_34: rt::Vec2<f32>,
         number_16: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_30: rt::Scalar<u32>;
+        let mut k_33: rt::Scalar<u32>;
 
-        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_16)];
-        if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
+        let light_21 = self.frame.lights[rt::Scalar::into_array_index(number_16)];
+        if rt::Scalar::into_branch_condition(rt::Scalar(light_21.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_93, uv_26);
+        let _e14 = self.v_patch_normal(at_111, uv_34);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let width_6 = filter_texels.max(rt::Scalar(0.001f32));
-        k_30 = rt::Scalar(light_17.first_view);
+        let width_7 = filter_texels.max(rt::Scalar(0.001f32));
+        k_33 = rt::Scalar(light_21.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_30;
-                if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
+                let _e24 = k_33;
+                if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_21.first_view) + rt::Scalar(light_21.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_30;
+                    let _e31 = k_33;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_93.point);
-                    let _e38 = k_30;
+                    let _e35 = self.v_light_place(_e33, at_111.point);
+                    let _e38 = k_33;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
-                    let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_6));
+                    let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_7));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_30;
-                        let _e45 = self.v_seen_part(_e44, at_93, _e14, _e35, width_6, bias_1);
+                        let _e44 = k_33;
+                        let _e45 = self.v_seen_part(_e44, at_111, _e14, _e35, width_7, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_30;
-                    k_30 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_33;
+                    k_33 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -13979,460 +15654,81 @@ impl<'g> Resources<'g> {
         start_3: rt::Vec3<i32>,
         to_1: rt::Vec3<i32>,
     ) -> rt::Scalar<u32> {
-        let mut local_98: rt::Scalar<bool>;
+        let mut local_109: rt::Scalar<bool>;
 
-        let along_41 = (to_1 - start_3).abs();
-        let of_last_1 = rt::Scalar(2u32).select(rt::Scalar(1u32), along_41.y().elementwise_ge(along_41.z()));
-        if rt::Scalar::into_branch_condition(along_41.x().elementwise_ge(along_41.y())) {
-            local_98 = along_41.x().elementwise_ge(along_41.z());
+        let along_42 = (to_1 - start_3).abs();
+        let of_last_1 = rt::Scalar(2u32).select(rt::Scalar(1u32), along_42.y().elementwise_ge(along_42.z()));
+        if rt::Scalar::into_branch_condition(along_42.x().elementwise_ge(along_42.y())) {
+            local_109 = along_42.x().elementwise_ge(along_42.z());
         } else {
-            local_98 = rt::Scalar(false);
+            local_109 = rt::Scalar(false);
         }
-        let _e20 = local_98;
+        let _e20 = local_109;
         return of_last_1.select(rt::Scalar(0u32), _e20);
-    }
-    pub(crate) fn mean_of_five(
-        &self,
-        middle_9: impl rt::Into<rt::Scalar<f32>>,
-        four: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_mean_of_five(rt::into(middle_9), rt::into(four)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_mean_of_five(
-        &self,
-        middle_9: rt::Scalar<f32>,
-        four: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        return ((middle_9 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
-    }
-    pub(crate) fn means_of_one(&self, n_10: impl rt::Into<rt::Vec3<f32>>) -> Normals {
-        rt::into(self.v_means_of_one(rt::into(n_10)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_means_of_one(&self, n_10: rt::Vec3<f32>) -> Normals {
-        let upright = n_10.z().max(rt::Scalar(0.05f32));
-        let slope_11 = (<rt::Vec2<f32>>::from_scalars((-n_10.x()), (-n_10.y())) / rt::Vec2::splat_from_scalar(upright));
-        let square_3 = ((slope_11 * slope_11) * upright);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_10, slope_11.x()), <rt::Vec4<f32>>::from_scalars(square_3.x(), ((slope_11.x() * slope_11.y()) * upright), square_3.y(), slope_11.y()));
-    }
-    pub(crate) fn no_table(&self) -> SeenTable {
-        rt::into(self.v_no_table())
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_no_table(&self) -> SeenTable {
-        let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        return <SeenTable>::new(none, none, none);
-    }
-    pub(crate) fn one_seen(&self, normal_20: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
-        rt::into(self.v_one_seen(rt::into(normal_20)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_one_seen(&self, normal_20: rt::Vec3<f32>) -> SeenNormals {
-        let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let parts_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let _e13 = self.v_no_table();
-        return <SeenNormals>::new(normal_20, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_6, rt::Scalar(0f32), _e13);
-    }
-    pub(crate) fn to_tangent_space(
-        &self,
-        at_94: Entered,
-        v_1: impl rt::Into<rt::Vec3<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_94, rt::into(v_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_to_tangent_space(
-        &self,
-        at_94: Entered,
-        v_1: rt::Vec3<f32>,
-    ) -> rt::Vec3<f32> {
-        let along_u_3 = at_94.tangent.normalize();
-        let along_v_3 = at_94.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_94.normal.dot(v_1));
-    }
-    pub(crate) fn normals_of_level(
-        &self,
-        at_95: Entered,
-        uv_27: impl rt::Into<rt::Vec2<f32>>,
-        level_40: impl rt::Into<rt::Scalar<u32>>,
-    ) -> Normals {
-        rt::into(self.v_normals_of_level(at_95, rt::into(uv_27), rt::into(level_40)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_normals_of_level(
-        &self,
-        at_95: Entered,
-        uv_27: rt::Vec2<f32>,
-        level_40: rt::Scalar<u32>,
-    ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_40.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_95, uv_27);
-            let _e6 = self.v_to_tangent_space(at_95, _e5);
-            let _e7 = self.v_means_of_one(_e6);
-            return _e7;
-        }
-        let _e10 = rt::Scalar(self.surface_settings.has_normal);
-        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_27, rt::Scalar(0i32), level_40);
-            let _e16 = self.v_normal_at(uv_27, rt::Scalar(1i32), level_40);
-            return <Normals>::new(_e14, _e16);
-        }
-        let tile = self.surface_settings.normal_tile_m;
-        let x_12 = ((tile.x() * at_95.tangent.normalize().dot(at_95.tangent)) / at_95.tangent.dot(at_95.tangent));
-        let y_8 = ((tile.y() * at_95.bitangent.normalize().dot(at_95.bitangent)) / at_95.bitangent.dot(at_95.bitangent));
-        let _e44 = self.v_normal_at(uv_27, rt::Scalar(0i32), (level_40 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_27, rt::Scalar(1i32), (level_40 - rt::Scalar(1u32)));
-        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_12), (_e44.y() * y_8), _e44.z());
-        let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
-        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_12) * x_12), ((_e48.y() * x_12) * y_8), ((_e48.z() * y_8) * y_8)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_12)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_8)));
-    }
-    pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
-        rt::into(self.v_sum_of_four(rt::into(four_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_sum_of_four(&self, four_1: rt::Vec4<f32>) -> rt::Scalar<f32> {
-        return ((four_1.x() + four_1.y()) + (four_1.z() + four_1.w()));
-    }
-    pub(crate) fn seen_normals(
-        &self,
-        at_96: Entered,
-        normals: Normals,
-        view_16: impl rt::Into<rt::Vec3<f32>>,
-    ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_96, normals, rt::into(view_16)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_seen_normals(
-        &self,
-        at_96: Entered,
-        normals: Normals,
-        view_16: rt::Vec3<f32>,
-    ) -> SeenNormals {
-        let first_20 = normals.first;
-        let second_6 = normals.second;
-        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_20.w(), second_6.w());
-        let upright_1 = first_20.z().max(rt::Scalar(0.05f32));
-        let x_13 = (first_20.x() / upright_1);
-        let y_9 = (first_20.y() / upright_1);
-        let a_40 = ((second_6.x() / upright_1) - (x_13 * x_13)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_40 = (((second_6.y() / upright_1) - (x_13 * y_9)) / a_40);
-        let spread = ((second_6.z() / upright_1) - (y_9 * y_9)).max(rt::Scalar(0f32));
-        let d_4 = (spread - (b_40 * b_40)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_6.x(), second_6.y(), first_20.x())) - (first_20.xyz() * slope_12.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_6.y(), second_6.z(), first_20.y())) - (first_20.xyz() * slope_12.y()));
-        let most_16 = ((a_40 * a_40) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_42 = (with_x / rt::Vec3::splat_from_scalar(a_40.max((with_x.length() / most_16))));
-        let rest_10 = (with_y - (along_42 * b_40));
-        let across_9 = (rest_10 / rt::Vec3::splat_from_scalar(d_4.max((rest_10.length() / most_16))));
-        let _e77 = self.v_to_tangent_space(at_96, view_16);
-        let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
-        let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_40) + (_e77.y() * b_40))), (-(_e77.y() * d_4)));
-        let one_1 = middle_15.max(rt::Scalar(0f32));
-        let _e94 = self.v_sum_of_four(_e91);
-        let _e95 = self.v_mean_of_five(one_1, _e94);
-        let all_2 = _e95.max(rt::Scalar(0.001f32));
-        let aside_8 = ((along_42 * ((_e91.x() - _e91.y()) / all_2)) + (across_9 * ((_e91.z() - _e91.w()) / all_2)));
-        let _e113 = self.v_from_tangent_space(at_96, (first_20.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
-        let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_20.xyz(), along_42, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_40, b_40), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_2), (_e91 / rt::Vec4::splat_from_scalar(all_2)), rt::Scalar(0f32), _e133);
-    }
-    pub(crate) fn table_part(&self, at_97: Entered) -> f32 {
-        rt::into(self.v_table_part(at_97))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_table_part(&self, at_97: Entered) -> rt::Scalar<f32> {
-        let _e3 = rt::Scalar(self.surface_settings.has_normal);
-        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
-            return rt::Scalar(0f32);
-        }
-        return (rt::Scalar(at_97.fade) * ((rt::Scalar(at_97.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
-    }
-    pub(crate) fn with_table(
-        &self,
-        at_98: Entered,
-        seen_1: SeenNormals,
-        table: SeenTable,
-        part_7: impl rt::Into<rt::Scalar<f32>>,
-    ) -> SeenNormals {
-        rt::into(self.v_with_table(at_98, seen_1, table, rt::into(part_7)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_with_table(
-        &self,
-        at_98: Entered,
-        seen_1: SeenNormals,
-        table: SeenTable,
-        part_7: rt::Scalar<f32>,
-    ) -> SeenNormals {
-        let mut blended: SeenNormals;
-
-        blended = seen_1;
-        let before_5 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_98, table.mean);
-        let mean_11 = (before_5 + ((_e9 - before_5) * part_7));
-        blended.normal = mean_11.normalize();
-        rt::Scalar(blended.length) = mean_11.length().min(rt::Scalar(1f32));
-        rt::Scalar(blended.table_part) = part_7;
-        blended.table = table;
-        let _e21 = blended;
-        return _e21;
-    }
-    pub(crate) fn seen_between(
-        &self,
-        a_18: SeenTexel,
-        b_18: SeenTexel,
-        part_8: impl rt::Into<rt::Scalar<f32>>,
-    ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_18, b_18, rt::into(part_8)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_seen_between(
-        &self,
-        a_18: SeenTexel,
-        b_18: SeenTexel,
-        part_8: rt::Scalar<f32>,
-    ) -> SeenTexel {
-        return <SeenTexel>::new((a_18.first + ((b_18.first - a_18.first) * part_8)), (a_18.second + ((b_18.second - a_18.second) * part_8)));
-    }
-    pub(crate) fn seen_texel(
-        &self,
-        uv_28: impl rt::Into<rt::Vec2<f32>>,
-        azimuth: impl rt::Into<rt::Scalar<i32>>,
-        elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_41: impl rt::Into<rt::Scalar<u32>>,
-    ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_28), rt::into(azimuth), rt::into(elevation), rt::into(level_41)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_seen_texel(
-        &self,
-        uv_28: rt::Vec2<f32>,
-        azimuth: rt::Scalar<i32>,
-        elevation: rt::Scalar<i32>,
-        level_41: rt::Scalar<u32>,
-    ) -> SeenTexel {
-        let layer_11 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_28, layer_11, level_41);
-        let _e12 = self.v_detail_texel_between(uv_28, (layer_11 + rt::Scalar(1i32)), level_41);
-        return <SeenTexel>::new(_e9, _e12);
-    }
-    pub(crate) fn seen_in_levels(
-        &self,
-        uv_29: impl rt::Into<rt::Vec2<f32>>,
-        azimuth_1: impl rt::Into<rt::Scalar<i32>>,
-        elevation_1: impl rt::Into<rt::Scalar<i32>>,
-        levels_1: Levels,
-    ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_29), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_seen_in_levels(
-        &self,
-        uv_29: rt::Vec2<f32>,
-        azimuth_1: rt::Scalar<i32>,
-        elevation_1: rt::Scalar<i32>,
-        levels_1: Levels,
-    ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_29, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
-        if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_29, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
-            let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
-            return _e14;
-        }
-        return _e5;
-    }
-    pub(crate) fn table_of(
-        &self,
-        at_99: Entered,
-        uv_30: impl rt::Into<rt::Vec2<f32>>,
-        view_17: impl rt::Into<rt::Vec3<f32>>,
-        levels_2: Levels,
-    ) -> SeenTable {
-        rt::into(self.v_table_of(at_99, rt::into(uv_30), rt::into(view_17), levels_2))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_table_of(
-        &self,
-        at_99: Entered,
-        uv_30: rt::Vec2<f32>,
-        view_17: rt::Vec3<f32>,
-        levels_2: Levels,
-    ) -> SeenTable {
-        let _e4 = self.v_climb(at_99, view_17);
-        let tile_1 = self.surface_settings.maps[0usize].tile_m;
-        let _e15 = rt::Scalar(self.surface_settings.scale_m);
-        let toward_9 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
-        let up_4 = (toward_9.z() / toward_9.length());
-        let elevation_3 = ((up_4 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
-        let _e29 = self.v_turn_of(toward_9.xy());
-        let azimuth_3 = (_e29 * rt::Scalar(8f32));
-        let a0_1 = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
-        let a1_1 = ((a0_1 + rt::Scalar(1i32)) % rt::Scalar(8i32));
-        let e0_ = elevation_3.floor().to_i32();
-        let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
-        let across_10 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_30, a0_1, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_30, a1_1, e0_, levels_2);
-        let _e50 = self.v_seen_between(_e48, _e49, across_10);
-        let _e51 = self.v_seen_in_levels(uv_30, a0_1, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_30, a1_1, e1_1, levels_2);
-        let _e53 = self.v_seen_between(_e51, _e52, across_10);
-        let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_14 = ((tile_1.x() * at_99.tangent.normalize().dot(at_99.tangent)) / at_99.tangent.dot(at_99.tangent));
-        let y_10 = ((tile_1.y() * at_99.bitangent.normalize().dot(at_99.bitangent)) / at_99.bitangent.dot(at_99.bitangent));
-        let mean_12 = _e56.first.xyz();
-        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_12.x() * x_14), (mean_12.y() * y_10), mean_12.z());
-        let squared_4 = (mean_12.dot(mean_12) / flatter_1.dot(flatter_1));
-        let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_4.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_14) * x_14), ((_e56.second.y() * y_10) * y_10), upright_2) * squared_4), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_14) * y_10), (_e56.second.z() * x_14), (_e56.second.w() * y_10)) * squared_4));
-    }
-    pub(crate) fn mesostructure_normals(
-        &self,
-        at_100: Entered,
-        uv_31: impl rt::Into<rt::Vec2<f32>>,
-        view_18: impl rt::Into<rt::Vec3<f32>>,
-    ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_100, rt::into(uv_31), rt::into(view_18)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_mesostructure_normals(
-        &self,
-        at_100: Entered,
-        uv_31: rt::Vec2<f32>,
-        view_18: rt::Vec3<f32>,
-    ) -> SeenNormals {
-        let mut local_99: rt::Scalar<bool>;
-        let mut first_6: rt::Vec4<f32>;
-        let mut second: rt::Vec4<f32>;
-
-        let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
-        if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_100.normal);
-            return _e9;
-        }
-        let upright_3 = at_100.normal.dot(view_18);
-        let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_100.fade)));
-        let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_100.footprint) * _e22) * width_7);
-        let _e27 = rt::Scalar(self.surface_settings.normal_levels);
-        let _e28 = self.v_levels_of(texels_6, _e27);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_99 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
-        } else {
-            local_99 = rt::Scalar(false);
-        }
-        let _e39 = local_99;
-        if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_100, uv_31);
-            let _e41 = self.v_one_seen(_e40);
-            return _e41;
-        }
-        let _e43 = self.v_normals_of_level(at_100, uv_31, rt::Scalar(_e28.fine));
-        first_6 = _e43.first;
-        second = _e43.second;
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_100, uv_31, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
-            let _e55 = first_6;
-            let _e57 = first_6;
-            first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
-            let _e62 = second;
-            let _e64 = second;
-            second = (_e62 + ((_e54.second - _e64) * rt::Scalar(_e28.part)));
-        }
-        let _e69 = first_6;
-        let _e70 = second;
-        let _e72 = self.v_seen_normals(at_100, <Normals>::new(_e69, _e70), view_18);
-        let _e73 = self.v_table_part(at_100);
-        if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
-            let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_100.footprint), _e79);
-            let _e81 = self.v_has_table(_e80);
-            if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_100, uv_31, view_18, _e80);
-                let _e83 = self.v_with_table(at_100, _e72, _e82, _e73);
-                return _e83;
-            }
-        }
-        return _e72;
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_101: Entered,
-        hit_26: Hit,
-        light_5: Toward,
-        params_85: impl rt::Into<rt::Vec4<f32>>,
+        at_112: Entered,
+        hit_34: Hit,
+        light_9: Toward,
+        params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_101, hit_26, light_5, rt::into(params_85)))
+        rt::into(self.v_shadow_ray(at_112, hit_34, light_9, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_ray(
         &self,
-        at_101: Entered,
-        hit_26: Hit,
-        light_5: Toward,
-        params_85: rt::Vec4<f32>,
+        at_112: Entered,
+        hit_34: Hit,
+        light_9: Toward,
+        params_99: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_101, hit_26, light_5);
+        let _e4 = self.v_free_way(at_112, hit_34, light_9);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_102: Entered,
-        hit_27: Hit,
-        light_6: Toward,
-        params_86: impl rt::Into<rt::Vec4<f32>>,
+        at_113: Entered,
+        hit_35: Hit,
+        light_10: Toward,
+        params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_102, hit_27, light_6, rt::into(params_86)))
+        rt::into(self.v_shadow_none(at_113, hit_35, light_10, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_none(
         &self,
-        at_102: Entered,
-        hit_27: Hit,
-        light_6: Toward,
-        params_86: rt::Vec4<f32>,
+        at_113: Entered,
+        hit_35: Hit,
+        light_10: Toward,
+        params_100: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_103: Entered,
-        hit_28: Hit,
-        light_7: Toward,
-        params_87: impl rt::Into<rt::Vec4<f32>>,
+        at_114: Entered,
+        hit_36: Hit,
+        light_11: Toward,
+        params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_103, hit_28, light_7, rt::into(params_87)))
+        rt::into(self.v_shadow_entry(at_114, hit_36, light_11, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_entry(
         &self,
-        at_103: Entered,
-        hit_28: Hit,
-        light_7: Toward,
-        params_87: rt::Vec4<f32>,
+        at_114: Entered,
+        hit_36: Hit,
+        light_11: Toward,
+        params_101: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_103, hit_28, light_7);
+        let _e4 = self.v_from_hit(at_114, hit_36, light_11);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e11 = self.v_way_out(_e4, light_7);
+        let _e11 = self.v_way_out(_e4, light_11);
         if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(1f32);
         }
@@ -14447,87 +15743,87 @@ impl<'g> Resources<'g> {
         }
         let _e52 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e42.uv - _e4.uv).abs() * _e52);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_87.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_101.x()));
     }
-    pub(crate) fn seed_of(&self, hit_29: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_29))
+    pub(crate) fn seed_of(&self, hit_37: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_37))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_seed_of(&self, hit_29: Hit) -> rt::Scalar<u32> {
-        let place_34 = ((hit_29.uv - hit_29.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_34.y());
-        let _e12 = self.v_mixed((place_34.x() ^ _e10));
+    pub(super) fn v_seed_of(&self, hit_37: Hit) -> rt::Scalar<u32> {
+        let place_36 = ((hit_37.uv - hit_37.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_36.y());
+        let _e12 = self.v_mixed((place_36.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn point_of_disc(
         &self,
-        light_8: Toward,
+        light_12: Toward,
         seed_4: impl rt::Into<rt::Scalar<u32>>,
-        k_31: impl rt::Into<rt::Scalar<u32>>,
+        k_34: impl rt::Into<rt::Scalar<u32>>,
         count_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_4), rt::into(k_31), rt::into(count_7)))
+        rt::into(self.v_point_of_disc(light_12, rt::into(seed_4), rt::into(k_34), rt::into(count_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_point_of_disc(
         &self,
-        light_8: Toward,
+        light_12: Toward,
         seed_4: rt::Scalar<u32>,
-        k_31: rt::Scalar<u32>,
+        k_34: rt::Scalar<u32>,
         count_7: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_4 + k_31) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_4 + k_34) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_31.to_f32() + _e9) / count_7.to_f32());
+        let ring = ((k_34.to_f32() + _e9) / count_7.to_f32());
         let _e16 = self.v_unit_of(seed_4);
-        let _e18 = self.v_turned_1(((k_31.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_35 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
-        let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
-        let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_8.direction).normalize();
-        let up_5 = light_8.direction.cross(right_6);
-        let toward_10 = ((light_8.direction + (right_6 * place_35.x())) + (up_5 * place_35.y()));
+        let _e18 = self.v_turned_1(((k_34.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_37 = (_e18 * (ring.sqrt() * rt::Scalar(light_12.radius)));
+        let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_12.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
+        let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_12.direction).normalize();
+        let up_5 = light_12.direction.cross(right_6);
+        let toward_10 = ((light_12.direction + (right_6 * place_37.x())) + (up_5 * place_37.y()));
         let along_43 = toward_10.length();
-        return <Toward>::new((toward_10 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        return <Toward>::new((toward_10 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_12.falloff), (rt::Scalar(light_12.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_12.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_104: Entered,
-        hit_30: Hit,
-        light_9: Toward,
-        params_88: impl rt::Into<rt::Vec4<f32>>,
+        at_115: Entered,
+        hit_38: Hit,
+        light_13: Toward,
+        params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_104, hit_30, light_9, rt::into(params_88)))
+        rt::into(self.v_shadow_soft(at_115, hit_38, light_13, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_soft(
         &self,
-        at_104: Entered,
-        hit_30: Hit,
-        light_9: Toward,
-        params_88: rt::Vec4<f32>,
+        at_115: Entered,
+        hit_38: Hit,
+        light_13: Toward,
+        params_102: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_35: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_11 = params_88.x().to_u32();
-        let _e6 = self.v_seed_of(hit_30);
+        let count_11 = params_102.x().to_u32();
+        let _e6 = self.v_seed_of(hit_38);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_32;
+                let _e11 = k_35;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_11)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_32;
-                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_11);
-                    let _e16 = self.v_free_way(at_104, hit_30, _e15);
+                    let _e14 = k_35;
+                    let _e15 = self.v_point_of_disc(light_13, _e6, _e14, count_11);
+                    let _e16 = self.v_free_way(at_115, hit_38, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_32;
-                    k_32 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_35;
+                    k_35 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -14536,233 +15832,233 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_105: Entered,
-        hit_31: Hit,
-        light_10: Toward,
-        params_89: impl rt::Into<rt::Vec4<f32>>,
+        at_116: Entered,
+        hit_39: Hit,
+        light_14: Toward,
+        params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_105, hit_31, light_10, rt::into(params_89)))
+        rt::into(self.v_shadow_heuristic(at_116, hit_39, light_14, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_heuristic(
         &self,
-        at_105: Entered,
-        hit_31: Hit,
-        light_10: Toward,
-        params_89: rt::Vec4<f32>,
+        at_116: Entered,
+        hit_39: Hit,
+        light_14: Toward,
+        params_103: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_33: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_36: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_105, hit_31, light_10);
+        let _e4 = self.v_from_hit(at_116, hit_39, light_14);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e11 = self.v_way_out(_e4, light_10);
+        let _e11 = self.v_way_out(_e4, light_14);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_33;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_89.x())) {
+                let _e16 = k_36;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_103.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_33;
-                    let part_24 = (_e19 / params_89.x());
+                    let _e19 = k_36;
+                    let part_26 = (_e19 / params_103.x());
                     let _e22 = most_2;
-                    let _e24 = self.v_path_gap(_e4, (part_24 * _e11));
-                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_24)));
-                    let _e31 = k_33;
-                    k_33 = (_e31 + rt::Scalar(1f32));
+                    let _e24 = self.v_path_gap(_e4, (part_26 * _e11));
+                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_26)));
+                    let _e31 = k_36;
+                    k_36 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_2;
-        return (rt::Scalar(1f32) - (params_89.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_103.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_22: impl rt::Into<rt::Vec2<i32>>,
+        place_24: impl rt::Into<rt::Vec2<i32>>,
         layer_9: impl rt::Into<rt::Scalar<i32>>,
-        level_42: impl rt::Into<rt::Scalar<i32>>,
+        level_51: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_22), rt::into(layer_9), rt::into(level_42)))
+        rt::into(self.v_shadow_texel(rt::into(place_24), rt::into(layer_9), rt::into(level_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_texel(
         &self,
-        place_22: rt::Vec2<i32>,
+        place_24: rt::Vec2<i32>,
         layer_9: rt::Scalar<i32>,
-        level_42: rt::Scalar<i32>,
+        level_51: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_22, rt::Scalar::into_inner(layer_9), 0i32, rt::Scalar::into_inner(level_42));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_24, rt::Scalar::into_inner(layer_9), 0i32, rt::Scalar::into_inner(level_51));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_32: impl rt::Into<rt::Vec2<f32>>,
+        uv_35: impl rt::Into<rt::Vec2<f32>>,
         layer_10: impl rt::Into<rt::Scalar<i32>>,
-        level_43: impl rt::Into<rt::Scalar<u32>>,
+        level_52: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_32), rt::into(layer_10), rt::into(level_43)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_35), rt::into(layer_10), rt::into(level_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_texel_between(
         &self,
-        uv_32: rt::Vec2<f32>,
+        uv_35: rt::Vec2<f32>,
         layer_10: rt::Scalar<i32>,
-        level_43: rt::Scalar<u32>,
+        level_52: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_43);
-        let _e4 = self.v_texels_around(uv_32, _e3);
-        let k_49 = level_43.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_10, k_49);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_10, k_49);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_10, k_49);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_10, k_49);
+        let _e3 = self.v_height_texels(level_52);
+        let _e4 = self.v_texels_around(uv_35, _e3);
+        let k_54 = level_52.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_10, k_54);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_10, k_54);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_10, k_54);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_10, k_54);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
-    pub(crate) fn own_slope(&self, way_8: Path) -> f32 {
-        rt::into(self.v_own_slope(way_8))
+    pub(crate) fn own_slope(&self, way_15: Path) -> f32 {
+        rt::into(self.v_own_slope(way_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_own_slope(&self, way_8: Path) -> rt::Scalar<f32> {
-        let mut level_44: Path;
+    pub(super) fn v_own_slope(&self, way_15: Path) -> rt::Scalar<f32> {
+        let mut level_53: Path;
 
-        let _e1 = self.v_grid_of(way_8);
+        let _e1 = self.v_grid_of(way_15);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
-        let end_18 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_44 = way_8;
-        level_44.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_44.exit) = end_18;
-        let _e18 = level_44;
-        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_8.level));
+        let end_20 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
+        level_53 = way_15;
+        level_53.h = <rt::Vec3<f32>>::from_scalars(way_15.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_53.exit) = end_20;
+        let _e18 = level_53;
+        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_15.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
-        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_18))));
+        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_20))));
     }
-    pub(crate) fn part_above(&self, height_9: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_part_above(rt::into(height_9)))
+    pub(crate) fn part_above(&self, height_12: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_part_above(rt::into(height_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_part_above(&self, height_9: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_15 = height_9.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let s_3 = (x_15 * x_15);
-        return (rt::Scalar(0.5f32) + (x_15 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
+    pub(super) fn v_part_above(&self, height_12: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_19 = height_12.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_4 = (x_19 * x_19);
+        return (rt::Scalar(0.5f32) + (x_19 * (rt::Scalar(0.6401074f32) + (s_4 * (rt::Scalar(-0.13985065f32) + (s_4 * (rt::Scalar(0.06702511f32) + (s_4 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_106: Entered,
-        hit_32: Hit,
-        light_11: Toward,
-        params_90: impl rt::Into<rt::Vec4<f32>>,
+        at_117: Entered,
+        hit_40: Hit,
+        light_15: Toward,
+        params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_106, hit_32, light_11, rt::into(params_90)))
+        rt::into(self.v_shadow_horizon(at_117, hit_40, light_15, rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_horizon(
         &self,
-        at_106: Entered,
-        hit_32: Hit,
-        light_11: Toward,
-        params_90: rt::Vec4<f32>,
+        at_117: Entered,
+        hit_40: Hit,
+        light_15: Toward,
+        params_104: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_106, light_11.direction);
+        let _e5 = self.v_climb(at_117, light_15.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_44 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_44);
-        let azimuth_4 = (_e13 * params_90.x());
-        let first_21 = azimuth_4.floor();
-        let count_12 = params_90.x().to_i32();
-        let before_6 = (first_21.to_i32() % count_12);
-        let part_25 = (azimuth_4 - first_21);
-        let _e24 = self.v_shadow_texel_between(hit_32.uv, before_6, rt::Scalar(at_106.level));
-        let low_11 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_32.uv, ((before_6 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_106.level));
-        let sine_1 = (low_11 + ((_e31.x() - low_11) * part_25));
+        let azimuth_4 = (_e13 * params_104.x());
+        let first_23 = azimuth_4.floor();
+        let count_12 = params_104.x().to_i32();
+        let before_6 = (first_23.to_i32() % count_12);
+        let part_27 = (azimuth_4 - first_23);
+        let _e24 = self.v_shadow_texel_between(hit_40.uv, before_6, rt::Scalar(at_117.level));
+        let low_12 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_40.uv, ((before_6 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_117.level));
+        let sine_1 = (low_12 + ((_e31.x() - low_12) * part_27));
         let squared_5 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_14 = (squared_5 * along_44.dot(along_44)).sqrt();
-        let _e48 = self.v_from_hit(at_106, hit_32, light_11);
+        let far_15 = (squared_5 * along_44.dot(along_44)).sqrt();
+        let _e48 = self.v_from_hit(at_117, hit_40, light_15);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
-        let near_9 = (_e49 * _e52);
-        let horizon = far_14.max(near_9);
-        let up_6 = at_106.normal.dot(light_11.direction);
-        if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
+        let near_10 = (_e49 * _e52);
+        let horizon = far_15.max(near_10);
+        let up_6 = at_117.normal.dot(light_15.direction);
+        if rt::Scalar::into_branch_condition((!rt::Scalar(light_15.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
         let flat = (rt::Scalar(1f32) - (up_6 * up_6)).max(rt::Scalar(0f32));
-        let beside_6 = (flat + (up_6 * horizon));
-        if rt::Scalar::into_branch_condition((!beside_6.elementwise_gt(rt::Scalar(0f32)))) {
+        let beside_7 = (flat + (up_6 * horizon));
+        if rt::Scalar::into_branch_condition((!beside_7.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_6 - horizon)) / (beside_6 * rt::Scalar(light_11.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_6 - horizon)) / (beside_7 * rt::Scalar(light_15.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_107: Entered,
-        hit_33: Hit,
+        at_118: Entered,
+        hit_41: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_107, hit_33, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_118, hit_41, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_open_part(
         &self,
-        at_107: Entered,
-        hit_33: Hit,
+        at_118: Entered,
+        hit_41: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_33.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_107.level));
+        let _e9 = self.v_shadow_texel_between(hit_41.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_118.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_108: Entered,
-        hit_34: Hit,
-        light_12: Toward,
-        params_91: impl rt::Into<rt::Vec4<f32>>,
+        at_119: Entered,
+        hit_42: Hit,
+        light_16: Toward,
+        params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_108, hit_34, light_12, rt::into(params_91)))
+        rt::into(self.v_shadow_visibility(at_119, hit_42, light_16, rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_visibility(
         &self,
-        at_108: Entered,
-        hit_34: Hit,
-        light_12: Toward,
-        params_91: rt::Vec4<f32>,
+        at_119: Entered,
+        hit_42: Hit,
+        light_16: Toward,
+        params_105: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_108, light_12.direction);
+        let _e5 = self.v_climb(at_119, light_16.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_7 = self.surface_settings.maps[3usize];
         let along_45 = (_e5.xy() * map_7.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_22 = (_e5.z() * _e21);
-        let squared_6 = ((height_22 * height_22) / (along_45.dot(along_45) + (height_22 * height_22)));
-        let azimuths = params_91.x().to_i32();
-        let elevations_1 = params_91.y().to_i32();
+        let height_25 = (_e5.z() * _e21);
+        let squared_6 = ((height_25 * height_25) / (along_45.dot(along_45) + (height_25 * height_25)));
+        let azimuths = params_105.x().to_i32();
+        let elevations_1 = params_105.y().to_i32();
         let _e32 = self.v_turn_of(along_45);
-        let azimuth_5 = (_e32 * params_91.x());
-        let elevation_4 = ((squared_6 * params_91.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_91.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_91.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_41 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_108, hit_34, a_41, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+        let azimuth_5 = (_e32 * params_105.x());
+        let elevation_4 = ((squared_6 * params_105.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_105.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_105.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_42 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
+            let _e56 = self.v_open_part(at_119, hit_42, a_42, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_2 = (azimuth_5.floor().to_i32() % azimuths);
@@ -14771,160 +16067,160 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_108, hit_34, a1_2, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_108, hit_34, a0_2, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_119, hit_42, a1_2, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_119, hit_42, a0_2, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_108, hit_34, a0_2, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_119, hit_42, a0_2, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_108, hit_34, a1_2, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_119, hit_42, a1_2, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_109: Entered,
-        hit_35: Hit,
-        light_13: Toward,
-        params_92: impl rt::Into<rt::Vec4<f32>>,
+        at_120: Entered,
+        hit_43: Hit,
+        light_17: Toward,
+        params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_109, hit_35, light_13, rt::into(params_92)))
+        rt::into(self.v_shadow_map(at_120, hit_43, light_17, rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_map(
         &self,
-        at_109: Entered,
-        hit_35: Hit,
-        light_13: Toward,
-        params_92: rt::Vec4<f32>,
+        at_120: Entered,
+        hit_43: Hit,
+        light_17: Toward,
+        params_106: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_109, hit_35.uv, rt::Scalar(light_13.number), light_13.direction, params_92.z(), params_92.w());
+        let _e9 = self.v_light_seen(at_120, hit_43.uv, rt::Scalar(light_17.number), light_17.direction, params_106.z(), params_106.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_110: Entered,
-        hit_36: Hit,
-        light_14: Toward,
-        params_93: impl rt::Into<rt::Vec4<f32>>,
+        at_121: Entered,
+        hit_44: Hit,
+        light_18: Toward,
+        params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_110, hit_36, light_14, rt::into(params_93)))
+        rt::into(self.v_shadow_scene(at_121, hit_44, light_18, rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_scene(
         &self,
-        at_110: Entered,
-        hit_36: Hit,
-        light_14: Toward,
-        params_93: rt::Vec4<f32>,
+        at_121: Entered,
+        hit_44: Hit,
+        light_18: Toward,
+        params_107: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_111: Entered, hit_37: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_111, hit_37, light_15))
+    pub(crate) fn shadow_stage(&self, at_122: Entered, hit_45: Hit, light_19: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_122, hit_45, light_19))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_shadow_stage(&self, at_111: Entered, hit_37: Hit, light_15: Toward) -> rt::Scalar<f32> {
-        let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
+    pub(super) fn v_shadow_stage(&self, at_122: Entered, hit_45: Hit, light_19: Toward) -> rt::Scalar<f32> {
+        let _e7 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
-                let _e12 = self.surface_settings.choices[8usize].params;
-                let _e13 = self.v_shadow_ray(at_111, hit_37, light_15, _e12);
+                let _e12 = self.surface_settings.choices[9usize].params;
+                let _e13 = self.v_shadow_ray(at_122, hit_45, light_19, _e12);
                 return _e13;
             }
             1u32 => {
-                let _e18 = self.surface_settings.choices[8usize].params;
-                let _e19 = self.v_shadow_none(at_111, hit_37, light_15, _e18);
+                let _e18 = self.surface_settings.choices[9usize].params;
+                let _e19 = self.v_shadow_none(at_122, hit_45, light_19, _e18);
                 return _e19;
             }
             2u32 => {
-                let _e24 = self.surface_settings.choices[8usize].params;
-                let _e25 = self.v_shadow_entry(at_111, hit_37, light_15, _e24);
+                let _e24 = self.surface_settings.choices[9usize].params;
+                let _e25 = self.v_shadow_entry(at_122, hit_45, light_19, _e24);
                 return _e25;
             }
             3u32 => {
-                let _e30 = self.surface_settings.choices[8usize].params;
-                let _e31 = self.v_shadow_soft(at_111, hit_37, light_15, _e30);
+                let _e30 = self.surface_settings.choices[9usize].params;
+                let _e31 = self.v_shadow_soft(at_122, hit_45, light_19, _e30);
                 return _e31;
             }
             4u32 => {
-                let _e36 = self.surface_settings.choices[8usize].params;
-                let _e37 = self.v_shadow_heuristic(at_111, hit_37, light_15, _e36);
+                let _e36 = self.surface_settings.choices[9usize].params;
+                let _e37 = self.v_shadow_heuristic(at_122, hit_45, light_19, _e36);
                 return _e37;
             }
             5u32 => {
-                let _e42 = self.surface_settings.choices[8usize].params;
-                let _e43 = self.v_shadow_horizon(at_111, hit_37, light_15, _e42);
+                let _e42 = self.surface_settings.choices[9usize].params;
+                let _e43 = self.v_shadow_horizon(at_122, hit_45, light_19, _e42);
                 return _e43;
             }
             6u32 => {
-                let _e48 = self.surface_settings.choices[8usize].params;
-                let _e49 = self.v_shadow_visibility(at_111, hit_37, light_15, _e48);
+                let _e48 = self.surface_settings.choices[9usize].params;
+                let _e49 = self.v_shadow_visibility(at_122, hit_45, light_19, _e48);
                 return _e49;
             }
             7u32 => {
-                let _e54 = self.surface_settings.choices[8usize].params;
-                let _e55 = self.v_shadow_map(at_111, hit_37, light_15, _e54);
+                let _e54 = self.surface_settings.choices[9usize].params;
+                let _e55 = self.v_shadow_map(at_122, hit_45, light_19, _e54);
                 return _e55;
             }
             _ => {
-                let _e60 = self.surface_settings.choices[8usize].params;
-                let _e61 = self.v_shadow_scene(at_111, hit_37, light_15, _e60);
+                let _e60 = self.surface_settings.choices[9usize].params;
+                let _e61 = self.v_shadow_scene(at_122, hit_45, light_19, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_84: PixelIn, at_112: Entered, hit_38: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_84, at_112, hit_38))
+    pub(crate) fn mirrored_light(&self, pixel_84: PixelIn, at_123: Entered, hit_46: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_84, at_123, hit_46))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_mirrored_light(&self, pixel_84: PixelIn, at_112: Entered, hit_38: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_38.found).elementwise_eq(rt::Scalar(0u32))) {
+    pub(super) fn v_mirrored_light(&self, pixel_84: PixelIn, at_123: Entered, hit_46: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_46.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_3 = pixel_84.direction.normalize();
-        let up_7 = (down_3 - (at_112.normal * (rt::Scalar(2f32) * down_3.dot(at_112.normal))));
-        let _e24 = self.v_shadow_stage(at_112, hit_38, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
+        let up_7 = (down_3 - (at_123.normal * (rt::Scalar(2f32) * down_3.dot(at_123.normal))));
+        let _e24 = self.v_shadow_stage(at_123, hit_46, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn normal_of_frames(&self, at_113: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_frames(at_113, frames_2))
+    pub(crate) fn normal_of_frames(&self, at_124: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_124, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_normal_of_frames(&self, at_113: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    pub(super) fn v_normal_of_frames(&self, at_124: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e9 = k_34;
+                let _e9 = k_37;
                 if rt::Scalar::into_branch_condition(_e9.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_34;
+                    let _e12 = k_37;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
-                    seen_2 = at_113;
+                    seen_2 = at_124;
                     let _e17 = self.v_tangent_of_image(_e14);
                     seen_2.tangent = _e17;
                     let _e19 = self.v_bitangent_of_image(_e14);
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
-                    let _e23 = self.v_place_in_image(_e14, at_113.point);
-                    let uv_45 = _e23.xy();
+                    let _e23 = self.v_place_in_image(_e14, at_124.point);
+                    let uv_47 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
-                    let _e27 = self.v_finest_normal(_e26, uv_45);
-                    let _e28 = k_34;
+                    let _e27 = self.v_finest_normal(_e26, uv_47);
+                    let _e28 = k_37;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_3 = (_e25 + (_e27 * _e29));
-                    let _e32 = k_34;
-                    k_34 = (_e32 + rt::Scalar(1u32));
+                    let _e32 = k_37;
+                    k_37 = (_e32 + rt::Scalar(1u32));
                 }
             }
         }
@@ -14935,42 +16231,42 @@ impl<'g> Resources<'g> {
             let _e40 = sum_3;
             return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
         }
-        return at_113.normal;
+        return at_124.normal;
     }
-    pub(crate) fn rise_of_mask(&self, uv_33: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_rise_of_mask(rt::into(uv_33)))
+    pub(crate) fn rise_of_mask(&self, uv_36: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_rise_of_mask(rt::into(uv_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_rise_of_mask(&self, uv_33: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_rise_of_mask(&self, uv_36: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_154 = ((uv_33 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_154);
+        let at_166 = ((uv_36 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_166);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_26 = (at_154 - _e8);
-        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_26.y())) + ((_e11.w() - _e11.z()) * part_26.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_26.x())) + ((_e11.w() - _e11.y()) * part_26.x())));
+        let part_28 = (at_166 - _e8);
+        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_28.y())) + ((_e11.w() - _e11.z()) * part_28.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_28.x())) + ((_e11.w() - _e11.y()) * part_28.x())));
     }
     pub(crate) fn normal_of_mask(
         &self,
         image_12: Image,
-        uv_34: impl rt::Into<rt::Vec2<f32>>,
+        uv_37: impl rt::Into<rt::Vec2<f32>>,
         within: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_34), rt::into(within)))
+        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_37), rt::into(within)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_of_mask(
         &self,
         image_12: Image,
-        uv_34: rt::Vec2<f32>,
+        uv_37: rt::Vec2<f32>,
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_rise_of_mask(uv_34);
-        let place_36 = ((uv_34 - image_12.corner) / image_12.extent);
-        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_36.x())).normalize();
-        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_36.y())).normalize();
-        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_4 * _e3.x())) - (along_v_4 * _e3.y()));
+        let _e3 = self.v_rise_of_mask(uv_37);
+        let place_38 = ((uv_37 - image_12.corner) / image_12.extent);
+        let along_u_5 = (image_12.u.xyz() - (image_12.depth.xyz() * place_38.x())).normalize();
+        let along_v_5 = (image_12.v.xyz() - (image_12.depth.xyz() * place_38.y())).normalize();
+        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_5 * _e3.x())) - (along_v_5 * _e3.y()));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
             return (outward / rt::Vec3::splat_from_scalar(square_5.sqrt()));
@@ -14979,155 +16275,155 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_blend_color(
         &self,
-        at_114: Entered,
-        hit_39: Hit,
-        view_19: impl rt::Into<rt::Vec3<f32>>,
-        params_94: impl rt::Into<rt::Vec4<f32>>,
+        at_125: Entered,
+        hit_47: Hit,
+        view_22: impl rt::Into<rt::Vec3<f32>>,
+        params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_114, hit_39, rt::into(view_19), rt::into(params_94)))
+        rt::into(self.v_object_blend_color(at_125, hit_47, rt::into(view_22), rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_blend_color(
         &self,
-        at_114: Entered,
-        hit_39: Hit,
-        view_19: rt::Vec3<f32>,
-        params_94: rt::Vec4<f32>,
+        at_125: Entered,
+        hit_47: Hit,
+        view_22: rt::Vec3<f32>,
+        params_108: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_114, view_19, params_94.z());
+        let _e5 = self.v_color_of_object(at_125, view_22, params_108.z());
         return _e5;
     }
     pub(crate) fn object_none_color(
         &self,
-        at_115: Entered,
-        hit_40: Hit,
-        view_20: impl rt::Into<rt::Vec3<f32>>,
-        params_95: impl rt::Into<rt::Vec4<f32>>,
+        at_126: Entered,
+        hit_48: Hit,
+        view_23: impl rt::Into<rt::Vec3<f32>>,
+        params_109: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_115, hit_40, rt::into(view_20), rt::into(params_95)))
+        rt::into(self.v_object_none_color(at_126, hit_48, rt::into(view_23), rt::into(params_109)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_none_color(
         &self,
-        at_115: Entered,
-        hit_40: Hit,
-        view_20: rt::Vec3<f32>,
-        params_95: rt::Vec4<f32>,
+        at_126: Entered,
+        hit_48: Hit,
+        view_23: rt::Vec3<f32>,
+        params_109: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_color_or_white(hit_40.uv, rt::Scalar(at_115.footprint));
+        let _e6 = self.v_color_or_white(hit_48.uv, rt::Scalar(at_126.footprint));
         return _e6;
     }
     pub(crate) fn object_depth_color(
         &self,
-        at_116: Entered,
-        hit_41: Hit,
-        view_21: impl rt::Into<rt::Vec3<f32>>,
-        params_96: impl rt::Into<rt::Vec4<f32>>,
+        at_127: Entered,
+        hit_49: Hit,
+        view_24: impl rt::Into<rt::Vec3<f32>>,
+        params_110: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_116, hit_41, rt::into(view_21), rt::into(params_96)))
+        rt::into(self.v_object_depth_color(at_127, hit_49, rt::into(view_24), rt::into(params_110)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth_color(
         &self,
-        at_116: Entered,
-        hit_41: Hit,
-        view_21: rt::Vec3<f32>,
-        params_96: rt::Vec4<f32>,
+        at_127: Entered,
+        hit_49: Hit,
+        view_24: rt::Vec3<f32>,
+        params_110: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_116, view_21, params_96.z());
+        let _e5 = self.v_color_of_object(at_127, view_24, params_110.z());
         return _e5;
     }
     pub(crate) fn object_hull_color(
         &self,
-        at_117: Entered,
-        hit_42: Hit,
-        view_22: impl rt::Into<rt::Vec3<f32>>,
-        params_97: impl rt::Into<rt::Vec4<f32>>,
+        at_128: Entered,
+        hit_50: Hit,
+        view_25: impl rt::Into<rt::Vec3<f32>>,
+        params_111: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_117, hit_42, rt::into(view_22), rt::into(params_97)))
+        rt::into(self.v_object_hull_color(at_128, hit_50, rt::into(view_25), rt::into(params_111)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull_color(
         &self,
-        at_117: Entered,
-        hit_42: Hit,
-        view_22: rt::Vec3<f32>,
-        params_97: rt::Vec4<f32>,
+        at_128: Entered,
+        hit_50: Hit,
+        view_25: rt::Vec3<f32>,
+        params_111: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_117, view_22, params_97.z());
+        let _e5 = self.v_color_of_object(at_128, view_25, params_111.z());
         return _e5;
     }
     pub(crate) fn object_color_stage(
         &self,
-        at_118: Entered,
-        hit_43: Hit,
-        view_23: impl rt::Into<rt::Vec3<f32>>,
+        at_129: Entered,
+        hit_51: Hit,
+        view_26: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color_stage(at_118, hit_43, rt::into(view_23)))
+        rt::into(self.v_object_color_stage(at_129, hit_51, rt::into(view_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_color_stage(
         &self,
-        at_118: Entered,
-        hit_43: Hit,
-        view_23: rt::Vec3<f32>,
+        at_129: Entered,
+        hit_51: Hit,
+        view_26: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[3usize].params;
-                let _e13 = self.v_object_none_color(at_118, hit_43, view_23, _e12);
+                let _e13 = self.v_object_none_color(at_129, hit_51, view_26, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[3usize].params;
-                let _e19 = self.v_object_depth_color(at_118, hit_43, view_23, _e18);
+                let _e19 = self.v_object_depth_color(at_129, hit_51, view_26, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[3usize].params;
-                let _e25 = self.v_object_hull_color(at_118, hit_43, view_23, _e24);
+                let _e25 = self.v_object_hull_color(at_129, hit_51, view_26, _e24);
                 return _e25;
             }
             _ => {
                 let _e30 = self.surface_settings.choices[3usize].params;
-                let _e31 = self.v_object_blend_color(at_118, hit_43, view_23, _e30);
+                let _e31 = self.v_object_blend_color(at_129, hit_51, view_26, _e30);
                 return _e31;
             }
         }
     }
     pub(crate) fn occlusion_roughness_metalness(
         &self,
-        uv_35: impl rt::Into<rt::Vec2<f32>>,
+        uv_38: impl rt::Into<rt::Vec2<f32>>,
         footprint_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_35), rt::into(footprint_4)))
+        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_38), rt::into(footprint_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_occlusion_roughness_metalness(
         &self,
-        uv_35: rt::Vec2<f32>,
+        uv_38: rt::Vec2<f32>,
         footprint_4: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_material);
         if rt::Scalar::into_branch_condition((_e4 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
-        let _e14 = self.v_material_layer(uv_35, footprint_4, rt::Scalar(0i32));
+        let _e14 = self.v_material_layer(uv_38, footprint_4, rt::Scalar(0i32));
         return _e14;
     }
     pub(crate) fn parts_by_uv(
         &self,
         grid_12: Tessellation,
         along_19: impl rt::Into<rt::Vec2<f32>>,
-        level_45: impl rt::Into<rt::Scalar<u32>>,
+        level_54: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_45)))
+        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15135,19 +16431,19 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: rt::Vec2<f32>,
-        level_45: rt::Scalar<u32>,
+        level_54: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let both_1 = (along_19 * grid_12.parts_of_uv);
-        let parts_7 = ((both_1.x().max(both_1.y()) / (rt::Scalar(1u32) << level_45).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
+        let both_2 = (along_19 * grid_12.parts_of_uv);
+        let parts_7 = ((both_2.x().max(both_2.y()) / (rt::Scalar(1u32) << level_54).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
         return parts_7.clamp(rt::Scalar(1f32), rt::Scalar(32767f32)).to_u32();
     }
     pub(crate) fn parts_by_voxels(
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_46: impl rt::Into<rt::Scalar<u32>>,
+        level_55: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_46)))
+        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15155,10 +16451,10 @@ impl<'g> Resources<'g> {
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_46: rt::Scalar<u32>,
+        level_55: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_coarser_voxel(b_19.at, level_46);
-        let _e6 = self.v_coarser_voxel(a_19.at, level_46);
+        let _e4 = self.v_coarser_voxel(b_19.at, level_55);
+        let _e6 = self.v_coarser_voxel(a_19.at, level_55);
         let _e8 = self.v_longest_of((_e4 - _e6));
         return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
     }
@@ -15168,9 +16464,9 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: impl rt::Into<rt::Vec2<f32>>,
-        level_47: impl rt::Into<rt::Scalar<u32>>,
+        level_56: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_47)))
+        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15180,13 +16476,13 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: rt::Vec2<f32>,
-        level_47: rt::Scalar<u32>,
+        level_56: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         if rt::Scalar::into_branch_condition(grid_13.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))) {
-            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_47);
+            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_56);
             return _e9;
         }
-        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_47);
+        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_56);
         return _e10;
     }
     pub(crate) fn pixel_eye(&self, pixel_85: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -15226,150 +16522,143 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_pixel_direction(point_20);
         return <PixelIn>::new(_e6, _e7, side_4, a_21, b_21, c_14, shell_4);
     }
-    pub(crate) fn placed_over(
-        &self,
-        at_119: Entered,
-        uv_36: impl rt::Into<rt::Vec2<f32>>,
-    ) -> Entered {
-        rt::into(self.v_placed_over(at_119, rt::into(uv_36)))
+    pub(crate) fn placed_over(&self, at_130: Entered, hit_52: Hit) -> Entered {
+        rt::into(self.v_placed_over(at_130, hit_52))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_placed_over(
-        &self,
-        at_119: Entered,
-        uv_36: rt::Vec2<f32>,
-    ) -> Entered {
+    pub(super) fn v_placed_over(&self, at_130: Entered, hit_52: Hit) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_36 - at_119.uv);
-        let _e6 = rt::Scalar(self.surface_settings.bias_m);
-        let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_36, rt::Scalar(at_119.level));
-        let height_23 = (_e6 + (_e9 * _e11));
-        placed = at_119;
-        placed.point = (((at_119.point + (at_119.tangent * aside_9.x())) + (at_119.bitangent * aside_9.y())) + (at_119.normal * height_23));
-        placed.uv = uv_36;
-        let _e29 = placed;
-        return _e29;
+        let uv_48 = hit_52.uv;
+        let aside_9 = (uv_48 - at_130.uv);
+        let _e7 = self.v_field_height_stage(uv_48, rt::Scalar(hit_52.height), rt::Scalar(at_130.level));
+        let _e10 = rt::Scalar(self.surface_settings.bias_m);
+        let _e13 = rt::Scalar(self.surface_settings.scale_m);
+        let height_26 = (_e10 + (_e13 * _e7));
+        placed = at_130;
+        placed.point = (((at_130.point + (at_130.tangent * aside_9.x())) + (at_130.bitangent * aside_9.y())) + (at_130.normal * height_26));
+        placed.uv = uv_48;
+        let _e31 = placed;
+        return _e31;
     }
     pub(crate) fn surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_120: Entered,
-        path_74: Path,
-        hit_44: Hit,
-        params_98: impl rt::Into<rt::Vec4<f32>>,
+        at_131: Entered,
+        path_82: Path,
+        hit_53: Hit,
+        params_112: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_120, path_74, hit_44, rt::into(params_98)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_131, path_82, hit_53, rt::into(params_112)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_120: Entered,
-        path_74: Path,
-        hit_44: Hit,
-        params_98: rt::Vec4<f32>,
+        at_131: Entered,
+        path_82: Path,
+        hit_53: Hit,
+        params_112: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_120, hit_44.uv);
-        return _e6;
+        let _e5 = self.v_placed_over(at_131, hit_53);
+        return _e5;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_87: PixelIn,
-        at_121: Entered,
+        at_132: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_21: impl rt::Into<rt::Vec3<f32>>,
-        uv_37: impl rt::Into<rt::Vec2<f32>>,
+        uv_39: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_121, rt::into(weights_4), rt::into(point_21), rt::into(uv_37)))
+        rt::into(self.v_placed_at(pixel_87, at_132, rt::into(weights_4), rt::into(point_21), rt::into(uv_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_placed_at(
         &self,
         pixel_87: PixelIn,
-        at_121: Entered,
+        at_132: Entered,
         weights_4: rt::Vec3<f32>,
         point_21: rt::Vec3<f32>,
-        uv_37: rt::Vec2<f32>,
+        uv_39: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_21, uv_37, at_121.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_21, uv_39, at_132.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_121.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_121.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_121.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_132.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_132.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_132.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_122: Entered,
-        path_75: Path,
-        hit_45: Hit,
-        params_99: impl rt::Into<rt::Vec4<f32>>,
+        at_133: Entered,
+        path_83: Path,
+        hit_54: Hit,
+        params_113: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_122, path_75, hit_45, rt::into(params_99)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_133, path_83, hit_54, rt::into(params_113)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_122: Entered,
-        path_75: Path,
-        hit_45: Hit,
-        params_99: rt::Vec4<f32>,
+        at_133: Entered,
+        path_83: Path,
+        hit_54: Hit,
+        params_113: rt::Vec4<f32>,
     ) -> Entered {
         let along_46 = pixel_88.direction.normalize();
         let _e7 = self.v_middle_of(pixel_88, along_46);
-        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_99);
-        let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_45.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_46 * s_4), rt::Scalar(hit_45.height));
+        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_113);
+        let s_5 = ((rt::Scalar(path_83.start) + rt::Scalar(hit_54.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_46 * s_5), rt::Scalar(hit_54.height));
         let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_122, weights_7, (pixel_88.origin + (along_46 * (rt::Scalar(path_75.start) + rt::Scalar(hit_45.t)))), hit_45.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_133, weights_7, (pixel_88.origin + (along_46 * (rt::Scalar(path_83.start) + rt::Scalar(hit_54.t)))), hit_54.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_123: Entered,
+        at_134: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_123, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_134, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_quadric_frame(
         &self,
-        at_123: Entered,
+        at_134: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_100: rt::Scalar<bool>;
+        let mut local_110: rt::Scalar<bool>;
 
-        placed_2 = at_123;
-        let _e5 = self.v_quadric_slope(at_123.of_surface.xyz(), aside);
+        placed_2 = at_134;
+        let _e5 = self.v_quadric_slope(at_134.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_100 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_110 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_100 = rt::Scalar(false);
+            local_110 = rt::Scalar(false);
         }
-        let _e15 = local_100;
+        let _e15 = local_110;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_7 = at_123.metric;
-        let area_6 = ((m_7.x() * m_7.z()) - (m_7.y() * m_7.y()));
-        let along_t = (((_e5.x() * m_7.z()) - (_e5.y() * m_7.y())) / area_6);
-        let along_b = (((_e5.y() * m_7.x()) - (_e5.x() * m_7.y())) / area_6);
-        placed_2.tangent = (at_123.tangent + (at_123.normal * _e5.x()));
-        placed_2.bitangent = (at_123.bitangent + (at_123.normal * _e5.y()));
-        placed_2.normal = ((at_123.normal - (at_123.tangent * along_t)) - (at_123.bitangent * along_b)).normalize();
+        let m_7 = at_134.metric;
+        let area_7 = ((m_7.x() * m_7.z()) - (m_7.y() * m_7.y()));
+        let along_t = (((_e5.x() * m_7.z()) - (_e5.y() * m_7.y())) / area_7);
+        let along_b = (((_e5.y() * m_7.x()) - (_e5.x() * m_7.y())) / area_7);
+        placed_2.tangent = (at_134.tangent + (at_134.normal * _e5.x()));
+        placed_2.bitangent = (at_134.bitangent + (at_134.normal * _e5.y()));
+        placed_2.normal = ((at_134.normal - (at_134.tangent * along_t)) - (at_134.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -15386,87 +16675,87 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_124: Entered,
-        path_76: Path,
-        hit_46: Hit,
-        params_100: impl rt::Into<rt::Vec4<f32>>,
+        at_135: Entered,
+        path_84: Path,
+        hit_55: Hit,
+        params_114: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_124, path_76, hit_46, rt::into(params_100)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_135, path_84, hit_55, rt::into(params_114)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_124: Entered,
-        path_76: Path,
-        hit_46: Hit,
-        params_100: rt::Vec4<f32>,
+        at_135: Entered,
+        path_84: Path,
+        hit_55: Hit,
+        params_114: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_124, (hit_46.uv - at_124.uv));
+        let _e8 = self.v_quadric_frame(at_135, (hit_55.uv - at_135.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_46.t))));
-        placed_3.uv = hit_46.uv;
+        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_84.start) + rt::Scalar(hit_55.t))));
+        placed_3.uv = hit_55.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_125: Entered,
-        path_77: Path,
-        hit_47: Hit,
-        params_101: impl rt::Into<rt::Vec4<f32>>,
+        at_136: Entered,
+        path_85: Path,
+        hit_56: Hit,
+        params_115: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_125, path_77, hit_47, rt::into(params_101)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_136, path_85, hit_56, rt::into(params_115)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_125: Entered,
-        path_77: Path,
-        hit_47: Hit,
-        params_101: rt::Vec4<f32>,
+        at_136: Entered,
+        path_85: Path,
+        hit_56: Hit,
+        params_115: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_47.uv - at_125.uv);
-        let _e10 = rt::Scalar(self.surface_settings.bias_m);
-        let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_47.uv, rt::Scalar(at_125.level));
-        let height_24 = (_e10 + (_e13 * _e16));
-        let _e19 = self.v_base_height();
-        let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_125.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_125.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_125, aside_10);
-        placed_4 = _e29;
-        placed_4.point = (((at_125.point + (at_125.tangent * aside_10.x())) + (at_125.bitangent * aside_10.y())) + (at_125.normal * (height_24 + lifted_2)));
-        placed_4.uv = hit_47.uv;
-        let _e47 = placed_4;
-        return _e47;
+        let aside_10 = (hit_56.uv - at_136.uv);
+        let _e11 = self.v_field_height_stage(hit_56.uv, rt::Scalar(hit_56.height), rt::Scalar(at_136.level));
+        let _e14 = rt::Scalar(self.surface_settings.bias_m);
+        let _e17 = rt::Scalar(self.surface_settings.scale_m);
+        let height_27 = (_e14 + (_e17 * _e11));
+        let _e20 = self.v_base_height();
+        let _e24 = self.v_traced_scale_m();
+        let _e28 = self.v_quadric_at(at_136.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e20 - at_136.of_surface.w()) * _e24) + _e28);
+        let _e30 = self.v_quadric_frame(at_136, aside_10);
+        placed_4 = _e30;
+        placed_4.point = (((at_136.point + (at_136.tangent * aside_10.x())) + (at_136.bitangent * aside_10.y())) + (at_136.normal * (height_27 + lifted_2)));
+        placed_4.uv = hit_56.uv;
+        let _e48 = placed_4;
+        return _e48;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_126: Entered,
-        path_78: Path,
-        hit_48: Hit,
-        params_102: impl rt::Into<rt::Vec4<f32>>,
+        at_137: Entered,
+        path_86: Path,
+        hit_57: Hit,
+        params_116: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_126, path_78, hit_48, rt::into(params_102)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_137, path_86, hit_57, rt::into(params_116)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_126: Entered,
-        path_78: Path,
-        hit_48: Hit,
-        params_102: rt::Vec4<f32>,
+        at_137: Entered,
+        path_86: Path,
+        hit_57: Hit,
+        params_116: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
@@ -15474,12 +16763,12 @@ impl<'g> Resources<'g> {
 
         let along_47 = pixel_91.direction.normalize();
         let _e7 = self.v_middle_of(pixel_91, along_47);
-        let t_42 = ((rt::Scalar(path_78.start) + rt::Scalar(hit_48.t)) - _e7);
+        let t_49 = ((rt::Scalar(path_86.start) + rt::Scalar(hit_57.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_91, along_47, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside_1 = (_e17 - t_42).max((t_42 - _e21));
+        beside_1 = (_e17 - t_49).max((t_49 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_17;
@@ -15490,7 +16779,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e30 = number_17;
                     let _e31 = self.v_tetrahedron(pixel_91, along_47, _e7, _e30);
-                    let aside_11 = (_e31.inside.x() - t_42).max((t_42 - _e31.inside.y()));
+                    let aside_11 = (_e31.inside.x() - t_49).max((t_49 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
                         nearest = _e31;
@@ -15503,71 +16792,71 @@ impl<'g> Resources<'g> {
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_8 = (_e45 + (_e47 * t_42));
-        let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_48.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_126, weights_8.xyz(), point_33, hit_48.uv);
+        let weights_8 = (_e45 + (_e47 * t_49));
+        let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_86.start) + rt::Scalar(hit_57.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_137, weights_8.xyz(), point_33, hit_57.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_127: Entered,
-        path_79: Path,
-        hit_49: Hit,
-        params_103: impl rt::Into<rt::Vec4<f32>>,
+        at_138: Entered,
+        path_87: Path,
+        hit_58: Hit,
+        params_117: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_127, path_79, hit_49, rt::into(params_103)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_138, path_87, hit_58, rt::into(params_117)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_127: Entered,
-        path_79: Path,
-        hit_49: Hit,
-        params_103: rt::Vec4<f32>,
+        at_138: Entered,
+        path_87: Path,
+        hit_58: Hit,
+        params_117: rt::Vec4<f32>,
     ) -> Entered {
-        return at_127;
+        return at_138;
     }
     pub(crate) fn surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_128: Entered,
-        path_80: Path,
-        hit_50: Hit,
-        params_104: impl rt::Into<rt::Vec4<f32>>,
+        at_139: Entered,
+        path_88: Path,
+        hit_59: Hit,
+        params_118: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_128, path_80, hit_50, rt::into(params_104)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_139, path_88, hit_59, rt::into(params_118)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_128: Entered,
-        path_80: Path,
-        hit_50: Hit,
-        params_104: rt::Vec4<f32>,
+        at_139: Entered,
+        path_88: Path,
+        hit_59: Hit,
+        params_118: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_128, hit_50.uv);
-        return _e6;
+        let _e5 = self.v_placed_over(at_139, hit_59);
+        return _e5;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_129: Entered, path_81: Path, hit_51: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_129, path_81, hit_51))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_140: Entered, path_89: Path, hit_60: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_140, path_89, hit_60))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_placed_in_image(&self, pixel_94: PixelIn, at_129: Entered, path_81: Path, hit_51: Hit) -> Entered {
+    pub(super) fn v_placed_in_image(&self, pixel_94: PixelIn, at_140: Entered, path_89: Path, hit_60: Hit) -> Entered {
         let mut placed_5: Entered;
 
-        let _e6 = self.v_image_of_object(rt::Scalar(path_81.base).to_u32());
-        placed_5 = at_129;
-        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_81.start) + rt::Scalar(hit_51.t))));
-        placed_5.uv = hit_51.uv;
+        let _e6 = self.v_image_of_object(rt::Scalar(path_89.base).to_u32());
+        placed_5 = at_140;
+        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_89.start) + rt::Scalar(hit_60.t))));
+        placed_5.uv = hit_60.uv;
         let _e20 = placed_5.point;
         let _e21 = self.v_depth_in_image(_e6, _e20);
         let _e23 = placed_5.point;
-        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_51.height));
+        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_60.height));
         let _e27 = self.v_tangent_of_image(_e6);
         placed_5.tangent = ((_e27 * _e21) / rt::Vec3::splat_from_scalar(_e25));
         let _e32 = self.v_bitangent_of_image(_e6);
@@ -15579,11 +16868,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(rt::Scalar(1u32))) {
             placed_5.normal = _e6.toward;
         }
-        placed_5.metric = path_81.metric;
+        placed_5.metric = path_89.metric;
         placed_5.facing = _e6.toward;
         let _e53 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e53.elementwise_eq(CELLS_MASK)) {
-            let _e59 = self.v_normal_of_mask(_e6, hit_51.uv, _e6.toward);
+            let _e59 = self.v_normal_of_mask(_e6, hit_60.uv, _e6.toward);
             placed_5.normal = _e59;
             let _e62 = placed_5.normal;
             placed_5.facing = _e62;
@@ -15594,58 +16883,58 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_130: Entered,
-        path_82: Path,
-        hit_52: Hit,
-        params_105: impl rt::Into<rt::Vec4<f32>>,
+        at_141: Entered,
+        path_90: Path,
+        hit_61: Hit,
+        params_119: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_130, path_82, hit_52, rt::into(params_105)))
+        rt::into(self.v_surface_object_place(pixel_95, at_141, path_90, hit_61, rt::into(params_119)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_130: Entered,
-        path_82: Path,
-        hit_52: Hit,
-        params_105: rt::Vec4<f32>,
+        at_141: Entered,
+        path_90: Path,
+        hit_61: Hit,
+        params_119: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_130, path_82, hit_52);
+        let _e5 = self.v_placed_in_image(pixel_95, at_141, path_90, hit_61);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_131: Entered,
-        path_83: Path,
-        hit_53: Hit,
-        params_106: impl rt::Into<rt::Vec4<f32>>,
+        at_142: Entered,
+        path_91: Path,
+        hit_62: Hit,
+        params_120: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_131, path_83, hit_53, rt::into(params_106)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_142, path_91, hit_62, rt::into(params_120)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_131: Entered,
-        path_83: Path,
-        hit_53: Hit,
-        params_106: rt::Vec4<f32>,
+        at_142: Entered,
+        path_91: Path,
+        hit_62: Hit,
+        params_120: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_101: rt::Scalar<bool>;
+        let mut local_111: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_131, path_83, hit_53);
+        let _e5 = self.v_placed_in_image(pixel_96, at_142, path_91, hit_62);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_101 = _e16.elementwise_ne(CELLS_MASK);
+            local_111 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_101 = rt::Scalar(false);
+            local_111 = rt::Scalar(false);
         }
-        let _e20 = local_101;
+        let _e20 = local_111;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
             let _e26 = self.v_frames_around((-pixel_96.direction.normalize()));
@@ -15658,36 +16947,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_132: Entered,
-        path_84: Path,
-        hit_54: Hit,
-        params_107: impl rt::Into<rt::Vec4<f32>>,
+        at_143: Entered,
+        path_92: Path,
+        hit_63: Hit,
+        params_121: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_132, path_84, hit_54, rt::into(params_107)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_143, path_92, hit_63, rt::into(params_121)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_132: Entered,
-        path_84: Path,
-        hit_54: Hit,
-        params_107: rt::Vec4<f32>,
+        at_143: Entered,
+        path_92: Path,
+        hit_63: Hit,
+        params_121: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
         let mut placed_7: Entered;
 
-        let _e6 = self.v_slice_at(at_132.point);
+        let _e6 = self.v_slice_at(at_143.point);
         let number_26 = rt::Scalar(_e6.number);
-        of_image = path_84;
+        of_image = path_92;
         rt::Scalar(of_image.base) = number_26.to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_97, at_132, _e11, hit_54);
+        let _e12 = self.v_placed_in_image(pixel_97, at_143, _e11, hit_63);
         placed_7 = _e12;
         let _e16 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e16.elementwise_eq(CELLS_MASK)) {
             let _e20 = self.v_image_of_object(number_26);
-            let _e23 = self.v_normal_of_mask(_e20, hit_54.uv, at_132.normal);
+            let _e23 = self.v_normal_of_mask(_e20, hit_63.uv, at_143.normal);
             placed_7.normal = _e23;
             let _e26 = placed_7.normal;
             placed_7.facing = _e26;
@@ -15695,76 +16984,76 @@ impl<'g> Resources<'g> {
         let _e27 = placed_7;
         return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_133: Entered, path_85: Path, hit_55: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_133, path_85, hit_55))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_144: Entered, path_93: Path, hit_64: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_144, path_93, hit_64))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_place_stage(&self, pixel_98: PixelIn, at_133: Entered, path_85: Path, hit_55: Hit) -> Entered {
+    pub(super) fn v_surface_place_stage(&self, pixel_98: PixelIn, at_144: Entered, path_93: Path, hit_64: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_133, path_85, hit_55, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_144, path_93, hit_64, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_133, path_85, hit_55, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_144, path_93, hit_64, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_133, path_85, hit_55, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_144, path_93, hit_64, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_133, path_85, hit_55, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_144, path_93, hit_64, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_133, path_85, hit_55, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_144, path_93, hit_64, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_133, path_85, hit_55, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_144, path_93, hit_64, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_133, path_85, hit_55, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_144, path_93, hit_64, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_133, path_85, hit_55, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_144, path_93, hit_64, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_133, path_85, hit_55, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_144, path_93, hit_64, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_133, path_85, hit_55, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_144, path_93, hit_64, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_134: Entered, path_86: Path, hit_56: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_134, path_86, hit_56))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_145: Entered, path_94: Path, hit_65: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_145, path_94, hit_65))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_place_on_segment(&self, pixel_99: PixelIn, at_134: Entered, path_86: Path, hit_56: Hit) -> Entered {
+    pub(super) fn v_place_on_segment(&self, pixel_99: PixelIn, at_145: Entered, path_94: Path, hit_65: Hit) -> Entered {
         let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_134, path_86, hit_56);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_145, path_94, hit_65);
         placed_8 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_99, path_86, hit_56);
+        let _e7 = self.v_depth_on_ray(pixel_99, path_94, hit_65);
         rt::Scalar(placed_8.depth) = _e7;
         let _e8 = placed_8;
         return _e8;
@@ -15772,23 +17061,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_100: PixelIn,
-        at_135: Entered,
+        at_146: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_57: Hit,
+        hit_66: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_100, at_135, rt::into(segment), hit_57))
+        rt::into(self.v_place_hit(pixel_100, at_146, rt::into(segment), hit_66))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_place_hit(
         &self,
         pixel_100: PixelIn,
-        at_135: Entered,
+        at_146: Entered,
         segment: rt::Scalar<u32>,
-        hit_57: Hit,
+        hit_66: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_100, at_135, segment);
-        let _e5 = self.v_place_on_segment(pixel_100, at_135, _e4, hit_57);
+        let _e4 = self.v_segment_of(pixel_100, at_146, segment);
+        let _e5 = self.v_place_on_segment(pixel_100, at_146, _e4, hit_66);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -15805,40 +17094,40 @@ impl<'g> Resources<'g> {
         number_18: rt::Scalar<u32>,
         position_1: rt::Vec3<f32>,
     ) -> Toward {
-        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_18)];
-        if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_11 = (light_18.place.xyz() - position_1);
+        let light_22 = self.frame.lights[rt::Scalar::into_array_index(number_18)];
+        if rt::Scalar::into_branch_condition(light_22.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
+            let toward_11 = (light_22.place.xyz() - position_1);
             let squared_7 = toward_11.dot(toward_11);
             let distance_3 = squared_7.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_7.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_11.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_18);
+            return <Toward>::new(toward_11.normalize(), falloff, distance_3, (light_22.color.w() / distance_3), number_18);
         }
-        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_18);
+        return <Toward>::new(light_22.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_22.color.w(), number_18);
     }
     pub(crate) fn point_of_light(
         &self,
-        at_136: Entered,
-        hit_58: Hit,
+        at_147: Entered,
+        hit_67: Hit,
         number_19: impl rt::Into<rt::Scalar<u32>>,
-        k_35: impl rt::Into<rt::Scalar<u32>>,
+        k_38: impl rt::Into<rt::Scalar<u32>>,
         count_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_136, hit_58, rt::into(number_19), rt::into(k_35), rt::into(count_8)))
+        rt::into(self.v_point_of_light(at_147, hit_67, rt::into(number_19), rt::into(k_38), rt::into(count_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_point_of_light(
         &self,
-        at_136: Entered,
-        hit_58: Hit,
+        at_147: Entered,
+        hit_67: Hit,
         number_19: rt::Scalar<u32>,
-        k_35: rt::Scalar<u32>,
+        k_38: rt::Scalar<u32>,
         count_8: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_19, at_136.point);
+        let _e6 = self.v_toward_light(number_19, at_147.point);
         if rt::Scalar::into_branch_condition(count_8.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_58);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_8);
+            let _e9 = self.v_seed_of(hit_67);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_38, count_8);
             return _e10;
         }
         return _e6;
@@ -15859,121 +17148,121 @@ impl<'g> Resources<'g> {
         to_2: rt::Vec3<i32>,
         third: rt::Vec3<i32>,
     ) -> rt::Scalar<i32> {
-        let mut local_102: rt::Scalar<bool>;
+        let mut local_112: rt::Scalar<bool>;
 
         let _e3 = self.v_main_axis(start_4, to_2);
         let _e4 = self.v_axis_of(start_4, _e3);
         let _e5 = self.v_axis_of(to_2, _e3);
         let _e6 = self.v_axis_of(third, _e3);
         if rt::Scalar::into_branch_condition(_e4.min(_e5).elementwise_le(_e6)) {
-            local_102 = _e6.elementwise_le(_e4.max(_e5));
+            local_112 = _e6.elementwise_le(_e4.max(_e5));
         } else {
-            local_102 = rt::Scalar(false);
+            local_112 = rt::Scalar(false);
         }
-        let is_primary = local_102;
+        let is_primary = local_112;
         return ((_e5 - _e4).abs() + rt::Scalar(0i32).select(rt::Scalar(1048576i32), is_primary));
     }
     pub(crate) fn procedure_bumps(
         &self,
-        place_23: impl rt::Into<rt::Vec2<f32>>,
+        place_25: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
-        params_108: impl rt::Into<rt::Vec4<f32>>,
+        params_122: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_23), rt::into(time), rt::into(seed_5), rt::into(params_108)))
+        rt::into(self.v_procedure_bumps(rt::into(place_25), rt::into(time), rt::into(seed_5), rt::into(params_122)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_bumps(
         &self,
-        place_23: rt::Vec2<f32>,
+        place_25: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
-        params_108: rt::Vec4<f32>,
+        params_122: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let mut height_10: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut height_13: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_39: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_155 = (place_23 * params_108.x());
-        let own_1 = at_155.floor();
+        let at_167 = (place_25 * params_122.x());
+        let own_1 = at_167.floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_36;
+                let _e11 = k_39;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(rt::Scalar(9u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e14 = k_36;
-                    let _e18 = k_36;
-                    let cell_33 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_33, params_108.x(), seed_5);
+                    let _e14 = k_39;
+                    let _e18 = k_39;
+                    let cell_40 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                    let _e29 = self.v_bits_of_point(cell_40, params_122.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
-                    let beside_7 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_16 = ((cell_33 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_108.z())));
-                    let away_2 = ((at_155 - middle_16) / rt::Vec2::splat_from_scalar(params_108.y()));
+                    let beside_8 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+                    let middle_18 = ((cell_40 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_8 * (rt::Scalar(0.5f32) * params_122.z())));
+                    let away_2 = ((at_167 - middle_18) / rt::Vec2::splat_from_scalar(params_122.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
                     let _e58 = self.v_sine_of((time + _e56));
                     let wave = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e58));
-                    let high_5 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
-                    let _e67 = height_10;
-                    height_10 = _e67.max((high_5 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
-                    let _e76 = k_36;
-                    k_36 = (_e76 + rt::Scalar(1u32));
+                    let high_6 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
+                    let _e67 = height_13;
+                    height_13 = _e67.max((high_6 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
+                    let _e76 = k_39;
+                    k_39 = (_e76 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e79 = height_10;
+        let _e79 = height_13;
         return _e79;
     }
     pub(crate) fn procedure_fbm(
         &self,
-        place_24: impl rt::Into<rt::Vec2<f32>>,
+        place_26: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
-        params_109: impl rt::Into<rt::Vec4<f32>>,
+        params_123: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_24), rt::into(time_1), rt::into(seed_6), rt::into(params_109)))
+        rt::into(self.v_procedure_fbm(rt::into(place_26), rt::into(time_1), rt::into(seed_6), rt::into(params_123)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_fbm(
         &self,
-        place_24: rt::Vec2<f32>,
+        place_26: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
-        params_109: rt::Vec4<f32>,
+        params_123: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let mut height_11: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut height_14: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut strength: rt::Scalar<f32> = rt::Scalar(1f32);
         let mut count_9: rt::Scalar<f32>;
         let mut octave: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        count_9 = params_109.x();
+        count_9 = params_123.x();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = octave;
-                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_109.y())) {
+                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_123.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e18 = octave;
                     let turns_3 = (time_1 * (_e18 + rt::Scalar(1u32)).to_f32());
-                    let _e23 = height_11;
+                    let _e23 = height_14;
                     let _e24 = strength;
                     let _e25 = count_9;
                     let _e27 = count_9;
                     let _e28 = octave;
-                    let _e30 = self.v_gradient_noise((place_24 * _e25), _e27, turns_3, (seed_6 + _e28));
-                    height_11 = (_e23 + (_e24 * _e30));
+                    let _e30 = self.v_gradient_noise((place_26 * _e25), _e27, turns_3, (seed_6 + _e28));
+                    height_14 = (_e23 + (_e24 * _e30));
                     let _e33 = sum_4;
                     let _e34 = strength;
                     sum_4 = (_e33 + _e34);
                     let _e36 = strength;
-                    strength = (_e36 * params_109.z());
+                    strength = (_e36 * params_123.z());
                     let _e39 = count_9;
                     count_9 = (_e39 * rt::Scalar(2f32));
                     let _e42 = octave;
@@ -15981,97 +17270,97 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e45 = height_11;
+        let _e45 = height_14;
         let _e48 = sum_4;
         return (rt::Scalar(0.5f32) + ((rt::Scalar(0.5f32) * _e45) / (_e48 * rt::Scalar(0.7071068f32))));
     }
     pub(crate) fn procedure_waves(
         &self,
-        place_25: impl rt::Into<rt::Vec2<f32>>,
+        place_27: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
-        params_110: impl rt::Into<rt::Vec4<f32>>,
+        params_124: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_25), rt::into(time_2), rt::into(seed_7), rt::into(params_110)))
+        rt::into(self.v_procedure_waves(rt::into(place_27), rt::into(time_2), rt::into(seed_7), rt::into(params_124)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_waves(
         &self,
-        place_25: rt::Vec2<f32>,
+        place_27: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
-        params_110: rt::Vec4<f32>,
+        params_124: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let mut height_12: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut height_15: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
 
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_37;
-                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_110.y())) {
+                let _e10 = k_40;
+                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_124.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_37;
+                    let _e15 = k_40;
                     let _e18 = self.v_mixed((seed_7 + (rt::Scalar(4u32) * _e15)));
-                    let _e19 = k_37;
-                    let part_27 = (_e19.to_f32() / params_110.y());
-                    let size_1 = (params_110.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_27) * part_27)));
-                    let along_48 = (size_1 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let _e19 = k_40;
+                    let part_29 = (_e19.to_f32() / params_124.y());
+                    let size_2 = (params_124.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_29) * part_29)));
+                    let along_48 = (size_2 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e39 = self.v_unit_of(_e18);
-                    let across_11 = ((((rt::Scalar(2f32) * size_1) * params_110.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
-                    let length = ((along_48 * along_48) + (across_11 * across_11)).sqrt();
-                    let pace_1 = ((rt::Scalar(2f32) * (length / params_110.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let across_12 = ((((rt::Scalar(2f32) * size_2) * params_124.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
+                    let length = ((along_48 * along_48) + (across_12 * across_12)).sqrt();
+                    let pace_1 = ((rt::Scalar(2f32) * (length / params_124.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
-                    let _e72 = self.v_sine_of(((((along_48 * place_25.x()) + (across_11 * place_25.y())) - (pace_1 * time_2)) + _e63));
+                    let _e72 = self.v_sine_of(((((along_48 * place_27.x()) + (across_12 * place_27.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
-                    let _e77 = height_12;
-                    height_12 = (_e77 + ((crest + (params_110.w() * ((crest * crest) - crest))) / length));
+                    let _e77 = height_15;
+                    height_15 = (_e77 + ((crest + (params_124.w() * ((crest * crest) - crest))) / length));
                     let _e85 = sum_5;
                     sum_5 = (_e85 + (rt::Scalar(1f32) / length));
-                    let _e89 = k_37;
-                    k_37 = (_e89 + rt::Scalar(1u32));
+                    let _e89 = k_40;
+                    k_40 = (_e89 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e92 = height_12;
+        let _e92 = height_15;
         let _e93 = sum_5;
         return (_e92 / _e93);
     }
     pub(crate) fn procedure_height(
         &self,
         number_20: impl rt::Into<rt::Scalar<u32>>,
-        place_26: impl rt::Into<rt::Vec2<f32>>,
+        place_28: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
-        params_111: impl rt::Into<rt::Vec4<f32>>,
+        params_125: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_26), rt::into(time_3), rt::into(seed_8), rt::into(params_111)))
+        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_28), rt::into(time_3), rt::into(seed_8), rt::into(params_125)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_procedure_height(
         &self,
         number_20: rt::Scalar<u32>,
-        place_26: rt::Vec2<f32>,
+        place_28: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
-        params_111: rt::Vec4<f32>,
+        params_125: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         match rt::Scalar::into_inner(number_20) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_26, time_3, seed_8, params_111);
+                let _e5 = self.v_procedure_waves(place_28, time_3, seed_8, params_125);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_26, time_3, seed_8, params_111);
+                let _e6 = self.v_procedure_fbm(place_28, time_3, seed_8, params_125);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_26, time_3, seed_8, params_111);
+                let _e7 = self.v_procedure_bumps(place_28, time_3, seed_8, params_125);
                 return _e7;
             }
         }
@@ -16096,89 +17385,89 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_137: Entered,
-        hit_59: Hit,
+        at_148: Entered,
+        hit_68: Hit,
         number_21: impl rt::Into<rt::Scalar<u32>>,
-        k_38: impl rt::Into<rt::Scalar<u32>>,
+        k_41: impl rt::Into<rt::Scalar<u32>>,
         count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_137, hit_59, rt::into(number_21), rt::into(k_38), rt::into(count_10)))
+        rt::into(self.v_ray_to_light(at_148, hit_68, rt::into(number_21), rt::into(k_41), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ray_to_light(
         &self,
-        at_137: Entered,
-        hit_59: Hit,
+        at_148: Entered,
+        hit_68: Hit,
         number_21: rt::Scalar<u32>,
-        k_38: rt::Scalar<u32>,
+        k_41: rt::Scalar<u32>,
         count_10: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_137, hit_59, number_21, k_38, count_10);
-        let _e6 = self.v_light_ray(at_137, hit_59, _e5);
+        let _e5 = self.v_point_of_light(at_148, hit_68, number_21, k_41, count_10);
+        let _e6 = self.v_field_light_ray_stage(at_148, hit_68, _e5);
         return _e6;
     }
     pub(crate) fn shade_blinn_phong_material(
         &self,
-        at_138: Entered,
-        hit_60: Hit,
+        at_149: Entered,
+        hit_69: Hit,
         normal_21: impl rt::Into<rt::Vec3<f32>>,
         mean_3: impl rt::Into<rt::Scalar<f32>>,
-        view_24: impl rt::Into<rt::Vec3<f32>>,
+        view_27: impl rt::Into<rt::Vec3<f32>>,
         color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_112: impl rt::Into<rt::Vec4<f32>>,
+        params_126: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_blinn_phong_material(at_138, hit_60, rt::into(normal_21), rt::into(mean_3), rt::into(view_24), rt::into(color_1), rt::into(params_112)))
+        rt::into(self.v_shade_blinn_phong_material(at_149, hit_69, rt::into(normal_21), rt::into(mean_3), rt::into(view_27), rt::into(color_1), rt::into(params_126)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shade_blinn_phong_material(
         &self,
-        at_138: Entered,
-        hit_60: Hit,
+        at_149: Entered,
+        hit_69: Hit,
         normal_21: rt::Vec3<f32>,
         mean_3: rt::Scalar<f32>,
-        view_24: rt::Vec3<f32>,
+        view_27: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
-        params_112: rt::Vec4<f32>,
+        params_126: rt::Vec4<f32>,
     ) -> Material {
         let transmission = rt::Scalar(self.surface_settings.transmission);
         let _e12 = self.surface_settings.diffuse;
         let diffuse = ((_e12.xyz() * color_1) * (rt::Scalar(1f32) - transmission));
-        let none_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let none_3 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let transmitted = <rt::Vec3<f32>>::from_scalars(transmission, transmission, transmission);
         let _e25 = self.surface_settings.specular;
         let specular_1 = _e25.xyz();
-        return <Material>::new(diffuse, transmitted, specular_1, diffuse, none_2, rt::Scalar(1f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Material>::new(diffuse, transmitted, specular_1, diffuse, none_3, rt::Scalar(1f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shade_metallic_roughness_material(
         &self,
-        at_139: Entered,
-        hit_61: Hit,
+        at_150: Entered,
+        hit_70: Hit,
         normal_22: impl rt::Into<rt::Vec3<f32>>,
         mean_4: impl rt::Into<rt::Scalar<f32>>,
-        view_25: impl rt::Into<rt::Vec3<f32>>,
+        view_28: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
-        params_113: impl rt::Into<rt::Vec4<f32>>,
+        params_127: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_metallic_roughness_material(at_139, hit_61, rt::into(normal_22), rt::into(mean_4), rt::into(view_25), rt::into(color_2), rt::into(params_113)))
+        rt::into(self.v_shade_metallic_roughness_material(at_150, hit_70, rt::into(normal_22), rt::into(mean_4), rt::into(view_28), rt::into(color_2), rt::into(params_127)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_material(
         &self,
-        at_139: Entered,
-        hit_61: Hit,
+        at_150: Entered,
+        hit_70: Hit,
         normal_22: rt::Vec3<f32>,
         mean_4: rt::Scalar<f32>,
-        view_25: rt::Vec3<f32>,
+        view_28: rt::Vec3<f32>,
         color_2: rt::Vec3<f32>,
-        params_113: rt::Vec4<f32>,
+        params_127: rt::Vec4<f32>,
     ) -> Material {
         let mut roughness_1: rt::Scalar<f32>;
         let mut alpha_1: rt::Scalar<f32>;
         let mut squared_alpha: rt::Scalar<f32>;
 
-        let _e9 = self.v_occlusion_roughness_metalness(hit_61.uv, rt::Scalar(at_139.footprint));
+        let _e9 = self.v_occlusion_roughness_metalness(hit_70.uv, rt::Scalar(at_150.footprint));
         let _e12 = rt::Scalar(self.surface_settings.roughness);
         roughness_1 = (_e12 * _e9.y()).max(rt::Scalar(0.045f32));
         let _e20 = rt::Scalar(self.surface_settings.metallic);
@@ -16205,7 +17494,7 @@ impl<'g> Resources<'g> {
             let _e74 = alpha_1;
             roughness_1 = _e74.sqrt();
         }
-        let upright_4 = normal_22.dot(view_25).max(rt::Scalar(0.0001f32));
+        let upright_4 = normal_22.dot(view_28).max(rt::Scalar(0.0001f32));
         let aside_12 = (rt::Scalar(1f32) - (upright_4 * upright_4)).max(rt::Scalar(0f32));
         let _e85 = squared_alpha;
         let masking = ((upright_4 * upright_4) + (_e85 * aside_12)).sqrt();
@@ -16216,7 +17505,7 @@ impl<'g> Resources<'g> {
         let white_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let _e103 = self.v_reflected_by(_e91, specular_2);
         let reflected_1 = (_e103 * (white_1 + (specular_2 * again)));
-        let _e117 = self.v_emission_at(hit_61.uv, rt::Scalar(at_139.footprint));
+        let _e117 = self.v_emission_at(hit_70.uv, rt::Scalar(at_150.footprint));
         let _e119 = roughness_1;
         let _e120 = alpha_1;
         let _e121 = squared_alpha;
@@ -16224,36 +17513,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_material_stage(
         &self,
-        at_140: Entered,
-        hit_62: Hit,
+        at_151: Entered,
+        hit_71: Hit,
         normal_23: impl rt::Into<rt::Vec3<f32>>,
         mean_5: impl rt::Into<rt::Scalar<f32>>,
-        view_26: impl rt::Into<rt::Vec3<f32>>,
+        view_29: impl rt::Into<rt::Vec3<f32>>,
         color_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_material_stage(at_140, hit_62, rt::into(normal_23), rt::into(mean_5), rt::into(view_26), rt::into(color_3)))
+        rt::into(self.v_shade_material_stage(at_151, hit_71, rt::into(normal_23), rt::into(mean_5), rt::into(view_29), rt::into(color_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shade_material_stage(
         &self,
-        at_140: Entered,
-        hit_62: Hit,
+        at_151: Entered,
+        hit_71: Hit,
         normal_23: rt::Vec3<f32>,
         mean_5: rt::Scalar<f32>,
-        view_26: rt::Vec3<f32>,
+        view_29: rt::Vec3<f32>,
         color_3: rt::Vec3<f32>,
     ) -> Material {
-        let _e10 = rt::Scalar(self.surface_settings.choices[7usize].number);
+        let _e10 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e10) {
             0u32 => {
-                let _e15 = self.surface_settings.choices[7usize].params;
-                let _e16 = self.v_shade_blinn_phong_material(at_140, hit_62, normal_23, mean_5, view_26, color_3, _e15);
+                let _e15 = self.surface_settings.choices[8usize].params;
+                let _e16 = self.v_shade_blinn_phong_material(at_151, hit_71, normal_23, mean_5, view_29, color_3, _e15);
                 return _e16;
             }
             _ => {
-                let _e21 = self.surface_settings.choices[7usize].params;
-                let _e22 = self.v_shade_metallic_roughness_material(at_140, hit_62, normal_23, mean_5, view_26, color_3, _e21);
+                let _e21 = self.surface_settings.choices[8usize].params;
+                let _e22 = self.v_shade_metallic_roughness_material(at_151, hit_71, normal_23, mean_5, view_29, color_3, _e21);
                 return _e22;
             }
         }
@@ -16284,16 +17573,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_141: Entered,
+        at_152: Entered,
         seen_3: SeenNormals,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_141, seen_3, rt::into(toward_3)))
+        rt::into(self.v_seen_cosine(at_152, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_cosine(
         &self,
-        at_141: Entered,
+        at_152: Entered,
         seen_3: SeenNormals,
         toward_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -16302,10 +17591,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_3.normal.dot(toward_3).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_141, toward_3);
-        let middle_17 = seen_3.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_17, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
-        let one_2 = (rt::Scalar(seen_3.middle_seen) * middle_17.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_152, toward_3);
+        let middle_19 = seen_3.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_19, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
+        let one_2 = (rt::Scalar(seen_3.middle_seen) * middle_19.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen_3.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_2, others);
         cosine_6 = _e28;
@@ -16378,11 +17667,11 @@ impl<'g> Resources<'g> {
         normal_24: impl rt::Into<rt::Vec3<f32>>,
         mean_6: impl rt::Into<rt::Scalar<f32>>,
         cosine_7: impl rt::Into<rt::Scalar<f32>>,
-        view_27: impl rt::Into<rt::Vec3<f32>>,
+        view_30: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
-        params_114: impl rt::Into<rt::Vec4<f32>>,
+        params_128: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_24), rt::into(mean_6), rt::into(cosine_7), rt::into(view_27), rt::into(toward_4), rt::into(params_114)))
+        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_24), rt::into(mean_6), rt::into(cosine_7), rt::into(view_30), rt::into(toward_4), rt::into(params_128)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_blinn_phong_light(
@@ -16391,9 +17680,9 @@ impl<'g> Resources<'g> {
         normal_24: rt::Vec3<f32>,
         mean_6: rt::Scalar<f32>,
         cosine_7: rt::Scalar<f32>,
-        view_27: rt::Vec3<f32>,
+        view_30: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
-        params_114: rt::Vec4<f32>,
+        params_128: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -16408,7 +17697,7 @@ impl<'g> Resources<'g> {
                 exponent_2 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_24.dot((toward_4 + view_27).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_24.dot((toward_4 + view_30).normalize()).max(rt::Scalar(0f32));
             let _e42 = exponent_2;
             let _e43 = self.v_whole_power(lobe, _e42);
             let _e44 = dimmed;
@@ -16423,11 +17712,11 @@ impl<'g> Resources<'g> {
         normal_25: impl rt::Into<rt::Vec3<f32>>,
         mean_7: impl rt::Into<rt::Scalar<f32>>,
         cosine_8: impl rt::Into<rt::Scalar<f32>>,
-        view_28: impl rt::Into<rt::Vec3<f32>>,
+        view_31: impl rt::Into<rt::Vec3<f32>>,
         toward_5: impl rt::Into<rt::Vec3<f32>>,
-        params_115: impl rt::Into<rt::Vec4<f32>>,
+        params_129: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_25), rt::into(mean_7), rt::into(cosine_8), rt::into(view_28), rt::into(toward_5), rt::into(params_115)))
+        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_25), rt::into(mean_7), rt::into(cosine_8), rt::into(view_31), rt::into(toward_5), rt::into(params_129)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_light(
@@ -16436,20 +17725,20 @@ impl<'g> Resources<'g> {
         normal_25: rt::Vec3<f32>,
         mean_7: rt::Scalar<f32>,
         cosine_8: rt::Scalar<f32>,
-        view_28: rt::Vec3<f32>,
+        view_31: rt::Vec3<f32>,
         toward_5: rt::Vec3<f32>,
-        params_115: rt::Vec4<f32>,
+        params_129: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         if rt::Scalar::into_branch_condition(cosine_8.elementwise_gt(rt::Scalar(0f32))) {
-            let sum_12 = (toward_5 + view_28);
+            let sum_12 = (toward_5 + view_31);
             let squared_sum = sum_12.dot(sum_12).max(rt::Scalar(0.000001f32));
             let along_49 = normal_25.dot(sum_12);
-            let across_12 = normal_25.cross(sum_12);
-            let a_42 = rt::Scalar(material_12.squared_alpha);
-            let spread_1 = ((((along_49 * along_49) * a_42) + across_12.dot(across_12)) / squared_sum);
-            let shadowing = ((cosine_8 * cosine_8) + (a_42 * (rt::Scalar(1f32) - (cosine_8 * cosine_8)).max(rt::Scalar(0f32)))).sqrt();
+            let across_13 = normal_25.cross(sum_12);
+            let a_43 = rt::Scalar(material_12.squared_alpha);
+            let spread_1 = ((((along_49 * along_49) * a_43) + across_13.dot(across_13)) / squared_sum);
+            let shadowing = ((cosine_8 * cosine_8) + (a_43 * (rt::Scalar(1f32) - (cosine_8 * cosine_8)).max(rt::Scalar(0f32)))).sqrt();
             let visible_3 = ((cosine_8 * rt::Scalar(material_12.masking)) + (rt::Scalar(material_12.upright) * shadowing));
-            let facets = ((rt::Scalar(0.5f32) * a_42) / ((spread_1 * spread_1) * visible_3));
+            let facets = ((rt::Scalar(0.5f32) * a_43) / ((spread_1 * spread_1) * visible_3));
             let rest_11 = (rt::Scalar(1f32) - (rt::Scalar(0.5f32) * squared_sum.sqrt())).max(rt::Scalar(0f32));
             let squared_rest = (rest_11 * rest_11);
             let white_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
@@ -16466,10 +17755,10 @@ impl<'g> Resources<'g> {
         normal_26: impl rt::Into<rt::Vec3<f32>>,
         mean_8: impl rt::Into<rt::Scalar<f32>>,
         cosine_9: impl rt::Into<rt::Scalar<f32>>,
-        view_29: impl rt::Into<rt::Vec3<f32>>,
+        view_32: impl rt::Into<rt::Vec3<f32>>,
         toward_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_light_stage(material_13, rt::into(normal_26), rt::into(mean_8), rt::into(cosine_9), rt::into(view_29), rt::into(toward_6)))
+        rt::into(self.v_shade_light_stage(material_13, rt::into(normal_26), rt::into(mean_8), rt::into(cosine_9), rt::into(view_32), rt::into(toward_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16479,74 +17768,74 @@ impl<'g> Resources<'g> {
         normal_26: rt::Vec3<f32>,
         mean_8: rt::Scalar<f32>,
         cosine_9: rt::Scalar<f32>,
-        view_29: rt::Vec3<f32>,
+        view_32: rt::Vec3<f32>,
         toward_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e10 = rt::Scalar(self.surface_settings.choices[7usize].number);
+        let _e10 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e10) {
             0u32 => {
-                let _e15 = self.surface_settings.choices[7usize].params;
-                let _e16 = self.v_shade_blinn_phong_light(material_13, normal_26, mean_8, cosine_9, view_29, toward_6, _e15);
+                let _e15 = self.surface_settings.choices[8usize].params;
+                let _e16 = self.v_shade_blinn_phong_light(material_13, normal_26, mean_8, cosine_9, view_32, toward_6, _e15);
                 return _e16;
             }
             _ => {
-                let _e21 = self.surface_settings.choices[7usize].params;
-                let _e22 = self.v_shade_metallic_roughness_light(material_13, normal_26, mean_8, cosine_9, view_29, toward_6, _e21);
+                let _e21 = self.surface_settings.choices[8usize].params;
+                let _e22 = self.v_shade_metallic_roughness_light(material_13, normal_26, mean_8, cosine_9, view_32, toward_6, _e21);
                 return _e22;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_142: Entered,
-        hit_63: Hit,
+        at_153: Entered,
+        hit_72: Hit,
         seen_4: SeenNormals,
-        view_30: impl rt::Into<rt::Vec3<f32>>,
+        view_33: impl rt::Into<rt::Vec3<f32>>,
         color_4: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_142, hit_63, seen_4, rt::into(view_30), rt::into(color_4), visible))
+        rt::into(self.v_reflected_light(at_153, hit_72, seen_4, rt::into(view_33), rt::into(color_4), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_reflected_light(
         &self,
-        at_142: Entered,
-        hit_63: Hit,
+        at_153: Entered,
+        hit_72: Hit,
         seen_4: SeenNormals,
-        view_30: rt::Vec3<f32>,
+        view_33: rt::Vec3<f32>,
         color_4: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        let mut light_16: rt::Vec3<f32>;
-        let mut k_39: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut light_20: rt::Vec3<f32>;
+        let mut k_42: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e8 = self.v_shade_material_stage(at_142, hit_63, seen_4.normal, rt::Scalar(seen_4.length), view_30, color_4);
-        let _e12 = self.v_ambient_stage(at_142, hit_63, (seen_4.normal * rt::Scalar(seen_4.length)), view_30, _e8);
-        light_16 = ((_e12 * rt::Scalar(_e8.occlusion)) + _e8.emission);
+        let _e8 = self.v_shade_material_stage(at_153, hit_72, seen_4.normal, rt::Scalar(seen_4.length), view_33, color_4);
+        let _e12 = self.v_ambient_stage(at_153, hit_72, (seen_4.normal * rt::Scalar(seen_4.length)), view_33, _e8);
+        light_20 = ((_e12 * rt::Scalar(_e8.occlusion)) + _e8.emission);
         'naga_break: loop {
             'naga_continue: {
-                let _e20 = k_39;
+                let _e20 = k_42;
                 let _e23 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e20.elementwise_lt(_e23)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e25 = k_39;
-                    let _e27 = self.v_toward_light(_e25, at_142.point);
-                    let _e29 = self.v_seen_cosine(at_142, seen_4, _e27.direction);
-                    let _e33 = self.v_shade_light_stage(_e8, seen_4.normal, rt::Scalar(seen_4.length), _e29, view_30, _e27.direction);
-                    let _e34 = light_16;
-                    let _e37 = k_39;
+                    let _e25 = k_42;
+                    let _e27 = self.v_toward_light(_e25, at_153.point);
+                    let _e29 = self.v_seen_cosine(at_153, seen_4, _e27.direction);
+                    let _e33 = self.v_shade_light_stage(_e8, seen_4.normal, rt::Scalar(seen_4.length), _e29, view_33, _e27.direction);
+                    let _e34 = light_20;
+                    let _e37 = k_42;
                     let _e40 = self.frame.lights[rt::Scalar::into_array_index(_e37)].color;
-                    let _e44 = k_39;
-                    light_16 = (_e34 + ((_e33 * _e40.xyz()) * (rt::Scalar(_e27.falloff) * visible[rt::Scalar::into_array_index(_e44)].x())));
-                    let _e50 = k_39;
-                    k_39 = (_e50 + rt::Scalar(1u32));
+                    let _e44 = k_42;
+                    light_20 = (_e34 + ((_e33 * _e40.xyz()) * (rt::Scalar(_e27.falloff) * visible[rt::Scalar::into_array_index(_e44)].x())));
+                    let _e50 = k_42;
+                    k_42 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e53 = light_16;
+        let _e53 = light_20;
         return _e53;
     }
     pub(crate) fn roof_left(&self, sweep_6: Sweep, column_3: SweptColumn) -> i32 {
@@ -16559,25 +17848,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_along(
         &self,
-        at_143: impl rt::Into<rt::Vec3<i32>>,
+        at_154: impl rt::Into<rt::Vec3<i32>>,
         axis_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<i32> {
-        rt::into(self.v_seen_along(rt::into(at_143), rt::into(axis_3)))
+        rt::into(self.v_seen_along(rt::into(at_154), rt::into(axis_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_along(
         &self,
-        at_143: rt::Vec3<i32>,
+        at_154: rt::Vec3<i32>,
         axis_3: rt::Scalar<u32>,
     ) -> rt::Vec3<i32> {
         if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(0u32))) {
-            return at_143;
+            return at_154;
         }
         if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(1u32))) {
-            return <rt::Vec3<i32>>::from_scalars(at_143.y(), at_143.z(), at_143.x());
+            return <rt::Vec3<i32>>::from_scalars(at_154.y(), at_154.z(), at_154.x());
         }
-        return <rt::Vec3<i32>>::from_scalars(at_143.z(), at_143.x(), at_143.y());
+        return <rt::Vec3<i32>>::from_scalars(at_154.z(), at_154.x(), at_154.y());
     }
     pub(crate) fn z_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_z_of(rt::into(depth_8)))
@@ -16598,83 +17887,83 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_144: Entered,
-        hit_64: Hit,
+        at_155: Entered,
+        hit_73: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_144, hit_64, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_155, hit_73, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_144: Entered,
-        hit_64: Hit,
+        at_155: Entered,
+        hit_73: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_64.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_64.cost.x(), hit_64.cost.y(), hit_64.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_73.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_73.cost.x(), hit_73.cost.y(), hit_73.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_64.uv, rt::Scalar(at_144.level));
-        let view_33 = (origin_2 - at_144.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_144, hit_64.uv, view_33);
-        let _e50 = self.v_object_color_stage(at_144, hit_64, view_33);
-        let _e51 = self.v_reflected_light(at_144, hit_64, _e49, view_33, _e50, visible_1);
+        let _e45 = self.v_field_height_stage(hit_73.uv, rt::Scalar(hit_73.height), rt::Scalar(at_155.level));
+        let view_36 = (origin_2 - at_155.point).normalize();
+        let _e49 = self.v_field_normals_stage(at_155, hit_73, view_36);
+        let _e50 = self.v_object_color_stage(at_155, hit_73, view_36);
+        let _e51 = self.v_reflected_light(at_155, hit_73, _e49, view_36, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_11 = (at_144.point - origin_2).dot(_e56.xyz());
+        let depth_11 = (at_155.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
-        let _e67 = self.v_cell_of(((hit_64.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_144.depth));
+        let _e67 = self.v_cell_of(((hit_73.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e87 = self.v_z_of(rt::Scalar(at_155.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_64.exhausted), hit_64.uv, _e44, at_144.point, _e49.normal, depth_11, rt::Scalar(hit_64.t), _e67.to_i32(), hit_64.cost.x(), hit_64.cost.y(), hit_64.cost.z(), visible_1[0usize].x(), rt::Scalar(at_144.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_73.exhausted), hit_73.uv, _e45, at_155.point, _e49.normal, depth_11, rt::Scalar(hit_73.t), _e67.to_i32(), hit_73.cost.x(), hit_73.cost.y(), hit_73.cost.z(), visible_1[0usize].x(), rt::Scalar(at_155.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_145: Entered,
-        hit_65: Hit,
+        at_156: Entered,
+        hit_74: Hit,
         number_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_145, hit_65, rt::into(number_22)))
+        rt::into(self.v_visible_light(at_156, hit_74, rt::into(number_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_visible_light(
         &self,
-        at_145: Entered,
-        hit_65: Hit,
+        at_156: Entered,
+        hit_74: Hit,
         number_22: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_22, at_145.point);
-        let _e5 = self.v_shadow_stage(at_145, hit_65, _e4);
+        let _e4 = self.v_toward_light(number_22, at_156.point);
+        let _e5 = self.v_shadow_stage(at_156, hit_74, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_146: Entered, hit_66: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_146, hit_66))
+    pub(crate) fn visible_lights(&self, at_157: Entered, hit_75: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_157, hit_75))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_visible_lights(&self, at_146: Entered, hit_66: Hit) -> [rt::Vec4<f32>; 8] {
+    pub(super) fn v_visible_lights(&self, at_157: Entered, hit_75: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_43: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_66.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_75.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_40;
+                let _e10 = k_43;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_40;
-                    let _e17 = k_40;
-                    let _e18 = self.v_visible_light(at_146, hit_66, _e17);
+                    let _e15 = k_43;
+                    let _e17 = k_43;
+                    let _e18 = self.v_visible_light(at_157, hit_75, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e23 = k_40;
-                    k_40 = (_e23 + rt::Scalar(1u32));
+                    let _e23 = k_43;
+                    k_43 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
@@ -16727,10 +18016,10 @@ impl<'g> Resources<'g> {
         a_23: BaseSite,
         b_23: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_147: impl rt::Into<rt::Scalar<u32>>,
+        at_158: impl rt::Into<rt::Scalar<u32>>,
         parts_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_23, b_23, rt::into(shares), rt::into(at_147), rt::into(parts_3)))
+        rt::into(self.v_site_between(a_23, b_23, rt::into(shares), rt::into(at_158), rt::into(parts_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16739,11 +18028,11 @@ impl<'g> Resources<'g> {
         a_23: BaseSite,
         b_23: BaseSite,
         shares: rt::Vec2<f32>,
-        at_147: rt::Scalar<u32>,
+        at_158: rt::Scalar<u32>,
         parts_3: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_3 - at_147).to_f32() * shares.x());
-        let of_b = (at_147.to_f32() * shares.y());
+        let of_a = ((parts_3 - at_158).to_f32() * shares.x());
+        let of_b = (at_158.to_f32() * shares.y());
         let sum_13 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_23, b_23, b_23, <rt::Vec3<f32>>::from_scalars((of_a / sum_13), (of_b / sum_13), rt::Scalar(0f32)));
         return _e17;
@@ -16800,7 +18089,7 @@ impl<'g> Resources<'g> {
     ) -> Sweep {
         let mut first_7: rt::Vec3<i32>;
         let mut end_2: rt::Vec3<i32>;
-        let mut corners: rt::Vec3<u32>;
+        let mut corners_2: rt::Vec3<u32>;
 
         let _e4 = self.v_main_axis(a_25, b_25);
         let _e5 = self.v_axis_of(b_25, _e4);
@@ -16810,14 +18099,14 @@ impl<'g> Resources<'g> {
         end_2 = b_25;
         let _e11 = self.v_around_three(primary, rt::Scalar(1u32));
         let _e13 = self.v_around_three(primary, rt::Scalar(2u32));
-        corners = <rt::Vec3<u32>>::from_scalars(primary, _e11, _e13);
+        corners_2 = <rt::Vec3<u32>>::from_scalars(primary, _e11, _e13);
         if rt::Scalar::into_branch_condition(is_back) {
             first_7 = b_25;
             end_2 = a_25;
-            let _e17 = corners.y();
-            let _e19 = corners.x();
-            let _e21 = corners.z();
-            corners = <rt::Vec3<u32>>::from_scalars(_e17, _e19, _e21);
+            let _e17 = corners_2.y();
+            let _e19 = corners_2.x();
+            let _e21 = corners_2.z();
+            corners_2 = <rt::Vec3<u32>>::from_scalars(_e17, _e19, _e21);
         }
         let _e23 = end_2;
         let _e24 = first_7;
@@ -16828,7 +18117,7 @@ impl<'g> Resources<'g> {
         let in_second = ((_e26.x() * _e29.z()) - (_e26.z() * _e29.x()));
         let is_first_3 = in_first.abs().elementwise_ge(in_second.abs());
         let upward_1 = rt::Scalar(1i32).select(rt::Scalar(-1i32), in_second.select(in_first, is_first_3).elementwise_lt(rt::Scalar(0i32)));
-        let _e53 = corners;
+        let _e53 = corners_2;
         let _e66 = first_7;
         let _e68 = self.v_longest_of((c_17 - _e66));
         let _e71 = end_2;
@@ -16850,17 +18139,17 @@ impl<'g> Resources<'g> {
         b_26: rt::Vec3<i32>,
         c_18: rt::Vec3<i32>,
     ) -> Sweep {
-        let mut local_103: rt::Scalar<bool>;
+        let mut local_113: rt::Scalar<bool>;
 
         let _e3 = self.v_primary_length(a_26, b_26, c_18);
         let _e4 = self.v_primary_length(b_26, c_18, a_26);
         let _e5 = self.v_primary_length(c_18, a_26, b_26);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ge(_e4)) {
-            local_103 = _e3.elementwise_ge(_e5);
+            local_113 = _e3.elementwise_ge(_e5);
         } else {
-            local_103 = rt::Scalar(false);
+            local_113 = rt::Scalar(false);
         }
-        let _e11 = local_103;
+        let _e11 = local_113;
         if rt::Scalar::into_branch_condition(_e11) {
             let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_26, b_26, c_18);
             return _e13;
@@ -16877,9 +18166,9 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_19: Voxel,
-        level_48: impl rt::Into<rt::Scalar<u32>>,
+        level_57: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_48)))
+        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16888,11 +18177,11 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_19: Voxel,
-        level_48: rt::Scalar<u32>,
+        level_57: rt::Scalar<u32>,
     ) -> Sweep {
-        let _e5 = self.v_coarser_voxel(a_27.at, level_48);
-        let _e7 = self.v_coarser_voxel(b_27.at, level_48);
-        let _e9 = self.v_coarser_voxel(c_19.at, level_48);
+        let _e5 = self.v_coarser_voxel(a_27.at, level_57);
+        let _e7 = self.v_coarser_voxel(b_27.at, level_57);
+        let _e9 = self.v_coarser_voxel(c_19.at, level_57);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }
@@ -16900,9 +18189,9 @@ impl<'g> Resources<'g> {
         &self,
         sweep_7: Sweep,
         column_4: SweptColumn,
-        way_9: impl rt::Into<rt::Scalar<u32>>,
+        way_16: impl rt::Into<rt::Scalar<u32>>,
     ) -> SweptChain {
-        rt::into(self.v_swept_chain(sweep_7, column_4, rt::into(way_9)))
+        rt::into(self.v_swept_chain(sweep_7, column_4, rt::into(way_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16910,18 +18199,18 @@ impl<'g> Resources<'g> {
         &self,
         sweep_7: Sweep,
         column_4: SweptColumn,
-        way_9: rt::Scalar<u32>,
+        way_16: rt::Scalar<u32>,
     ) -> SweptChain {
-        if rt::Scalar::into_branch_condition(way_9.elementwise_eq(ROOF_UP)) {
+        if rt::Scalar::into_branch_condition(way_16.elementwise_eq(ROOF_UP)) {
             let _e5 = self.v_roof_left(sweep_7, column_4);
-            return <SweptChain>::new(column_4, way_9, (rt::Scalar(1i32) + _e5));
+            return <SweptChain>::new(column_4, way_16, (rt::Scalar(1i32) + _e5));
         }
-        if rt::Scalar::into_branch_condition(way_9.elementwise_eq(ROOF_DOWN)) {
+        if rt::Scalar::into_branch_condition(way_16.elementwise_eq(ROOF_DOWN)) {
             let _e12 = self.v_roof_left(sweep_7, column_4);
-            return <SweptChain>::new(column_4, way_9, (rt::Scalar(column_4.of_top) - _e12));
+            return <SweptChain>::new(column_4, way_16, (rt::Scalar(column_4.of_top) - _e12));
         }
-        let of_top = rt::Scalar(column_4.of_top).min(rt::Scalar(1i32)).select(rt::Scalar(column_4.of_top), rt::Scalar(column_4.top).elementwise_eq(way_9));
-        return <SweptChain>::new(column_4, way_9, ((rt::Scalar(1i32) + rt::Scalar(column_4.inner)) + of_top));
+        let of_top = rt::Scalar(column_4.of_top).min(rt::Scalar(1i32)).select(rt::Scalar(column_4.of_top), rt::Scalar(column_4.top).elementwise_eq(way_16));
+        return <SweptChain>::new(column_4, way_16, ((rt::Scalar(1i32) + rt::Scalar(column_4.inner)) + of_top));
     }
     pub(crate) fn swept_column(
         &self,
@@ -16938,24 +18227,24 @@ impl<'g> Resources<'g> {
         column_5: rt::Scalar<i32>,
         first_8: rt::Scalar<u32>,
     ) -> SweptColumn {
-        let mut local_104: rt::Scalar<bool>;
+        let mut local_114: rt::Scalar<bool>;
 
         let n_15 = sweep_8.parts.x();
         let m_8 = sweep_8.parts.y();
         let _e7 = self.v_first_of_top(sweep_8, column_5);
         let _e10 = self.v_first_of_top(sweep_8, (column_5 + rt::Scalar(1i32)));
         let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_15);
-        let top_11 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_15)), is_behind);
+        let top_12 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_15)), is_behind);
         let from_top = _e7.max(rt::Scalar(1i32));
         let of_top_1 = (_e10.min((n_15 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
-            local_104 = column_5.elementwise_ge(sweep_8.end.x());
+            local_114 = column_5.elementwise_ge(sweep_8.end.x());
         } else {
-            local_104 = rt::Scalar(true);
+            local_114 = rt::Scalar(true);
         }
-        let _e34 = local_104;
+        let _e34 = local_114;
         if rt::Scalar::into_branch_condition(_e34) {
-            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_8, from_top, of_top_1, top_11);
+            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_8, from_top, of_top_1, top_12);
         }
         let _e43 = self.v_quotient_near((sweep_8.end.y() * column_5), sweep_8.end.x());
         let inside_7 = (_e43 + rt::Scalar(1i32));
@@ -16963,8 +18252,8 @@ impl<'g> Resources<'g> {
         let _e50 = self.v_top_point(sweep_8, ((from_top + of_top_1) - rt::Scalar(1i32)));
         let _e53 = self.v_quotient_near(rt::Scalar(_e46.y), rt::Scalar(_e46.w));
         let _e56 = self.v_quotient_near(rt::Scalar(_e50.y), rt::Scalar(_e50.w));
-        let above_10 = _e53.min(_e56);
-        return <SweptColumn>::new(column_5, inside_7, (above_10 - inside_7).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_11);
+        let above_11 = _e53.min(_e56);
+        return <SweptColumn>::new(column_5, inside_7, (above_11 - inside_7).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_12);
     }
     pub(crate) fn swept_points_of(&self, sweep_9: Sweep) -> u32 {
         rt::into(self.v_swept_points_of(sweep_9))
@@ -16997,49 +18286,49 @@ impl<'g> Resources<'g> {
     pub(crate) fn swept_weights(
         &self,
         sweep_10: Sweep,
-        x_3: impl rt::Into<rt::Scalar<i32>>,
+        x_5: impl rt::Into<rt::Scalar<i32>>,
         y: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_swept_weights(sweep_10, rt::into(x_3), rt::into(y)))
+        rt::into(self.v_swept_weights(sweep_10, rt::into(x_5), rt::into(y)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_swept_weights(
         &self,
         sweep_10: Sweep,
-        x_3: rt::Scalar<i32>,
+        x_5: rt::Scalar<i32>,
         y: rt::Scalar<i32>,
     ) -> rt::Vec3<f32> {
-        let end_19 = sweep_10.end;
+        let end_21 = sweep_10.end;
         let apex_2 = sweep_10.apex;
-        let twice = ((end_19.x() * apex_2.y()) - (end_19.y() * apex_2.x())).to_f32();
-        let of_end = (((x_3 * apex_2.y()) - (y * apex_2.x())).to_f32() / twice);
-        let of_apex = (((end_19.x() * y) - (end_19.y() * x_3)).to_f32() / twice);
+        let twice = ((end_21.x() * apex_2.y()) - (end_21.y() * apex_2.x())).to_f32();
+        let of_end = (((x_5 * apex_2.y()) - (y * apex_2.x())).to_f32() / twice);
+        let of_apex = (((end_21.x() * y) - (end_21.y() * x_5)).to_f32() / twice);
         let of_first = ((rt::Scalar(1f32) - of_end) - of_apex);
-        let corners_1 = sweep_10.corners;
-        return <rt::Vec3<f32>>::from_scalars(of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(0u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(0u32))), of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(1u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(1u32))), of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(2u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(2u32))));
+        let corners_3 = sweep_10.corners;
+        return <rt::Vec3<f32>>::from_scalars(of_apex.select(of_end, corners_3.y().elementwise_eq(rt::Scalar(0u32))).select(of_first, corners_3.x().elementwise_eq(rt::Scalar(0u32))), of_apex.select(of_end, corners_3.y().elementwise_eq(rt::Scalar(1u32))).select(of_first, corners_3.x().elementwise_eq(rt::Scalar(1u32))), of_apex.select(of_end, corners_3.y().elementwise_eq(rt::Scalar(2u32))).select(of_first, corners_3.x().elementwise_eq(rt::Scalar(2u32))));
     }
     pub(crate) fn turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_20: SweptPoint) -> i32 {
         rt::into(self.v_turn_of_piece(a_28, b_28, c_20))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_20: SweptPoint) -> rt::Scalar<i32> {
-        let bx_1 = ((rt::Scalar(b_28.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(b_28.w)));
-        let by_4 = ((rt::Scalar(b_28.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(b_28.w)));
+        let bx_2 = ((rt::Scalar(b_28.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(b_28.w)));
+        let by_5 = ((rt::Scalar(b_28.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(b_28.w)));
         let cx = ((rt::Scalar(c_20.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(c_20.w)));
         let cy = ((rt::Scalar(c_20.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(c_20.w)));
-        let _e31 = self.v_sign_of(bx_1);
+        let _e31 = self.v_sign_of(bx_2);
         let _e32 = self.v_sign_of(cy);
         let of_first_1 = (_e31 * _e32);
-        let _e34 = self.v_sign_of(by_4);
+        let _e34 = self.v_sign_of(by_5);
         let _e35 = self.v_sign_of(cx);
         let of_second = (_e34 * _e35);
         if rt::Scalar::into_branch_condition(of_first_1.elementwise_ne(of_second)) {
             return rt::Scalar(1i32).select(rt::Scalar(-1i32), of_first_1.elementwise_lt(of_second));
         }
-        let _e42 = self.v_magnitude(bx_1);
+        let _e42 = self.v_magnitude(bx_2);
         let _e43 = self.v_magnitude(cy);
-        let _e44 = self.v_magnitude(by_4);
+        let _e44 = self.v_magnitude(by_5);
         let _e45 = self.v_magnitude(cx);
         let _e46 = self.v_compared(_e42, _e43, _e44, _e45);
         return (of_first_1 * _e46);
@@ -17073,22 +18362,22 @@ impl<'g> Resources<'g> {
         let right_7 = (((grid_14.right.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e30) + grid_14.middle.x());
         let _e42 = share;
         let down_4 = (grid_14.middle.y() - ((grid_14.up.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e42));
-        let far_15 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
+        let far_16 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_156 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_15), far_15);
+        let at_168 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_16), far_16);
         let _e60 = share;
-        return <Voxel>::new((at_156 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
+        return <Voxel>::new((at_168 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
     }
     pub(crate) fn zip_goes_left(&self, zip: Zip) -> bool {
         rt::into(self.v_zip_goes_left(zip))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_zip_goes_left(&self, zip: Zip) -> rt::Scalar<bool> {
-        let mut local_105: rt::Scalar<bool>;
-        let mut local_106: rt::Scalar<bool>;
-        let mut local_107: rt::Scalar<bool>;
-        let mut local_108: rt::Scalar<bool>;
-        let mut local_109: rt::Scalar<bool>;
+        let mut local_115: rt::Scalar<bool>;
+        let mut local_116: rt::Scalar<bool>;
+        let mut local_117: rt::Scalar<bool>;
+        let mut local_118: rt::Scalar<bool>;
+        let mut local_119: rt::Scalar<bool>;
 
         let on_left = ((rt::Scalar(zip.left.count) - rt::Scalar(1i32)) - rt::Scalar(zip.i));
         let on_right = ((rt::Scalar(zip.right.count) - rt::Scalar(1i32)) - rt::Scalar(zip.j));
@@ -17099,29 +18388,29 @@ impl<'g> Resources<'g> {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.left.way).elementwise_eq(ROOF_UP)) {
-            local_105 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
+            local_115 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
         } else {
-            local_105 = rt::Scalar(false);
+            local_115 = rt::Scalar(false);
         }
-        let _e29 = local_105;
+        let _e29 = local_115;
         if rt::Scalar::into_branch_condition(_e29) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_right).elementwise_eq(rt::Scalar(1u32))) {
-            local_106 = on_right.elementwise_eq(rt::Scalar(1i32));
+            local_116 = on_right.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_106 = rt::Scalar(false);
+            local_116 = rt::Scalar(false);
         }
-        let _e39 = local_106;
+        let _e39 = local_116;
         if rt::Scalar::into_branch_condition(_e39) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_left).elementwise_eq(rt::Scalar(1u32))) {
-            local_107 = on_left.elementwise_eq(rt::Scalar(1i32));
+            local_117 = on_left.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_107 = rt::Scalar(false);
+            local_117 = rt::Scalar(false);
         }
-        let _e49 = local_107;
+        let _e49 = local_117;
         if rt::Scalar::into_branch_condition(_e49) {
             return rt::Scalar(false);
         }
@@ -17133,16 +18422,16 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0i32))) {
             if rt::Scalar::into_branch_condition((!_e58.elementwise_le(rt::Scalar(0i32)))) {
-                local_109 = _e63;
+                local_119 = _e63;
             } else {
-                local_109 = rt::Scalar(true);
+                local_119 = rt::Scalar(true);
             }
-            let _e75 = local_109;
-            local_108 = _e75;
+            let _e75 = local_119;
+            local_118 = _e75;
         } else {
-            local_108 = rt::Scalar(false);
+            local_118 = rt::Scalar(false);
         }
-        let _e77 = local_108;
+        let _e77 = local_118;
         return _e77;
     }
     pub(crate) fn zip_next(
@@ -17160,68 +18449,68 @@ impl<'g> Resources<'g> {
         zip_1: Zip,
         goes_left: rt::Scalar<bool>,
     ) -> Zip {
-        let mut next_7: Zip;
+        let mut next_8: Zip;
 
-        next_7 = zip_1;
+        next_8 = zip_1;
         if rt::Scalar::into_branch_condition(goes_left) {
-            rt::Scalar(next_7.i) = (rt::Scalar(zip_1.i) + rt::Scalar(1i32));
-            next_7.at_left = zip_1.next_left;
+            rt::Scalar(next_8.i) = (rt::Scalar(zip_1.i) + rt::Scalar(1i32));
+            next_8.at_left = zip_1.next_left;
             let _e20 = self.v_chain_point(sweep_11, zip_1.left, (rt::Scalar(zip_1.i) + rt::Scalar(2i32)).min((rt::Scalar(zip_1.left.count) - rt::Scalar(1i32))));
-            next_7.next_left = _e20;
+            next_8.next_left = _e20;
         } else {
-            rt::Scalar(next_7.j) = (rt::Scalar(zip_1.j) + rt::Scalar(1i32));
-            next_7.at_right = zip_1.next_right;
+            rt::Scalar(next_8.j) = (rt::Scalar(zip_1.j) + rt::Scalar(1i32));
+            next_8.at_right = zip_1.next_right;
             let _e37 = self.v_chain_point(sweep_11, zip_1.right, (rt::Scalar(zip_1.j) + rt::Scalar(2i32)).min((rt::Scalar(zip_1.right.count) - rt::Scalar(1i32))));
-            next_7.next_right = _e37;
+            next_8.next_right = _e37;
         }
-        let _e38 = next_7;
+        let _e38 = next_8;
         return _e38;
     }
     pub(crate) fn zip_of(
         &self,
         sweep_12: Sweep,
         column_7: SweptColumn,
-        next_8: SweptColumn,
+        next_9: SweptColumn,
         which: impl rt::Into<rt::Scalar<u32>>,
     ) -> Zip {
-        rt::into(self.v_zip_of(sweep_12, column_7, next_8, rt::into(which)))
+        rt::into(self.v_zip_of(sweep_12, column_7, next_9, rt::into(which)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_zip_of(
         &self,
         sweep_12: Sweep,
         column_7: SweptColumn,
-        next_8: SweptColumn,
+        next_9: SweptColumn,
         which: rt::Scalar<u32>,
     ) -> Zip {
         let mut left_1: SweptChain;
         let mut right: SweptChain;
-        let mut local_110: rt::Scalar<bool>;
-        let mut local_111: rt::Scalar<bool>;
-        let mut local_112: rt::Scalar<bool>;
+        let mut local_120: rt::Scalar<bool>;
+        let mut local_121: rt::Scalar<bool>;
+        let mut local_122: rt::Scalar<bool>;
 
         let _e5 = self.v_swept_chain(sweep_12, column_7, TOP_NEXT);
         left_1 = _e5;
-        let _e8 = self.v_swept_chain(sweep_12, next_8, TOP_BEFORE);
+        let _e8 = self.v_swept_chain(sweep_12, next_9, TOP_BEFORE);
         right = _e8;
         if rt::Scalar::into_branch_condition(which.elementwise_ne(rt::Scalar(1u32))) {
             let under_3 = which.elementwise_eq(rt::Scalar(0u32));
             if rt::Scalar::into_branch_condition((!rt::Scalar(column_7.top).elementwise_ne(TOP_ROOF))) {
-                local_110 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
+                local_120 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
             } else {
-                local_110 = rt::Scalar(true);
+                local_120 = rt::Scalar(true);
             }
-            let _e27 = local_110;
-            let has_none = rt::Scalar(next_8.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
+            let _e27 = local_120;
+            let has_none = rt::Scalar(next_9.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
             if rt::Scalar::into_branch_condition(under_3) {
                 let _e30 = self.v_swept_chain(sweep_12, column_7, ROOF_UP);
                 left_1 = _e30;
                 let _e32 = self.v_swept_chain(sweep_12, column_7, ROOF_DOWN);
                 right = _e32;
             } else {
-                let _e34 = self.v_swept_chain(sweep_12, next_8, ROOF_UP);
+                let _e34 = self.v_swept_chain(sweep_12, next_9, ROOF_UP);
                 left_1 = _e34;
-                let _e36 = self.v_swept_chain(sweep_12, next_8, ROOF_DOWN);
+                let _e36 = self.v_swept_chain(sweep_12, next_9, ROOF_DOWN);
                 right = _e36;
             }
             if rt::Scalar::into_branch_condition(has_none) {
@@ -17234,21 +18523,21 @@ impl<'g> Resources<'g> {
             let _e47 = left_1;
             let _e48 = right;
             let _e49 = self.v_ends_on(sweep_12, _e47, _e48);
-            local_111 = _e49;
+            local_121 = _e49;
         } else {
-            local_111 = rt::Scalar(false);
+            local_121 = rt::Scalar(false);
         }
-        let keeps_left = local_111;
+        let keeps_left = local_121;
         let _e53 = rt::Scalar(right.count);
         if rt::Scalar::into_branch_condition(_e53.elementwise_gt(rt::Scalar(1i32))) {
             let _e58 = right;
             let _e59 = left_1;
             let _e60 = self.v_ends_on(sweep_12, _e58, _e59);
-            local_112 = _e60;
+            local_122 = _e60;
         } else {
-            local_112 = rt::Scalar(false);
+            local_122 = rt::Scalar(false);
         }
-        let keeps_right = local_112;
+        let keeps_right = local_122;
         let _e63 = left_1;
         let _e64 = right;
         let _e65 = left_1;

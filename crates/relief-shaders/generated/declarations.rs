@@ -149,6 +149,8 @@ pub const MODULES: &[Module] = &[
 // A ray goes through texture coordinates in a straight line; its height over a quadric is a quadratic in the
 // metres along it, which is solved without cancellation.
 "# },
+    Module { path: "shared/quartic", head: r#"// The first root of a polynomial of degree 4 between 0 and 1.
+"# },
     Module { path: "shared/random", head: r#"// Random numbers by mixing bits: the same everywhere.
 "# },
     Module { path: "shared/rasterised", head: r#"// Vertices for a rasteriser: the base triangles, or boxes around their shells. Nothing is
@@ -215,6 +217,14 @@ pub const MODULES: &[Module] = &[
 // linker.
 "# },
     Module { path: "shared/under", head: r#"// Paths that begin under the surface, such as rays that enter a shell from the inside of a mesh.
+"# },
+    Module { path: "shared/volume", head: r#"// The trilinear field of a volume: values and normals at a place, and rays from a hit toward a light.
+"# },
+    Module { path: "shared/voxel_walk", head: r#"// A walk over the dual cells of a volume along a path, in order, to the first place where the field reaches the
+// surface.
+//
+// In a cell the field is linear along each axis. So along a path, whose height may bend, it is a polynomial of
+// degree 4, and its first root is found in the cell.
 "# },
     Module { path: "surface/facets", head: r#"// Triangles without relief: a ray ends on the triangle that it meets.
 //
@@ -318,6 +328,13 @@ pub const MODULES: &[Module] = &[
     Module { path: "object/none", head: r#"// No object: a relief, whose segments are searched in their order. A segment whose hit lies in a
 // hole has no hit. In a shell that overlaps itself segments overlap, too: there the nearest hit of
 // all counts.
+"# },
+    Module { path: "field/heights", head: r#"// Heights: what lies below the bilinear surface of the height map is solid.
+"# },
+    Module { path: "field/volume", head: r#"// A volume: what is solid is where the trilinear field between the voxels is half or more. The gap is what the
+// field lacks there, positive outside.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 5.2.
 "# },
     Module { path: "detail/fade", head: r#"// From displacement to bump mapping with distance: like `footprint`, and relief that is hardly
 // deeper than a pixel is traced flatter.
@@ -439,6 +456,11 @@ pub const MODULES: &[Module] = &[
 // `cells` does. `params.x` caps the reads, `params.z` is the number of slices. With `params.y` 0 it
 // is as published: the search ends where the field allows no further step.
 "# },
+    Module { path: "search/voxels", head: r#"// Every dual cell of a volume along the path, in order.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 5.2: the ray walks through the voxels of a volume on the surface.
+// `params.x` is the most cells.
+"# },
     Module { path: "refine/binary", head: r#"// Binary search: the interval is halved; its near end stays above the surface and its far end
 // below.
 //
@@ -489,6 +511,9 @@ pub const MODULES: &[Module] = &[
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4.2.1. `params.x` is the number of corrections. With
 // `params.y` 1 each is divided by N·V, which makes it Newton's method.
+"# },
+    Module { path: "refine/trilinear", head: r#"// The first root of the trilinear field along the path in the search's interval, cell by cell. `params.x` is the
+// most cells.
 "# },
     Module { path: "refine/true_secant", head: r#"// The secant method proper: always the last two guesses, whether or not they enclose the crossing.
 //
@@ -1318,7 +1343,7 @@ pub const DECLARATIONS: &[Declaration] = &[
         name: "STAGES",
         sampling: None,
         uses: &[],
-        text: r#"const STAGES = 11u;"#,
+        text: r#"const STAGES = 12u;"#,
     },
     Declaration {
         module: "constants",
@@ -2022,6 +2047,14 @@ const HEIGHTS_READ = vec3u(1u, 0u, 16u);"#,
     },
     Declaration {
         module: "shared/cost",
+        name: "VOXELS_READ",
+        sampling: None,
+        uses: &[],
+        text: r#"// One read of the eight voxels around a place.
+const VOXELS_READ = vec3u(1u, 0u, 32u);"#,
+    },
+    Declaration {
+        module: "shared/cost",
         name: "HEIGHT_READ",
         sampling: None,
         uses: &[],
@@ -2505,11 +2538,13 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
         module: "shared/displacement",
         name: "placed_over",
         sampling: None,
-        uses: &["Entered", "height_at", "surface_settings"],
-        text: r#"// The frame of the relief over a point beside the one at which the ray is on the base.
-fn placed_over(at: Entered, uv: vec2f) -> Entered {
+        uses: &["Entered", "Hit", "field_height_stage", "surface_settings"],
+        text: r#"// The frame of the relief at a hit, over a point beside the one at which the ray is on the base.
+fn placed_over(at: Entered, hit: Hit) -> Entered {
+    let uv = hit.uv;
     let aside = uv - at.uv;
-    let height = surface_settings.bias_m + surface_settings.scale_m * height_at(uv, at.level);
+    let level = field_height_stage(uv, hit.height, at.level);
+    let height = surface_settings.bias_m + surface_settings.scale_m * level;
     var placed = at;
     placed.point = at.point + at.tangent * aside.x + at.bitangent * aside.y + at.normal * height;
     placed.uv = uv;
@@ -3366,6 +3401,43 @@ fn wrapped_cell(cell: vec2i, level: u32) -> vec4f {
     },
     Declaration {
         module: "shared/height",
+        name: "volume_size",
+        sampling: None,
+        uses: &["surface_settings"],
+        text: r#"// Columns, rows and slices of a volume.
+fn volume_size() -> vec3f {
+    return vec3f(surface_settings.volume.xyz);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "slice_cell",
+        sampling: None,
+        uses: &["height_map", "surface_settings", "wrap_index"],
+        text: r#"// The corners of a dual cell in a slice of a volume, in the order of `height_cell`. The outermost slices
+// continue.
+fn slice_cell(cell: vec2i, slice: i32) -> vec4f {
+    let size = vec3i(surface_settings.volume.xyz);
+    let in_row = i32(surface_settings.volume.w);
+    let k = clamp(slice, 0, size.z - 1);
+    // There are few slices, so floats give the whole number of rows before.
+    let row = i32((f32(k) + 0.5) / f32(in_row));
+    let x = (k - row * in_row) * size.x;
+    let y = row * size.y;
+    let i0 = x + wrap_index(cell.x, size.x);
+    let i1 = x + wrap_index(cell.x + 1, size.x);
+    let j0 = y + wrap_index(cell.y, size.y);
+    let j1 = y + wrap_index(cell.y + 1, size.y);
+    return vec4f(
+        textureLoad(height_map, vec2i(i0, j0), 0).x,
+        textureLoad(height_map, vec2i(i1, j0), 0).x,
+        textureLoad(height_map, vec2i(i0, j1), 0).x,
+        textureLoad(height_map, vec2i(i1, j1), 0).x,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
         name: "in_hole",
         sampling: None,
         uses: &["is_in_hole", "surface_settings"],
@@ -4088,14 +4160,14 @@ fn way_out(path: Path, light: Toward) -> f32 {
     },
     Declaration {
         module: "shared/light_ray",
-        name: "light_ray",
+        name: "light_ray_over_heights",
         sampling: None,
         uses: &["Entered", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "LIGHT_RAY_OPEN", "LightRay", "Path", "ROUNDING", "Toward", "cell_leave", "cell_of", "from_hit", "gap_to", "grid_of", "height_at", "height_cell", "path_uv", "way_out"],
-        text: r#"// The ray from a hit to a light. A light below the base plane lights nothing.
+        text: r#"// The ray from a hit on heights to a light. A light below the base plane lights nothing.
 //
 // In the hit's own cell the gap to the surface, s from the hit, is s (c.y + c.z s): the root at the hit is
 // taken out. The path begins where the ray leaves the cell.
-fn light_ray(at: Entered, hit: Hit, light: Toward) -> LightRay {
+fn light_ray_over_heights(at: Entered, hit: Hit, light: Toward) -> LightRay {
     let way = from_hit(at, hit, light);
     if (!(way.h.y > 0.0)) {
         return LightRay(LIGHT_RAY_DARK, way);
@@ -5203,10 +5275,11 @@ fn path_slope(path: Path, t: f32) -> f32 {
         module: "shared/path",
         name: "path_gap",
         sampling: None,
-        uses: &["Path", "height_at", "path_height", "path_uv"],
-        text: r#"// Height of the path above the surface: positive above. One read.
+        uses: &["Path", "field_gap_stage"],
+        text: r#"// The path's gap to the surface: positive outside. Over heights it is the height of the path above the
+// surface. One read.
 fn path_gap(path: Path, t: f32) -> f32 {
-    return path_height(path, t) - height_at(path_uv(path, t), path.level);
+    return field_gap_stage(path, t);
 }"#,
     },
     Declaration {
@@ -5283,12 +5356,23 @@ fn beginning_at(path: Path, t: f32) -> Path {
     },
     Declaration {
         module: "shared/path",
+        name: "leaves_at_exit",
+        sampling: None,
+        uses: &["FLOOR", "Path", "field_is_ground_stage", "path_height"],
+        text: r#"// Whether a path has left the relief without a hit when it ends. Over heights one that has crossed the floor
+// by then has hit it.
+fn leaves_at_exit(path: Path) -> bool {
+    return path_height(path, path.exit) > FLOOR || !field_is_ground_stage(path.level);
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
         name: "hit_on_path",
         sampling: None,
-        uses: &["FLOOR", "Hit", "Path", "miss", "path_height", "path_uv"],
+        uses: &["Hit", "Path", "leaves_at_exit", "miss", "path_height", "path_uv"],
         text: r#"// A hit on the path. Beyond the exit there is none, unless the path has crossed the floor by then.
 fn hit_on_path(path: Path, t: f32, exhausted: u32, cost: vec3u) -> Hit {
-    if (t > path.exit && path_height(path, path.exit) > FLOOR) {
+    if (t > path.exit && leaves_at_exit(path)) {
         return miss(cost);
     }
     let inside = clamp(t, 0.0, path.exit);
@@ -5552,10 +5636,10 @@ fn point_of_light(at: Entered, hit: Hit, number: u32, k: u32, count: u32) -> Tow
         module: "shared/pixel",
         name: "ray_to_light",
         sampling: None,
-        uses: &["Entered", "Hit", "LightRay", "light_ray", "point_of_light"],
+        uses: &["Entered", "Hit", "LightRay", "field_light_ray_stage", "point_of_light"],
         text: r#"// The ray from a placed hit to that point of the light.
 fn ray_to_light(at: Entered, hit: Hit, number: u32, k: u32, count: u32) -> LightRay {
-    return light_ray(at, hit, point_of_light(at, hit, number, k, count));
+    return field_light_ray_stage(at, hit, point_of_light(at, hit, number, k, count));
 }"#,
     },
     Declaration {
@@ -5608,7 +5692,7 @@ fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
         module: "shared/pixel",
         name: "shade_hit",
         sampling: None,
-        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelOut", "cell_of", "frame", "height_at", "height_size", "mesostructure_normals", "object_color_stage", "reflected_light", "surface_settings", "z_of"],
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelOut", "cell_of", "field_height_stage", "field_normals_stage", "frame", "height_size", "object_color_stage", "reflected_light", "surface_settings", "z_of"],
         text: r#"// The shaded pixel at a placed hit. `visible` holds the parts of the lights that arrive, `origin`
 // is the beginning of the ray.
 fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIGHTS>) -> PixelOut {
@@ -5633,9 +5717,9 @@ fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIG
             0u,
         );
     }
-    let height = height_at(hit.uv, at.level);
+    let height = field_height_stage(hit.uv, hit.height, at.level);
     let view = normalize(origin - at.point);
-    let seen = mesostructure_normals(at, hit.uv, view);
+    let seen = field_normals_stage(at, hit, view);
     let color = reflected_light(at, hit, seen, view, object_color_stage(at, hit, view), visible);
     let depth = dot(at.point - origin, frame.forward.xyz);
     let cell = cell_of(hit.uv * height_size(0u) - vec2f(0.5, 0.5));
@@ -5811,6 +5895,166 @@ fn quadric_frame(at: Entered, aside: vec2f) -> Entered {
     let bb = dot(placed.bitangent, placed.bitangent);
     placed.metric = vec4f(tt, tb, bb, m.w);
     return placed;
+}"#,
+    },
+    Declaration {
+        module: "shared/quartic",
+        name: "Quartic",
+        sampling: None,
+        uses: &[],
+        text: r#"// a + b x + c x² + d x³ + e x⁴
+struct Quartic {
+    a: f32,
+    b: f32,
+    c: f32,
+    d: f32,
+    e: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/quartic",
+        name: "HALVINGS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Halvings of an interval from 0 to 1 until a place is known to the last bits.
+const HALVINGS = 24u;"#,
+    },
+    Declaration {
+        module: "shared/quartic",
+        name: "quartic_at",
+        sampling: None,
+        uses: &["Quartic"],
+        text: r#"fn quartic_at(q: Quartic, x: f32) -> f32 {
+    return q.a + x * (q.b + x * (q.c + x * (q.d + x * q.e)));
+}"#,
+    },
+    Declaration {
+        module: "shared/quartic",
+        name: "quartic_slope",
+        sampling: None,
+        uses: &["Quartic"],
+        text: r#"fn quartic_slope(q: Quartic, x: f32) -> f32 {
+    return q.b + x * (2.0 * q.c + x * (3.0 * q.d + x * (4.0 * q.e)));
+}"#,
+    },
+    Declaration {
+        module: "shared/quartic",
+        name: "is_above_zero",
+        sampling: None,
+        uses: &["Quartic"],
+        text: r#"// Whether a polynomial is above 0 from 0 to 1 for sure: its five control points are.
+fn is_above_zero(q: Quartic) -> bool {
+    let p1 = q.a + 0.25 * q.b;
+    let p2 = q.a + 0.5 * q.b + q.c / 6.0;
+    let p3 = q.a + 0.75 * q.b + 0.5 * q.c + 0.25 * q.d;
+    let p4 = q.a + q.b + q.c + q.d + q.e;
+    return min(min(min(q.a, p1), min(p2, p3)), p4) > 0.0;
+}"#,
+    },
+    Declaration {
+        module: "shared/quartic",
+        name: "inflections",
+        sampling: None,
+        uses: &["Quartic"],
+        text: r#"// The places at which the slope stops rising or falling, in order; 1 for each that is not between 0 and 1.
+fn inflections(q: Quartic) -> vec2f {
+    // Half of the second derivative is c + 3 d x + 6 e x².
+    let b = 3.0 * q.d;
+    let a = 6.0 * q.e;
+    let discriminant = b * b - 4.0 * a * q.c;
+    if (!(discriminant >= 0.0)) {
+        return vec2f(1.0, 1.0);
+    }
+    let root = sqrt(discriminant);
+    let s = -0.5 * (b + select(0.0 - root, root, b >= 0.0));
+    let first = select(1.0, s / a, a != 0.0);
+    let second = select(1.0, q.c / s, s != 0.0);
+    let x = select(1.0, first, first > 0.0 && first < 1.0);
+    let y = select(1.0, second, second > 0.0 && second < 1.0);
+    return vec2f(min(x, y), max(x, y));
+}"#,
+    },
+    Declaration {
+        module: "shared/quartic",
+        name: "extremum_between",
+        sampling: None,
+        uses: &["HALVINGS", "Quartic", "quartic_slope"],
+        text: r#"// Where a polynomial is least or greatest between two places. Its slope has other signs there.
+fn extremum_between(q: Quartic, from_x: f32, to_x: f32) -> f32 {
+    var low = from_x;
+    var high = to_x;
+    let rises = quartic_slope(q, from_x) > 0.0;
+    var k = 0u;
+    while (k < HALVINGS) {
+        let middle = 0.5 * (low + high);
+        if ((quartic_slope(q, middle) > 0.0) == rises) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+        k = k + 1u;
+    }
+    return high;
+}"#,
+    },
+    Declaration {
+        module: "shared/quartic",
+        name: "root_between",
+        sampling: None,
+        uses: &["HALVINGS", "Quartic", "quartic_at"],
+        text: r#"// The root between a place where the polynomial is above 0 and one where it is not.
+fn root_between(q: Quartic, above: f32, below: f32) -> f32 {
+    var near = above;
+    var far = below;
+    var k = 0u;
+    while (k < HALVINGS) {
+        let middle = 0.5 * (near + far);
+        if (quartic_at(q, middle) > 0.0) {
+            near = middle;
+        } else {
+            far = middle;
+        }
+        k = k + 1u;
+    }
+    return far;
+}"#,
+    },
+    Declaration {
+        module: "shared/quartic",
+        name: "first_root_of_quartic",
+        sampling: None,
+        uses: &["NEVER", "Quartic", "extremum_between", "inflections", "is_above_zero", "quartic_at", "quartic_slope", "root_between"],
+        text: r#"// The first place from 0 to 1 at which a polynomial is not above 0; NEVER if there is none. Between two
+// inflections it has one extremum at most, and is monotone on either side.
+fn first_root_of_quartic(q: Quartic) -> f32 {
+    if (!(q.a > 0.0)) {
+        return 0.0;
+    }
+    if (is_above_zero(q)) {
+        return NEVER;
+    }
+    let inner = inflections(q);
+    var begin = 0.0;
+    var k = 0u;
+    while (k < 3u) {
+        let end = select(select(1.0, inner.y, k == 1u), inner.x, k == 0u);
+        if (end > begin) {
+            let first = quartic_slope(q, begin);
+            let last = quartic_slope(q, end);
+            if (first < 0.0 && last > 0.0) {
+                let least = extremum_between(q, begin, end);
+                if (!(quartic_at(q, least) > 0.0)) {
+                    return root_between(q, begin, least);
+                }
+            }
+            if (!(quartic_at(q, end) > 0.0)) {
+                return root_between(q, begin, end);
+            }
+        }
+        begin = max(begin, end);
+        k = k + 1u;
+    }
+    return NEVER;
 }"#,
     },
     Declaration {
@@ -6774,6 +7018,9 @@ struct SurfaceSettings {
     // One of CELLS_*, and the difference of heights beyond which a cell of an image jumps.
     cells: u32,
     jump: f32,
+    // Columns, rows and slices of a volume, whose slices lie side by side in the height map, and the
+    // slices in a row of that map; zeros for heights.
+    volume: vec4u,
     // Opacities of the colour map below this are holes.
     cutoff: f32,
 }"#,
@@ -6826,10 +7073,10 @@ struct PyramidPass {
         module: "shared/shadow_ray",
         name: "free_way",
         sampling: None,
-        uses: &["Entered", "FOUND_MISS", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "Toward", "light_ray", "shadow_search_stage"],
+        uses: &["Entered", "FOUND_MISS", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "Toward", "field_light_ray_stage", "shadow_search_stage"],
         text: r#"// 1 if nothing is between the hit and the light, otherwise 0.
 fn free_way(at: Entered, hit: Hit, light: Toward) -> f32 {
-    let ray = light_ray(at, hit, light);
+    let ray = field_light_ray_stage(at, hit, light);
     if (ray.state == LIGHT_RAY_LIT) {
         return 1.0;
     }
@@ -9125,12 +9372,15 @@ fn rounded_gap(path: Path, slack: f32, texels: f32) -> f32 {
         module: "shared/under",
         name: "out_of_ground",
         sampling: None,
-        uses: &["NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "quadratic", "rounded_gap"],
+        uses: &["NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "field_is_ground_stage", "first_root", "grid_of", "quadratic", "rounded_gap"],
         text: r#"// The parameter at which a path that begins under the surface is above it by more than rounding: 0
 // if it does not begin so, its exit if it never comes out. A path that rounding and `texels`
 // explain counts as under the surface only on its way out, and only if it does not go deeper first.
-// Otherwise the way there may have met the surface.
+// Otherwise the way there may have met the surface. In a volume it is cut open: what is solid there is hit.
 fn out_of_ground(path: Path, slack: f32, texels: f32) -> f32 {
+    if (!field_is_ground_stage(path.level)) {
+        return 0.0;
+    }
     let grid = grid_of(path);
     let least = rounded_gap(path, slack, texels);
     var cell = cell_of(grid.origin);
@@ -9176,6 +9426,392 @@ fn path_from(path: Path, t: f32) -> Path {
     rest.exit = path.exit - t;
     rest.start = path.start + t;
     return rest;
+}"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "SURFACE_VALUE",
+        sampling: None,
+        uses: &[],
+        text: r#"// The value at the surface. Greater values are solid.
+const SURFACE_VALUE = 0.5;"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "SLOPE_VOXELS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Voxels between the places whose values give a slope. Smaller, and every cell has a facet of its own; larger,
+// and threads lose their roundness.
+const SLOPE_VOXELS = 0.5;"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "CUT_OPEN",
+        sampling: None,
+        uses: &[],
+        text: r#"// A hit at which the field is this much above the surface's value is inside of something solid. Smaller, and
+// rounding takes hits for cuts; larger, and edges of cuts have normals of the inside.
+const CUT_OPEN = 0.01;"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "OUTSIDE_VOXELS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Voxels by which a ray to a light begins outside of the surface that it leaves. Smaller, and rounding throws
+// shadows; larger, and light comes through what is thin.
+const OUTSIDE_VOXELS = 0.125;"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "VoxelCell",
+        sampling: None,
+        uses: &[],
+        text: r#"// The values at the corners of a dual cell, in the order of `height_cell`: in the lower and in the upper slice.
+struct VoxelCell {
+    low: vec4f,
+    high: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "voxel_cell",
+        sampling: None,
+        uses: &["VoxelCell", "slice_cell"],
+        text: r#"// A dual cell of voxels. One read.
+fn voxel_cell(cell: vec3i) -> VoxelCell {
+    return VoxelCell(slice_cell(cell.xy, cell.z), slice_cell(cell.xy, cell.z + 1));
+}"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "voxel_place",
+        sampling: None,
+        uses: &["volume_size"],
+        text: r#"// Where the voxels' centres are whole numbers: from texture coordinates and a height.
+fn voxel_place(at: vec3f) -> vec3f {
+    return at * volume_size() - vec3f(0.5, 0.5, 0.5);
+}"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "in_slice",
+        sampling: None,
+        uses: &[],
+        text: r#"// The bilinear mean of four corners.
+fn in_slice(corners: vec4f, part: vec2f) -> f32 {
+    let top = corners.x + (corners.y - corners.x) * part.x;
+    let bottom = corners.z + (corners.w - corners.z) * part.x;
+    return top + (bottom - top) * part.y;
+}"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "field_at_voxel",
+        sampling: None,
+        uses: &["in_slice", "voxel_cell"],
+        text: r#"// The field at a place in voxels. One read.
+fn field_at_voxel(place: vec3f) -> f32 {
+    let first = floor(place);
+    let part = place - first;
+    let cell = voxel_cell(vec3i(first));
+    let low = in_slice(cell.low, part.xy);
+    return low + (in_slice(cell.high, part.xy) - low) * part.z;
+}"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "field_at",
+        sampling: None,
+        uses: &["field_at_voxel", "voxel_place"],
+        text: r#"// The field at texture coordinates and a height. One read.
+fn field_at(at: vec3f) -> f32 {
+    return field_at_voxel(voxel_place(at));
+}"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "field_slopes",
+        sampling: None,
+        uses: &["SLOPE_VOXELS", "field_at_voxel"],
+        text: r#"// The changes of the field per voxel at a place in voxels, by central differences.
+fn field_slopes(place: vec3f) -> vec3f {
+    let i = vec3f(SLOPE_VOXELS, 0.0, 0.0);
+    let j = vec3f(0.0, SLOPE_VOXELS, 0.0);
+    let k = vec3f(0.0, 0.0, SLOPE_VOXELS);
+    let along_i = field_at_voxel(place + i) - field_at_voxel(place - i);
+    let along_j = field_at_voxel(place + j) - field_at_voxel(place - j);
+    let along_k = field_at_voxel(place + k) - field_at_voxel(place - k);
+    return vec3f(along_i, along_j, along_k) / (2.0 * SLOPE_VOXELS);
+}"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "normal_of_field",
+        sampling: None,
+        uses: &["CUT_OPEN", "Entered", "Hit", "NEVER", "SURFACE_VALUE", "field_at_voxel", "field_slopes", "surface_settings", "volume_size", "voxel_place"],
+        text: r#"// The unit normal of the surface at a hit, in the world: the way on which the field falls fastest. Where
+// something solid is cut open by the volume's end, the base's normal.
+fn normal_of_field(at: Entered, hit: Hit) -> vec3f {
+    let place = voxel_place(vec3f(hit.uv, hit.height));
+    if (field_at_voxel(place) > SURFACE_VALUE + CUT_OPEN) {
+        return at.normal;
+    }
+    let slopes = field_slopes(place) * volume_size();
+    let metric = at.metric;
+    let area = metric.x * metric.z - metric.y * metric.y;
+    let along_u = (at.tangent * metric.z - at.bitangent * metric.y) / area;
+    let along_v = (at.bitangent * metric.x - at.tangent * metric.y) / area;
+    let rise = at.normal * (slopes.z / surface_settings.scale_m);
+    let rising = along_u * slopes.x + along_v * slopes.y + rise;
+    let steepness = length(rising);
+    if (steepness > 0.0 && steepness < NEVER) {
+        return rising * (-1.0 / steepness);
+    }
+    return at.normal;
+}"#,
+    },
+    Declaration {
+        module: "shared/volume",
+        name: "light_ray_out_of_volume",
+        sampling: None,
+        uses: &["Entered", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "LIGHT_RAY_OPEN", "LightRay", "OUTSIDE_VOXELS", "Path", "RAY_SHADOW", "Toward", "climb", "field_slopes", "near_uv", "volume_size", "voxel_place", "way_out"],
+        text: r#"// The ray from a hit to a light, which begins a little outside of the surface. A light below the base plane
+// lights nothing.
+fn light_ray_out_of_volume(at: Entered, hit: Hit, light: Toward) -> LightRay {
+    let change = climb(at, light.direction);
+    let place = voxel_place(vec3f(near_uv(hit.uv), hit.height));
+    let slopes = field_slopes(place);
+    let steepness = length(slopes);
+    var outside = place;
+    if (steepness > 0.0) {
+        outside = place - slopes * (OUTSIDE_VOXELS / steepness);
+    }
+    let begin = (outside + vec3f(0.5, 0.5, 0.5)) / volume_size();
+    let h = vec3f(begin.z, change.z, 0.0);
+    let way = Path(begin.xy, change.xy, h, 0.0, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0, 0.0);
+    if (!(change.z > 0.0)) {
+        return LightRay(LIGHT_RAY_DARK, way);
+    }
+    let exit = way_out(way, light);
+    if (!(exit > 0.0)) {
+        return LightRay(LIGHT_RAY_LIT, way);
+    }
+    let path = Path(begin.xy, change.xy, h, exit, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0, 0.0);
+    return LightRay(LIGHT_RAY_OPEN, path);
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "VoxelPath",
+        sampling: None,
+        uses: &[],
+        text: r#"// A path in voxels: its place at t = 0, its change, and the bend of its height.
+struct VoxelPath {
+    origin: vec3f,
+    step: vec3f,
+    bend: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "voxel_path",
+        sampling: None,
+        uses: &["Path", "VoxelPath", "volume_size"],
+        text: r#"fn voxel_path(path: Path) -> VoxelPath {
+    let size = volume_size();
+    return VoxelPath(
+        vec3f(path.uv, path.h.x) * size - vec3f(0.5, 0.5, 0.5),
+        vec3f(path.duv, path.h.y) * size,
+        path.h.z * size.z,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "voxel_place_on",
+        sampling: None,
+        uses: &["VoxelPath"],
+        text: r#"fn voxel_place_on(way: VoxelPath, t: f32) -> vec3f {
+    return way.origin + (way.step + vec3f(0.0, 0.0, way.bend * t)) * t;
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "turning_point",
+        sampling: None,
+        uses: &["NEVER", "VoxelPath"],
+        text: r#"// The parameter at which the height stops rising or falling; NEVER on a straight path.
+fn turning_point(way: VoxelPath) -> f32 {
+    if (way.bend == 0.0) {
+        return NEVER;
+    }
+    let t = (0.0 - way.step.z) / (2.0 * way.bend);
+    return select(NEVER, t, t > 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "meets_plane",
+        sampling: None,
+        uses: &["NEVER", "VoxelPath"],
+        text: r#"// The parameter at which the height is that of a plane between cells, on the way before the turning point or
+// on the way behind it; NEVER if it stays on one side.
+fn meets_plane(way: VoxelPath, plane: f32, rises: bool, has_turned: bool) -> f32 {
+    let gap = plane - way.origin.z;
+    let discriminant = way.step.z * way.step.z + 4.0 * way.bend * gap;
+    if (!(discriminant >= 0.0)) {
+        return NEVER;
+    }
+    let root = select(0.0 - sqrt(discriminant), sqrt(discriminant), rises);
+    // The slope at the plane is that root. Both forms add numbers of one sign.
+    if (has_turned) {
+        return (root - way.step.z) / (2.0 * way.bend);
+    }
+    let both = way.step.z + root;
+    return select(NEVER, 2.0 * gap / both, both != 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "voxel_leave",
+        sampling: None,
+        uses: &["NEVER", "VoxelPath", "meets_plane", "rises_on"],
+        text: r#"// The parameters where a path leaves a cell along u, v and the height.
+fn voxel_leave(way: VoxelPath, cell: vec3f, has_turned: bool) -> vec3f {
+    let none = vec2f(0.0, 0.0);
+    let ahead = cell.xy + select(none, vec2f(1.0, 1.0), way.step.xy > none);
+    let beside = (ahead - way.origin.xy) / way.step.xy;
+    let across = select(vec2f(NEVER, NEVER), beside, abs(way.step.xy) > none);
+    let rises = rises_on(way, has_turned);
+    let plane = cell.z + select(0.0, 1.0, rises);
+    return vec3f(across, meets_plane(way, plane, rises, has_turned));
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "rises_on",
+        sampling: None,
+        uses: &["VoxelPath"],
+        text: r#"// Whether the height rises before or behind the turning point.
+fn rises_on(way: VoxelPath, has_turned: bool) -> bool {
+    if (has_turned) {
+        return way.bend > 0.0;
+    }
+    return way.step.z > 0.0 || (way.step.z == 0.0 && way.bend > 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "greatest_value",
+        sampling: None,
+        uses: &["VoxelCell"],
+        text: r#"// The greatest value at the corners of a cell.
+fn greatest_value(cell: VoxelCell) -> f32 {
+    let most = max(cell.low, cell.high);
+    return max(max(most.x, most.y), max(most.z, most.w));
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "gap_in_cell",
+        sampling: None,
+        uses: &["Quartic", "SURFACE_VALUE", "VoxelCell", "VoxelPath", "along_slice", "voxel_place_on"],
+        text: r#"// The gap in a cell along a path from t on, as a polynomial that is at 1 after `span`.
+fn gap_in_cell(way: VoxelPath, cell: vec3f, corners: VoxelCell, t: f32, span: f32) -> Quartic {
+    let at = voxel_place_on(way, t) - cell;
+    let slope = (way.step.z + 2.0 * way.bend * t) * span;
+    let bend = way.bend * (span * span);
+    let dx = way.step.x * span;
+    let dy = way.step.y * span;
+    let low = along_slice(corners.low, at.xy, dx, dy);
+    let rise = along_slice(corners.high, at.xy, dx, dy) - low;
+    return Quartic(
+        SURFACE_VALUE - (low.x + rise.x * at.z),
+        0.0 - (low.y + rise.y * at.z + rise.x * slope),
+        0.0 - (low.z + rise.z * at.z + rise.y * slope + rise.x * bend),
+        0.0 - (rise.z * slope + rise.y * bend),
+        0.0 - rise.z * bend,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "along_slice",
+        sampling: None,
+        uses: &[],
+        text: r#"// The bilinear mean of four corners along a straight way: a polynomial of degree 2.
+fn along_slice(h: vec4f, at: vec2f, dx: f32, dy: f32) -> vec3f {
+    let bx = h.y - h.x;
+    let by = h.z - h.x;
+    let twist = (h.x - h.y) + (h.w - h.z);
+    return vec3f(
+        h.x + bx * at.x + by * at.y + twist * at.x * at.y,
+        bx * dx + by * dy + twist * (at.x * dy + at.y * dx),
+        twist * dx * dy,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "next_voxel_cell",
+        sampling: None,
+        uses: &["VoxelPath"],
+        text: r#"// The next cell, behind the side through which the path leaves first.
+fn next_voxel_cell(way: VoxelPath, cell: vec3f, leave: vec3f, rises: bool) -> vec3f {
+    var next = cell;
+    if (leave.x <= leave.y && leave.x <= leave.z) {
+        next.x = cell.x + select(-1.0, 1.0, way.step.x > 0.0);
+    } else if (leave.y <= leave.z) {
+        next.y = cell.y + select(-1.0, 1.0, way.step.y > 0.0);
+    } else {
+        next.z = cell.z + select(-1.0, 1.0, rises);
+    }
+    return next;
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
+        name: "walk_voxels",
+        sampling: None,
+        uses: &["FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "NEVER", "NO_COST", "Path", "STEP", "SURFACE_VALUE", "SearchResult", "VOXELS_READ", "first_root_of_quartic", "gap_in_cell", "greatest_value", "is_inside", "next_voxel_cell", "rises_on", "turning_point", "voxel_cell", "voxel_leave", "voxel_path", "voxel_place_on"],
+        text: r#"// The first place on a path from one parameter to another where the field reaches the surface: a bracket in its
+// cell, whose far end is the root. Gives up after `limit` cells.
+fn walk_voxels(path: Path, from_t: f32, to_t: f32, limit: u32) -> SearchResult {
+    let way = voxel_path(path);
+    let turn = turning_point(way);
+    var has_turned = from_t >= turn;
+    var t = from_t;
+    var cell = floor(voxel_place_on(way, t));
+    var cost = NO_COST;
+    while (cost.y < limit) {
+        cost = cost + STEP + VOXELS_READ;
+        let end_of_part = select(min(turn, to_t), to_t, has_turned);
+        let leave = voxel_leave(way, cell, has_turned);
+        let side = min(min(leave.x, leave.y), leave.z);
+        let end = max(min(side, end_of_part), t);
+        let corners = voxel_cell(vec3i(cell));
+        if (greatest_value(corners) >= SURFACE_VALUE) {
+            let gap = gap_in_cell(way, cell, corners, t, end - t);
+            let root = first_root_of_quartic(gap);
+            if (root < NEVER) {
+                let is_inside = gap.a < 0.0 && t == from_t;
+                let status = select(FOUND_BRACKET, FOUND_STARTED_BELOW, is_inside);
+                return SearchResult(status, t, t + root * (end - t), gap.a, min(gap.a, 0.0), cost);
+            }
+        }
+        if (end >= to_t) {
+            return SearchResult(FOUND_MISS, end, end, 1.0, 1.0, cost);
+        }
+        if (side > end_of_part) {
+            has_turned = true;
+        } else {
+            cell = next_voxel_cell(way, cell, leave, rises_on(way, has_turned));
+        }
+        t = end;
+    }
+    return SearchResult(FOUND_EXHAUSTED, t, t, 1.0, 1.0, cost);
 }"#,
     },
     Declaration {
@@ -9588,7 +10224,7 @@ fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hi
         uses: &["Entered", "Hit", "Path", "PixelIn", "placed_over"],
         text: r#"// On the surface, whatever the height of the path there, in the frame of the base point.
 fn surface_plane_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
-    return placed_over(at, hit.uv);
+    return placed_over(at, hit);
 }"#,
     },
     Declaration {
@@ -9916,10 +10552,13 @@ fn point_of_way(pixel: PixelIn, prism: Prism, place: vec3f, height: f32) -> Shel
         module: "surface/prism",
         name: "surface_prism_polish",
         sampling: None,
-        uses: &["Entered", "HEIGHTS_A_TEXEL", "Hit", "POLISH_STEPS", "Path", "PixelIn", "SHELL_FOLDED", "cell_gap", "cell_of", "grid_of", "height_at", "middle_of", "path_gap", "path_height", "point_of_way", "prism_of", "shell_point_from", "shell_point_near", "uv_of"],
+        uses: &["Entered", "HEIGHTS_A_TEXEL", "Hit", "POLISH_STEPS", "Path", "PixelIn", "SHELL_FOLDED", "cell_gap", "cell_of", "field_is_ground_stage", "grid_of", "height_at", "middle_of", "path_gap", "path_height", "point_of_way", "prism_of", "shell_point_from", "shell_point_near", "uv_of"],
         text: r#"// Moves the chord's hit along the ray until the way is as high above the surface there as the chord
-// was.
+// was. In a volume the hit stays on the chord, no farther from the way than the tolerance.
 fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    if (!field_is_ground_stage(path.level)) {
+        return hit;
+    }
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
     let prism = prism_of(pixel, along, middle, params);
@@ -10329,7 +10968,7 @@ fn surface_quadric_perpendicular_place(
         module: "surface/quadric_vertical",
         name: "surface_quadric_vertical_place",
         sampling: None,
-        uses: &["Entered", "Hit", "Path", "PixelIn", "base_height", "height_at", "quadric_at", "quadric_frame", "surface_settings", "traced_scale_m"],
+        uses: &["Entered", "Hit", "Path", "PixelIn", "base_height", "field_height_stage", "quadric_at", "quadric_frame", "surface_settings", "traced_scale_m"],
         text: r#"// On the surface, whatever the height of the path there, in the frame that the quadric has there.
 fn surface_quadric_vertical_place(
     pixel: PixelIn,
@@ -10339,7 +10978,8 @@ fn surface_quadric_vertical_place(
     params: vec4f,
 ) -> Entered {
     let aside = hit.uv - at.uv;
-    let height = surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv, at.level);
+    let level = field_height_stage(hit.uv, hit.height, at.level);
+    let height = surface_settings.bias_m + surface_settings.scale_m * level;
     let lifted = (base_height() - at.of_surface.w) * traced_scale_m() + quadric_at(at.of_surface.xyz, aside);
     var placed = quadric_frame(at, aside);
     placed.point =
@@ -10542,7 +11182,7 @@ fn surface_slices_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         uses: &["Entered", "Hit", "Path", "PixelIn", "placed_over"],
         text: r#"// On the surface above the hit, in the frame of the point of the base under the slice.
 fn surface_slices_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
-    return placed_over(at, hit.uv);
+    return placed_over(at, hit);
 }"#,
     },
     Declaration {
@@ -11071,6 +11711,114 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
 }"#,
     },
     Declaration {
+        module: "field/heights",
+        name: "field_heights_gap",
+        sampling: None,
+        uses: &["Path", "height_at", "path_height", "path_uv"],
+        text: r#"fn field_heights_gap(path: Path, t: f32, params: vec4f) -> f32 {
+    return path_height(path, t) - height_at(path_uv(path, t), path.level);
+}"#,
+    },
+    Declaration {
+        module: "field/heights",
+        name: "field_heights_cost",
+        sampling: None,
+        uses: &["HEIGHTS_READ"],
+        text: r#"fn field_heights_cost(level: u32, params: vec4f) -> vec3u {
+    return HEIGHTS_READ;
+}"#,
+    },
+    Declaration {
+        module: "field/heights",
+        name: "field_heights_is_ground",
+        sampling: None,
+        uses: &[],
+        text: r#"fn field_heights_is_ground(level: u32, params: vec4f) -> bool {
+    return true;
+}"#,
+    },
+    Declaration {
+        module: "field/heights",
+        name: "field_heights_height",
+        sampling: None,
+        uses: &["height_at"],
+        text: r#"fn field_heights_height(uv: vec2f, height: f32, level: u32, params: vec4f) -> f32 {
+    return height_at(uv, level);
+}"#,
+    },
+    Declaration {
+        module: "field/heights",
+        name: "field_heights_normals",
+        sampling: None,
+        uses: &["Entered", "Hit", "SeenNormals", "mesostructure_normals"],
+        text: r#"fn field_heights_normals(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> SeenNormals {
+    return mesostructure_normals(at, hit.uv, view);
+}"#,
+    },
+    Declaration {
+        module: "field/heights",
+        name: "field_heights_light_ray",
+        sampling: None,
+        uses: &["Entered", "Hit", "LightRay", "Toward", "light_ray_over_heights"],
+        text: r#"fn field_heights_light_ray(at: Entered, hit: Hit, light: Toward, params: vec4f) -> LightRay {
+    return light_ray_over_heights(at, hit, light);
+}"#,
+    },
+    Declaration {
+        module: "field/volume",
+        name: "field_volume_gap",
+        sampling: None,
+        uses: &["Path", "SURFACE_VALUE", "field_at", "path_height", "path_uv"],
+        text: r#"fn field_volume_gap(path: Path, t: f32, params: vec4f) -> f32 {
+    return SURFACE_VALUE - field_at(vec3f(path_uv(path, t), path_height(path, t)));
+}"#,
+    },
+    Declaration {
+        module: "field/volume",
+        name: "field_volume_cost",
+        sampling: None,
+        uses: &["VOXELS_READ"],
+        text: r#"fn field_volume_cost(level: u32, params: vec4f) -> vec3u {
+    return VOXELS_READ;
+}"#,
+    },
+    Declaration {
+        module: "field/volume",
+        name: "field_volume_is_ground",
+        sampling: None,
+        uses: &[],
+        text: r#"fn field_volume_is_ground(level: u32, params: vec4f) -> bool {
+    return false;
+}"#,
+    },
+    Declaration {
+        module: "field/volume",
+        name: "field_volume_height",
+        sampling: None,
+        uses: &[],
+        text: r#"fn field_volume_height(uv: vec2f, height: f32, level: u32, params: vec4f) -> f32 {
+    return height;
+}"#,
+    },
+    Declaration {
+        module: "field/volume",
+        name: "field_volume_normals",
+        sampling: None,
+        uses: &["Entered", "Hit", "SeenNormals", "normal_of_field", "one_seen"],
+        text: r#"fn field_volume_normals(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> SeenNormals {
+    return one_seen(normal_of_field(at, hit));
+}"#,
+    },
+    Declaration {
+        module: "field/volume",
+        name: "field_volume_light_ray",
+        sampling: None,
+        uses: &["Entered", "Hit", "LightRay", "Toward", "light_ray_out_of_volume"],
+        text: r#"fn field_volume_light_ray(at: Entered, hit: Hit, light: Toward, params: vec4f) -> LightRay {
+    return light_ray_out_of_volume(at, hit, light);
+}"#,
+    },
+    Declaration {
         module: "detail/fade",
         name: "FLATTEST",
         sampling: None,
@@ -11453,14 +12201,14 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         module: "search/linear",
         name: "search_linear",
         sampling: None,
-        uses: &["FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "HEIGHTS_READ", "Path", "STEP", "SearchResult", "path_gap"],
+        uses: &["FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Path", "STEP", "SearchResult", "field_cost_stage", "path_gap"],
         text: r#"fn search_linear(path: Path, params: vec4f) -> SearchResult {
     // Cosine between ray and normal: the descent of a metre of the ray.
     let cosine = clamp(abs(path.h.y) * path.metric.w, 0.0, 1.0);
     let steps = max(1.0, ceil(params.x * mix(params.y, 1.0, cosine) * path.share));
     var near = 0.0;
     var near_gap = path_gap(path, 0.0);
-    var cost = HEIGHTS_READ;
+    var cost = field_cost_stage(path.level);
     if (near_gap < 0.0) {
         return SearchResult(FOUND_STARTED_BELOW, 0.0, 0.0, near_gap, near_gap, cost);
     }
@@ -11469,7 +12217,7 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         cost = cost + STEP;
         let t = path.exit * (k / steps);
         let gap = path_gap(path, t);
-        cost = cost + HEIGHTS_READ;
+        cost = cost + field_cost_stage(path.level);
         if (gap <= 0.0) {
             return SearchResult(FOUND_BRACKET, near, t, near_gap, gap, cost);
         }
@@ -11912,10 +12660,19 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
 }"#,
     },
     Declaration {
+        module: "search/voxels",
+        name: "search_voxels",
+        sampling: None,
+        uses: &["Path", "SearchResult", "walk_voxels"],
+        text: r#"fn search_voxels(path: Path, params: vec4f) -> SearchResult {
+    return walk_voxels(path, 0.0, path.exit, u32(params.x));
+}"#,
+    },
+    Declaration {
         module: "refine/binary",
         name: "refine_binary",
         sampling: None,
-        uses: &["FLOOR", "FOUND_BRACKET", "HEIGHTS_READ", "Hit", "Path", "STEP", "SearchResult", "has_interval", "hit_on_path", "miss", "path_gap", "path_height", "refine_none"],
+        uses: &["FLOOR", "FOUND_BRACKET", "Hit", "Path", "STEP", "SearchResult", "field_cost_stage", "has_interval", "hit_on_path", "miss", "path_gap", "path_height", "refine_none"],
         text: r#"fn refine_binary(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (!has_interval(found)) {
         return refine_none(path, found, params);
@@ -11928,7 +12685,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     while (k < params.x) {
         cost = cost + STEP;
         let middle = 0.5 * (near + far);
-        cost = cost + HEIGHTS_READ;
+        cost = cost + field_cost_stage(path.level);
         if (path_gap(path, middle) <= 0.0) {
             far = middle;
             crossed = true;
@@ -12074,7 +12831,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/secant",
         name: "refine_secant",
         sampling: None,
-        uses: &["FOUND_BRACKET", "HEIGHTS_READ", "Hit", "Path", "STEP", "SearchResult", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
+        uses: &["FOUND_BRACKET", "Hit", "Path", "STEP", "SearchResult", "field_cost_stage", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
         text: r#"fn refine_secant(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (!has_interval(found)) {
         return refine_none(path, found, params);
@@ -12087,7 +12844,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     if (found.status != FOUND_BRACKET) {
         near_gap = path_gap(path, near);
         far_gap = path_gap(path, far);
-        cost = cost + HEIGHTS_READ + HEIGHTS_READ;
+        cost = cost + field_cost_stage(path.level) + field_cost_stage(path.level);
         if (far_gap > 0.0) {
             return miss(cost);
         }
@@ -12103,7 +12860,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         t = near + (far - near) * (near_gap / drop);
         if (k < params.x) {
             let gap = path_gap(path, t);
-            cost = cost + HEIGHTS_READ;
+            cost = cost + field_cost_stage(path.level);
             if (gap <= 0.0) {
                 far = t;
                 far_gap = gap;
@@ -12173,10 +12930,31 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
 }"#,
     },
     Declaration {
+        module: "refine/trilinear",
+        name: "refine_trilinear",
+        sampling: None,
+        uses: &["FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_STARTED_BELOW", "Hit", "Path", "SearchResult", "has_interval", "hit_on_path", "miss", "refine_none", "walk_voxels"],
+        text: r#"fn refine_trilinear(path: Path, found: SearchResult, params: vec4f) -> Hit {
+    if (!has_interval(found)) {
+        return refine_none(path, found, params);
+    }
+    let root = walk_voxels(path, found.near, found.far, u32(params.x));
+    let cost = found.cost + root.cost;
+    if (root.status == FOUND_BRACKET || root.status == FOUND_STARTED_BELOW) {
+        return hit_on_path(path, root.far, 0u, cost);
+    }
+    if (found.status == FOUND_BRACKET) {
+        // By rounding the root lies at the far end.
+        return hit_on_path(path, found.far, select(0u, 1u, root.status == FOUND_EXHAUSTED), cost);
+    }
+    return miss(cost);
+}"#,
+    },
+    Declaration {
         module: "refine/true_secant",
         name: "refine_true_secant",
         sampling: None,
-        uses: &["FOUND_BRACKET", "HEIGHTS_READ", "Hit", "Path", "STEP", "SearchResult", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
+        uses: &["FOUND_BRACKET", "Hit", "Path", "STEP", "SearchResult", "field_cost_stage", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
         text: r#"fn refine_true_secant(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (!has_interval(found)) {
         return refine_none(path, found, params);
@@ -12189,7 +12967,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     if (found.status != FOUND_BRACKET) {
         before_gap = path_gap(path, before);
         last_gap = path_gap(path, last);
-        cost = cost + HEIGHTS_READ + HEIGHTS_READ;
+        cost = cost + field_cost_stage(path.level) + field_cost_stage(path.level);
         if (last_gap > 0.0) {
             return miss(cost);
         }
@@ -12207,7 +12985,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         last = t;
         if (k < params.x) {
             last_gap = path_gap(path, t);
-            cost = cost + HEIGHTS_READ;
+            cost = cost + field_cost_stage(path.level);
         }
         k = k + 1.0;
     }

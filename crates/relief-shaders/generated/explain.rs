@@ -8,7 +8,7 @@ use crate::cpu::runtime::{Convert as _, SquareRoot as _};
 impl Marked<'_> {
     pub(super) fn v_entered_once(
         &self,
-        path_10: Path,
+        path_13: Path,
         grid_5: Grid,
         above: rt::Scalar<f32>,
         below: rt::Scalar<f32>,
@@ -58,7 +58,7 @@ impl Marked<'_> {
                     if rt::Scalar::into_branch_condition((!_e42)) {
                         break 'naga_break;
                     }
-                    let _e44 = self.v_path_gap(path_10, middle_1);
+                    let _e44 = self.v_path_gap(path_13, middle_1);
                     let _e45 = cost_1;
                     cost_1 = (_e45 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
@@ -80,144 +80,145 @@ impl Marked<'_> {
     }
     pub(super) fn v_refine_binary(
         &self,
-        path_19: Path,
+        path_23: Path,
         found_3: SearchResult,
-        params_9: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> Hit {
-        let mut near_4: rt::Scalar<f32>;
-        let mut far_4: rt::Scalar<f32>;
+        let mut near_5: rt::Scalar<f32>;
+        let mut far_5: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_15: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_3);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_19, found_3, params_9);
+            let _e5 = self.v_refine_none(path_23, found_3, params_15);
             return _e5;
         }
-        near_4 = rt::Scalar(found_3.near);
-        far_4 = rt::Scalar(found_3.far);
+        near_5 = rt::Scalar(found_3.near);
+        far_5 = rt::Scalar(found_3.far);
         cost_5 = found_3.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
-            let _e18 = far_4;
-            let _e19 = self.v_path_height(path_19, _e18);
-            local_15 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e18 = far_5;
+            let _e19 = self.v_path_height(path_23, _e18);
+            local_21 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_15 = rt::Scalar(true);
+            local_21 = rt::Scalar(true);
         }
-        let _e23 = local_15;
+        let _e23 = local_21;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_9.x())) {
+                let _e27 = k_3;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_15.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e30 = cost_5;
                     cost_5 = (_e30 + STEP);
-                    let _e33 = near_4;
-                    let _e34 = far_4;
-                    let middle_2 = (rt::Scalar(0.5f32) * (_e33 + _e34));
-                    self.v_mark_turn(middle_2);
-                    let _e38 = near_4;
-                    let _e39 = far_4;
+                    let _e33 = near_5;
+                    let _e34 = far_5;
+                    let middle_4 = (rt::Scalar(0.5f32) * (_e33 + _e34));
+                    self.v_mark_turn(middle_4);
+                    let _e38 = near_5;
+                    let _e39 = far_5;
                     self.v_mark_bracket(_e38, _e39);
-                    self.v_mark_sample(middle_2);
+                    self.v_mark_sample(middle_4);
                     let _e40 = cost_5;
-                    cost_5 = (_e40 + HEIGHTS_READ);
-                    let _e43 = self.v_path_gap(path_19, middle_2);
-                    if rt::Scalar::into_branch_condition(_e43.elementwise_le(rt::Scalar(0f32))) {
-                        far_4 = middle_2;
+                    let _e42 = self.v_field_cost_stage(rt::Scalar(path_23.level));
+                    cost_5 = (_e40 + _e42);
+                    let _e44 = self.v_path_gap(path_23, middle_4);
+                    if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
+                        far_5 = middle_4;
                         crossed = rt::Scalar(true);
                     } else {
-                        near_4 = middle_2;
+                        near_5 = middle_4;
                     }
-                    let _e47 = k;
-                    k = (_e47 + rt::Scalar(1f32));
+                    let _e48 = k_3;
+                    k_3 = (_e48 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e50 = crossed;
-        if rt::Scalar::into_branch_condition((!_e50)) {
-            let _e52 = cost_5;
-            let _e53 = self.v_miss(_e52);
-            return _e53;
+        let _e51 = crossed;
+        if rt::Scalar::into_branch_condition((!_e51)) {
+            let _e53 = cost_5;
+            let _e54 = self.v_miss(_e53);
+            return _e54;
         }
-        let _e54 = near_4;
-        let _e55 = far_4;
-        let _e60 = cost_5;
-        let _e61 = self.v_hit_on_path(path_19, (rt::Scalar(0.5f32) * (_e54 + _e55)), rt::Scalar(0u32), _e60);
-        return _e61;
+        let _e55 = near_5;
+        let _e56 = far_5;
+        let _e61 = cost_5;
+        let _e62 = self.v_hit_on_path(path_23, (rt::Scalar(0.5f32) * (_e55 + _e56)), rt::Scalar(0u32), _e61);
+        return _e62;
     }
     pub(super) fn v_refine_half_texel(
         &self,
-        path_20: Path,
+        path_24: Path,
         found_4: SearchResult,
-        params_10: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> Hit {
-        let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut part_2: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_20, found_4, params_10);
+            let _e6 = self.v_refine_none(path_24, found_4, params_16);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_20.level));
-        let speed_1 = (path_20.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_20.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_20, found_4, params_10);
+        let _e9 = self.v_height_size(rt::Scalar(path_24.level));
+        let speed_1 = (path_24.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_24.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_24, found_4, params_16);
             return _e17;
         }
         let half = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_4.far) - half).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_20.exit));
-        let _e28 = self.v_path_gap(path_20, backward);
+        let forward_2 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_24.exit));
+        let _e28 = self.v_path_gap(path_24, backward);
         let before_1 = _e28.abs();
-        let _e30 = self.v_path_gap(path_20, forward_2);
+        let _e30 = self.v_path_gap(path_24, forward_2);
         let behind_1 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
-            part_1 = (before_1 / (before_1 + behind_1));
+            part_2 = (before_1 / (before_1 + behind_1));
         }
         self.v_mark_bracket(backward, forward_2);
         self.v_mark_chord(backward, before_1, forward_2, (rt::Scalar(0f32) - behind_1));
-        let cost_21 = ((found_4.cost + HEIGHTS_READ) + HEIGHTS_READ);
-        let _e47 = part_1;
-        let _e51 = self.v_hit_on_path(path_20, (backward + ((forward_2 - backward) * _e47)), rt::Scalar(0u32), cost_21);
+        let cost_22 = ((found_4.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let _e47 = part_2;
+        let _e51 = self.v_hit_on_path(path_24, (backward + ((forward_2 - backward) * _e47)), rt::Scalar(0u32), cost_22);
         return _e51;
     }
     pub(super) fn v_refine_offset(
         &self,
-        path_21: Path,
+        path_25: Path,
         found_5: SearchResult,
-        params_11: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_14: rt::Scalar<f32>;
+        let mut t_19: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_21, found_5);
-        let _e9 = self.v_path_uv(path_21, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_21.level));
+        let _e8 = self.v_starting_point(path_25, found_5);
+        let _e9 = self.v_path_uv(path_25, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_25.level));
         self.v_mark_plane(_e8, _e11, rt::Scalar(0f32));
-        let _e13 = self.v_path_slope(path_21, _e8);
-        t_14 = _e8;
+        let _e13 = self.v_path_slope(path_25, _e8);
+        t_19 = _e8;
         if rt::Scalar::into_branch_condition(_e13.elementwise_ne(rt::Scalar(0f32))) {
-            let _e17 = self.v_path_height(path_21, _e8);
-            t_14 = (_e8 + ((_e11 - _e17) / _e13));
+            let _e17 = self.v_path_height(path_25, _e8);
+            t_19 = (_e8 + ((_e11 - _e17) / _e13));
         }
-        let _e21 = t_14;
-        let _e31 = self.v_hit_on_path(path_21, _e21, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e21 = t_19;
+        let _e31 = self.v_hit_on_path(path_25, _e21, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e31;
     }
     pub(super) fn v_refine_offset_limited(
         &self,
-        path_22: Path,
+        path_26: Path,
         found_6: SearchResult,
-        params_12: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit: Hit;
 
@@ -225,14 +226,14 @@ impl Marked<'_> {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_22, found_6);
-        let _e9 = self.v_path_uv(path_22, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_22.level));
+        let _e8 = self.v_starting_point(path_26, found_6);
+        let _e9 = self.v_path_uv(path_26, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_26.level));
         self.v_mark_plane(_e8, _e11, rt::Scalar(0f32));
-        let _e13 = self.v_path_height(path_22, _e8);
-        let rise_m = ((_e11 - _e13) * path_22.metric.w());
+        let _e13 = self.v_path_height(path_26, _e8);
+        let rise_m = ((_e11 - _e13) * path_26.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e28 = self.v_hit_on_path(path_22, (_e8 - rise_m), exhausted_2, (found_6.cost + HEIGHTS_READ));
+        let _e28 = self.v_hit_on_path(path_26, (_e8 - rise_m), exhausted_2, (found_6.cost + HEIGHTS_READ));
         hit = _e28;
         let _e31 = rt::Scalar(hit.found);
         if rt::Scalar::into_branch_condition(_e31.elementwise_eq(rt::Scalar(1u32))) {
@@ -243,371 +244,379 @@ impl Marked<'_> {
     }
     pub(super) fn v_refine_patch(
         &self,
-        path_23: Path,
+        path_27: Path,
         found_7: SearchResult,
-        params_13: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_15: rt::Scalar<f32>;
-        let mut cell_21: rt::Vec2<f32>;
+        let mut t_20: rt::Scalar<f32>;
+        let mut cell_26: rt::Vec2<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut local_16: rt::Scalar<bool>;
+        let mut local_22: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_7.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_23, rt::Scalar(found_7.near), rt::Scalar(1u32), found_7.cost);
+            let _e14 = self.v_hit_on_path(path_27, rt::Scalar(found_7.near), rt::Scalar(1u32), found_7.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_23, rt::Scalar(found_7.near), rt::Scalar(0u32), found_7.cost);
+            let _e21 = self.v_hit_on_path(path_27, rt::Scalar(found_7.near), rt::Scalar(0u32), found_7.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_23);
-        t_15 = rt::Scalar(found_7.near);
-        let _e27 = t_15;
+        let _e22 = self.v_grid_of(path_27);
+        t_20 = rt::Scalar(found_7.near);
+        let _e27 = t_20;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_21 = _e30;
+        cell_26 = _e30;
         cost_6 = found_7.cost;
         let _e35 = cost_6.x();
-        let limit = (_e35 + params_13.x().to_u32());
+        let limit_1 = (_e35 + params_19.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_6.x();
-                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(limit)) {
+                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(limit_1)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e42 = cost_6;
                     cost_6 = (_e42 + STEP);
-                    let _e45 = t_15;
+                    let _e45 = t_20;
                     self.v_mark_turn(_e45);
-                    let _e46 = cell_21;
+                    let _e46 = cell_26;
                     let _e47 = self.v_cell_leave(_e22, _e46);
-                    let end_1 = _e47.x().min(_e47.y()).min(rt::Scalar(found_7.far));
-                    let _e53 = t_15;
-                    let span_5 = (end_1 - _e53).max(rt::Scalar(0f32));
-                    let _e57 = cell_21;
-                    let _e58 = t_15;
-                    self.v_mark_patch(_e57, _e58, end_1);
-                    let _e59 = cell_21;
-                    let _e60 = t_15;
-                    let _e61 = self.v_cell_gap(path_23, _e22, _e59, _e60);
+                    let end_2 = _e47.x().min(_e47.y()).min(rt::Scalar(found_7.far));
+                    let _e53 = t_20;
+                    let span_6 = (end_2 - _e53).max(rt::Scalar(0f32));
+                    let _e57 = cell_26;
+                    let _e58 = t_20;
+                    self.v_mark_patch(_e57, _e58, end_2);
+                    let _e59 = cell_26;
+                    let _e60 = t_20;
+                    let _e61 = self.v_cell_gap(path_27, _e22, _e59, _e60);
                     let _e62 = cost_6;
                     cost_6 = (_e62 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e61.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e68 = t_15;
+                        let _e68 = t_20;
                         let _e70 = cost_6;
-                        let _e71 = self.v_hit_on_path(path_23, _e68, rt::Scalar(0u32), _e70);
+                        let _e71 = self.v_hit_on_path(path_27, _e68, rt::Scalar(0u32), _e70);
                         return _e71;
                     }
-                    let _e72 = self.v_first_root(_e61, span_5);
+                    let _e72 = self.v_first_root(_e61, span_6);
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e75 = t_15;
+                        let _e75 = t_20;
                         let _e78 = cost_6;
-                        let _e79 = self.v_hit_on_path(path_23, (_e75 + _e72), rt::Scalar(0u32), _e78);
+                        let _e79 = self.v_hit_on_path(path_27, (_e75 + _e72), rt::Scalar(0u32), _e78);
                         return _e79;
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(found_7.far))) {
+                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(found_7.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_16 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
+                            local_22 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_16 = rt::Scalar(true);
+                            local_22 = rt::Scalar(true);
                         }
-                        let _e92 = local_16;
+                        let _e92 = local_22;
                         if rt::Scalar::into_branch_condition(_e92) {
                             let _e95 = cost_6;
-                            let _e96 = self.v_hit_on_path(path_23, rt::Scalar(found_7.far), rt::Scalar(0u32), _e95);
+                            let _e96 = self.v_hit_on_path(path_27, rt::Scalar(found_7.far), rt::Scalar(0u32), _e95);
                             return _e96;
                         }
                         let _e97 = cost_6;
                         let _e98 = self.v_miss(_e97);
                         return _e98;
                     }
-                    let _e99 = cell_21;
+                    let _e99 = cell_26;
                     let _e100 = self.v_cell_next(_e22, _e99, _e47);
-                    cell_21 = _e100;
-                    let _e101 = t_15;
-                    t_15 = _e101.max(end_1);
+                    cell_26 = _e100;
+                    let _e101 = t_20;
+                    t_20 = _e101.max(end_2);
                 }
             }
         }
-        let _e103 = t_15;
+        let _e103 = t_20;
         let _e105 = cost_6;
-        let _e106 = self.v_hit_on_path(path_23, _e103, rt::Scalar(1u32), _e105);
+        let _e106 = self.v_hit_on_path(path_27, _e103, rt::Scalar(1u32), _e105);
         return _e106;
     }
     pub(super) fn v_refine_secant(
         &self,
-        path_24: Path,
+        path_28: Path,
         found_8: SearchResult,
-        params_14: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Hit {
-        let mut near_5: rt::Scalar<f32>;
-        let mut far_5: rt::Scalar<f32>;
+        let mut near_6: rt::Scalar<f32>;
+        let mut far_6: rt::Scalar<f32>;
         let mut near_gap_2: rt::Scalar<f32>;
         let mut far_gap_2: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut t_16: rt::Scalar<f32>;
-        let mut k_1: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut t_21: rt::Scalar<f32>;
+        let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_24, found_8, params_14);
+            let _e5 = self.v_refine_none(path_28, found_8, params_20);
             return _e5;
         }
-        near_5 = rt::Scalar(found_8.near);
-        far_5 = rt::Scalar(found_8.far);
+        near_6 = rt::Scalar(found_8.near);
+        far_6 = rt::Scalar(found_8.far);
         near_gap_2 = rt::Scalar(found_8.near_gap);
         far_gap_2 = rt::Scalar(found_8.far_gap);
         cost_7 = found_8.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
-            let _e19 = near_5;
-            let _e20 = self.v_path_gap(path_24, _e19);
+            let _e19 = near_6;
+            let _e20 = self.v_path_gap(path_28, _e19);
             near_gap_2 = _e20;
-            let _e21 = far_5;
-            let _e22 = self.v_path_gap(path_24, _e21);
+            let _e21 = far_6;
+            let _e22 = self.v_path_gap(path_28, _e21);
             far_gap_2 = _e22;
             let _e23 = cost_7;
-            cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
-            let _e28 = far_gap_2;
-            if rt::Scalar::into_branch_condition(_e28.elementwise_gt(rt::Scalar(0f32))) {
-                let _e31 = cost_7;
-                let _e32 = self.v_miss(_e31);
-                return _e32;
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_28.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_28.level));
+            cost_7 = ((_e23 + _e25) + _e28);
+            let _e30 = far_gap_2;
+            if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
+                let _e33 = cost_7;
+                let _e34 = self.v_miss(_e33);
+                return _e34;
             }
         }
-        let _e33 = far_5;
-        t_16 = _e33;
+        let _e35 = far_6;
+        t_21 = _e35;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_1;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_14.x())) {
+                let _e39 = k_4;
+                if rt::Scalar::into_branch_condition(_e39.elementwise_le(params_20.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e40 = cost_7;
-                    cost_7 = (_e40 + STEP);
-                    let _e43 = t_16;
-                    self.v_mark_turn(_e43);
-                    let _e44 = near_5;
-                    let _e45 = far_5;
-                    self.v_mark_bracket(_e44, _e45);
-                    let _e46 = near_5;
-                    let _e47 = near_gap_2;
-                    let _e48 = far_5;
-                    let _e49 = far_gap_2;
-                    self.v_mark_chord(_e46, _e47, _e48, _e49);
-                    let _e50 = near_gap_2;
+                    let _e42 = cost_7;
+                    cost_7 = (_e42 + STEP);
+                    let _e45 = t_21;
+                    self.v_mark_turn(_e45);
+                    let _e46 = near_6;
+                    let _e47 = far_6;
+                    self.v_mark_bracket(_e46, _e47);
+                    let _e48 = near_6;
+                    let _e49 = near_gap_2;
+                    let _e50 = far_6;
                     let _e51 = far_gap_2;
-                    let drop = (_e50 - _e51);
+                    self.v_mark_chord(_e48, _e49, _e50, _e51);
+                    let _e52 = near_gap_2;
+                    let _e53 = far_gap_2;
+                    let drop = (_e52 - _e53);
                     if rt::Scalar::into_branch_condition((!drop.elementwise_gt(rt::Scalar(0f32)))) {
                         break 'naga_break;
                     }
-                    let _e56 = near_5;
-                    let _e57 = far_5;
-                    let _e58 = near_5;
-                    let _e60 = near_gap_2;
-                    t_16 = (_e56 + ((_e57 - _e58) * (_e60 / drop)));
-                    let _e64 = k_1;
-                    if rt::Scalar::into_branch_condition(_e64.elementwise_lt(params_14.x())) {
-                        let _e67 = t_16;
-                        self.v_mark_sample(_e67);
-                        let _e68 = t_16;
-                        let _e69 = self.v_path_gap(path_24, _e68);
-                        let _e70 = cost_7;
-                        cost_7 = (_e70 + HEIGHTS_READ);
-                        if rt::Scalar::into_branch_condition(_e69.elementwise_le(rt::Scalar(0f32))) {
-                            let _e75 = t_16;
-                            far_5 = _e75;
-                            far_gap_2 = _e69;
+                    let _e58 = near_6;
+                    let _e59 = far_6;
+                    let _e60 = near_6;
+                    let _e62 = near_gap_2;
+                    t_21 = (_e58 + ((_e59 - _e60) * (_e62 / drop)));
+                    let _e66 = k_4;
+                    if rt::Scalar::into_branch_condition(_e66.elementwise_lt(params_20.x())) {
+                        let _e69 = t_21;
+                        self.v_mark_sample(_e69);
+                        let _e70 = t_21;
+                        let _e71 = self.v_path_gap(path_28, _e70);
+                        let _e72 = cost_7;
+                        let _e74 = self.v_field_cost_stage(rt::Scalar(path_28.level));
+                        cost_7 = (_e72 + _e74);
+                        if rt::Scalar::into_branch_condition(_e71.elementwise_le(rt::Scalar(0f32))) {
+                            let _e78 = t_21;
+                            far_6 = _e78;
+                            far_gap_2 = _e71;
                         } else {
-                            let _e76 = t_16;
-                            near_5 = _e76;
-                            near_gap_2 = _e69;
+                            let _e79 = t_21;
+                            near_6 = _e79;
+                            near_gap_2 = _e71;
                         }
                     }
-                    let _e77 = k_1;
-                    k_1 = (_e77 + rt::Scalar(1f32));
+                    let _e80 = k_4;
+                    k_4 = (_e80 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e80 = t_16;
-        let _e82 = cost_7;
-        let _e83 = self.v_hit_on_path(path_24, _e80, rt::Scalar(0u32), _e82);
-        return _e83;
+        let _e83 = t_21;
+        let _e85 = cost_7;
+        let _e86 = self.v_hit_on_path(path_28, _e83, rt::Scalar(0u32), _e85);
+        return _e86;
     }
     pub(super) fn v_refine_slope(
         &self,
-        path_25: Path,
+        path_29: Path,
         found_9: SearchResult,
-        params_15: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_17: rt::Scalar<f32>;
+        let mut t_22: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_9.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_25, found_9);
-        let _e9 = self.v_path_uv(path_25, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_25.level));
-        self.v_mark_plane(_e8, _e11.x(), <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()).dot(path_25.duv));
-        let _e19 = self.v_path_height(path_25, _e8);
-        let rise_1 = (_e11.x() - _e19);
-        t_17 = _e8;
-        if rt::Scalar::into_branch_condition(params_15.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e25 = self.v_path_slope(path_25, _e8);
-            let closing = (_e25 - ((_e11.y() * path_25.duv.x()) + (_e11.z() * path_25.duv.y())));
+        let _e8 = self.v_starting_point(path_29, found_9);
+        let _e9 = self.v_path_uv(path_29, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_29.level));
+        self.v_mark_plane(_e8, _e11.x(), <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()).dot(path_29.duv));
+        let _e19 = self.v_path_height(path_29, _e8);
+        let rise_2 = (_e11.x() - _e19);
+        t_22 = _e8;
+        if rt::Scalar::into_branch_condition(params_21.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e25 = self.v_path_slope(path_29, _e8);
+            let closing = (_e25 - ((_e11.y() * path_29.duv.x()) + (_e11.z() * path_29.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_17 = (_e8 + (rise_1 / closing));
+                t_22 = (_e8 + (rise_2 / closing));
             }
         } else {
-            let _e46 = self.v_normal_z(path_25, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_17 = (_e8 - ((rise_1 * path_25.metric.w()) * _e46));
+            let _e46 = self.v_normal_z(path_29, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_22 = (_e8 - ((rise_2 * path_29.metric.w()) * _e46));
         }
-        let _e49 = t_17;
-        let _e59 = self.v_hit_on_path(path_25, _e49, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (found_9.cost + HEIGHTS_READ));
+        let _e49 = t_22;
+        let _e59 = self.v_hit_on_path(path_29, _e49, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (found_9.cost + HEIGHTS_READ));
         return _e59;
     }
     pub(super) fn v_refine_slope_iterative(
         &self,
-        path_26: Path,
+        path_30: Path,
         found_10: SearchResult,
-        params_16: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_18: rt::Scalar<f32>;
+        let mut t_23: rt::Scalar<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_26, found_10);
-        t_18 = _e8;
+        let _e8 = self.v_starting_point(path_30, found_10);
+        t_23 = _e8;
         cost_8 = found_10.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_2;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_16.x())) {
+                let _e14 = k_5;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_22.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_8;
                     cost_8 = (_e17 + STEP);
-                    let _e20 = t_18;
+                    let _e20 = t_23;
                     self.v_mark_turn(_e20);
-                    let _e21 = t_18;
-                    let _e22 = self.v_path_uv(path_26, _e21);
-                    let _e24 = self.v_height_and_slope(_e22, rt::Scalar(path_26.level));
+                    let _e21 = t_23;
+                    let _e22 = self.v_path_uv(path_30, _e21);
+                    let _e24 = self.v_height_and_slope(_e22, rt::Scalar(path_30.level));
                     let _e25 = cost_8;
                     cost_8 = (_e25 + HEIGHTS_READ);
-                    let _e28 = t_18;
-                    self.v_mark_plane(_e28, _e24.x(), <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()).dot(path_26.duv));
-                    let _e36 = t_18;
-                    let _e37 = self.v_path_height(path_26, _e36);
-                    let rise_2 = (_e24.x() - _e37);
-                    if rt::Scalar::into_branch_condition(params_16.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e42 = t_18;
-                        let _e43 = self.v_path_slope(path_26, _e42);
-                        let closing_1 = (_e43 - ((_e24.y() * path_26.duv.x()) + (_e24.z() * path_26.duv.y())));
+                    let _e28 = t_23;
+                    self.v_mark_plane(_e28, _e24.x(), <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()).dot(path_30.duv));
+                    let _e36 = t_23;
+                    let _e37 = self.v_path_height(path_30, _e36);
+                    let rise_3 = (_e24.x() - _e37);
+                    if rt::Scalar::into_branch_condition(params_22.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e42 = t_23;
+                        let _e43 = self.v_path_slope(path_30, _e42);
+                        let closing_1 = (_e43 - ((_e24.y() * path_30.duv.x()) + (_e24.z() * path_30.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e56 = t_18;
-                            t_18 = (_e56 + (rise_2 / closing_1));
+                            let _e56 = t_23;
+                            t_23 = (_e56 + (rise_3 / closing_1));
                         }
                     } else {
-                        let _e59 = t_18;
-                        let _e66 = self.v_normal_z(path_26, <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()));
-                        t_18 = (_e59 - ((rise_2 * path_26.metric.w()) * _e66));
+                        let _e59 = t_23;
+                        let _e66 = self.v_normal_z(path_30, <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()));
+                        t_23 = (_e59 - ((rise_3 * path_30.metric.w()) * _e66));
                     }
-                    let _e69 = t_18;
-                    t_18 = _e69.clamp(rt::Scalar(0f32), rt::Scalar(path_26.exit));
-                    let _e73 = k_2;
-                    k_2 = (_e73 + rt::Scalar(1f32));
+                    let _e69 = t_23;
+                    t_23 = _e69.clamp(rt::Scalar(0f32), rt::Scalar(path_30.exit));
+                    let _e73 = k_5;
+                    k_5 = (_e73 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e76 = t_18;
+        let _e76 = t_23;
         let _e83 = cost_8;
-        let _e84 = self.v_hit_on_path(path_26, _e76, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e83);
+        let _e84 = self.v_hit_on_path(path_30, _e76, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e83);
         return _e84;
     }
-    pub(super) fn v_refine_stage(&self, path_28: Path, found_12: SearchResult) -> Hit {
-        let _e6 = rt::Scalar(self.surface_settings.choices[6usize].number);
+    pub(super) fn v_refine_stage(&self, path_35: Path, found_13: SearchResult) -> Hit {
+        let _e6 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e11 = self.surface_settings.choices[6usize].params;
-                let _e12 = self.v_refine_none(path_28, found_12, _e11);
+                let _e11 = self.surface_settings.choices[7usize].params;
+                let _e12 = self.v_refine_none(path_35, found_13, _e11);
                 return _e12;
             }
             1u32 => {
-                let _e17 = self.surface_settings.choices[6usize].params;
-                let _e18 = self.v_refine_offset(path_28, found_12, _e17);
+                let _e17 = self.surface_settings.choices[7usize].params;
+                let _e18 = self.v_refine_offset(path_35, found_13, _e17);
                 return _e18;
             }
             2u32 => {
-                let _e23 = self.surface_settings.choices[6usize].params;
-                let _e24 = self.v_refine_offset_limited(path_28, found_12, _e23);
+                let _e23 = self.surface_settings.choices[7usize].params;
+                let _e24 = self.v_refine_offset_limited(path_35, found_13, _e23);
                 return _e24;
             }
             3u32 => {
-                let _e29 = self.surface_settings.choices[6usize].params;
-                let _e30 = self.v_refine_slope(path_28, found_12, _e29);
+                let _e29 = self.surface_settings.choices[7usize].params;
+                let _e30 = self.v_refine_slope(path_35, found_13, _e29);
                 return _e30;
             }
             4u32 => {
-                let _e35 = self.surface_settings.choices[6usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_28, found_12, _e35);
+                let _e35 = self.surface_settings.choices[7usize].params;
+                let _e36 = self.v_refine_slope_iterative(path_35, found_13, _e35);
                 return _e36;
             }
             5u32 => {
-                let _e41 = self.surface_settings.choices[6usize].params;
-                let _e42 = self.v_refine_binary(path_28, found_12, _e41);
+                let _e41 = self.surface_settings.choices[7usize].params;
+                let _e42 = self.v_refine_binary(path_35, found_13, _e41);
                 return _e42;
             }
             6u32 => {
-                let _e47 = self.surface_settings.choices[6usize].params;
-                let _e48 = self.v_refine_secant(path_28, found_12, _e47);
+                let _e47 = self.surface_settings.choices[7usize].params;
+                let _e48 = self.v_refine_secant(path_35, found_13, _e47);
                 return _e48;
             }
             7u32 => {
-                let _e53 = self.surface_settings.choices[6usize].params;
-                let _e54 = self.v_refine_true_secant(path_28, found_12, _e53);
+                let _e53 = self.surface_settings.choices[7usize].params;
+                let _e54 = self.v_refine_true_secant(path_35, found_13, _e53);
                 return _e54;
             }
             8u32 => {
-                let _e59 = self.surface_settings.choices[6usize].params;
-                let _e60 = self.v_refine_patch(path_28, found_12, _e59);
+                let _e59 = self.surface_settings.choices[7usize].params;
+                let _e60 = self.v_refine_patch(path_35, found_13, _e59);
                 return _e60;
             }
-            _ => {
-                let _e65 = self.surface_settings.choices[6usize].params;
-                let _e66 = self.v_refine_half_texel(path_28, found_12, _e65);
+            9u32 => {
+                let _e65 = self.surface_settings.choices[7usize].params;
+                let _e66 = self.v_refine_half_texel(path_35, found_13, _e65);
                 return _e66;
+            }
+            _ => {
+                let _e71 = self.surface_settings.choices[7usize].params;
+                let _e72 = self.v_refine_trilinear(path_35, found_13, _e71);
+                return _e72;
             }
         }
     }
     pub(super) fn v_refine_true_secant(
         &self,
-        path_27: Path,
+        path_31: Path,
         found_11: SearchResult,
-        params_17: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32>;
-        let mut k_3: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_11);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_27, found_11, params_17);
+            let _e5 = self.v_refine_none(path_31, found_11, params_23);
             return _e5;
         }
         before = rt::Scalar(found_11.near);
@@ -617,711 +626,717 @@ impl Marked<'_> {
         cost_9 = found_11.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_27, _e19);
+            let _e20 = self.v_path_gap(path_31, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_27, _e21);
+            let _e22 = self.v_path_gap(path_31, _e21);
             last_gap = _e22;
             let _e23 = cost_9;
-            cost_9 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
-            let _e28 = last_gap;
-            if rt::Scalar::into_branch_condition(_e28.elementwise_gt(rt::Scalar(0f32))) {
-                let _e31 = cost_9;
-                let _e32 = self.v_miss(_e31);
-                return _e32;
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_31.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_31.level));
+            cost_9 = ((_e23 + _e25) + _e28);
+            let _e30 = last_gap;
+            if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
+                let _e33 = cost_9;
+                let _e34 = self.v_miss(_e33);
+                return _e34;
             }
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_3;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_17.x())) {
+                let _e37 = k_6;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_23.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e38 = cost_9;
-                    cost_9 = (_e38 + STEP);
-                    let _e41 = last;
-                    self.v_mark_turn(_e41);
-                    let _e42 = before;
-                    let _e43 = before_gap;
-                    let _e44 = last;
-                    let _e45 = last_gap;
-                    self.v_mark_chord(_e42, _e43, _e44, _e45);
-                    let _e46 = before_gap;
+                    let _e40 = cost_9;
+                    cost_9 = (_e40 + STEP);
+                    let _e43 = last;
+                    self.v_mark_turn(_e43);
+                    let _e44 = before;
+                    let _e45 = before_gap;
+                    let _e46 = last;
                     let _e47 = last_gap;
-                    let change = (_e46 - _e47);
+                    self.v_mark_chord(_e44, _e45, _e46, _e47);
+                    let _e48 = before_gap;
+                    let _e49 = last_gap;
+                    let change = (_e48 - _e49);
                     if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e51 = last;
-                    let _e52 = last;
-                    let _e53 = before;
-                    let _e55 = last_gap;
-                    let t_30 = (_e51 + ((_e52 - _e53) * (_e55 / change))).clamp(rt::Scalar(found_11.near), rt::Scalar(found_11.far));
-                    let _e62 = last;
-                    before = _e62;
-                    let _e63 = last_gap;
-                    before_gap = _e63;
-                    last = t_30;
-                    let _e64 = k_3;
-                    if rt::Scalar::into_branch_condition(_e64.elementwise_lt(params_17.x())) {
-                        self.v_mark_sample(t_30);
-                        let _e67 = self.v_path_gap(path_27, t_30);
-                        last_gap = _e67;
-                        let _e68 = cost_9;
-                        cost_9 = (_e68 + HEIGHTS_READ);
+                    let _e53 = last;
+                    let _e54 = last;
+                    let _e55 = before;
+                    let _e57 = last_gap;
+                    let t_36 = (_e53 + ((_e54 - _e55) * (_e57 / change))).clamp(rt::Scalar(found_11.near), rt::Scalar(found_11.far));
+                    let _e64 = last;
+                    before = _e64;
+                    let _e65 = last_gap;
+                    before_gap = _e65;
+                    last = t_36;
+                    let _e66 = k_6;
+                    if rt::Scalar::into_branch_condition(_e66.elementwise_lt(params_23.x())) {
+                        self.v_mark_sample(t_36);
+                        let _e69 = self.v_path_gap(path_31, t_36);
+                        last_gap = _e69;
+                        let _e70 = cost_9;
+                        let _e72 = self.v_field_cost_stage(rt::Scalar(path_31.level));
+                        cost_9 = (_e70 + _e72);
                     }
-                    let _e71 = k_3;
-                    k_3 = (_e71 + rt::Scalar(1f32));
+                    let _e74 = k_6;
+                    k_6 = (_e74 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e74 = last;
-        let _e76 = cost_9;
-        let _e77 = self.v_hit_on_path(path_27, _e74, rt::Scalar(0u32), _e76);
-        return _e77;
+        let _e77 = last;
+        let _e79 = cost_9;
+        let _e80 = self.v_hit_on_path(path_31, _e77, rt::Scalar(0u32), _e79);
+        return _e80;
     }
     pub(super) fn v_search_cells(
         &self,
-        path_29: Path,
-        params_18: rt::Vec4<f32>,
+        path_36: Path,
+        params_25: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_22: rt::Vec2<f32>;
-        let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_10: rt::Vec3<u32> = NO_COST;
+        let mut cell_29: rt::Vec2<f32>;
+        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_29);
+        let _e2 = self.v_grid_of(path_36);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_22 = _e4;
-        let limit_1 = params_18.x().to_u32();
+        cell_29 = _e4;
+        let limit_2 = params_25.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = cost_10.x();
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(limit_1)) {
+                let _e13 = cost_11.x();
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(limit_2)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = cost_10;
-                    cost_10 = (_e15 + STEP);
-                    let _e18 = t_19;
+                    let _e15 = cost_11;
+                    cost_11 = (_e15 + STEP);
+                    let _e18 = t_25;
                     self.v_mark_turn(_e18);
-                    let _e19 = cell_22;
-                    let _e20 = t_19;
-                    let _e21 = self.v_cell_gap(path_29, _e2, _e19, _e20);
-                    let _e22 = cost_10;
-                    cost_10 = (_e22 + HEIGHTS_READ);
-                    let _e25 = cell_22;
+                    let _e19 = cell_29;
+                    let _e20 = t_25;
+                    let _e21 = self.v_cell_gap(path_36, _e2, _e19, _e20);
+                    let _e22 = cost_11;
+                    cost_11 = (_e22 + HEIGHTS_READ);
+                    let _e25 = cell_29;
                     let _e26 = self.v_cell_leave(_e2, _e25);
-                    let end_2 = _e26.x().min(_e26.y()).min(rt::Scalar(path_29.exit));
-                    let _e32 = t_19;
-                    let span_6 = (end_2 - _e32).max(rt::Scalar(0f32));
-                    let _e36 = cell_22;
-                    let _e37 = t_19;
-                    self.v_mark_patch(_e36, _e37, end_2);
-                    let _e38 = self.v_falls_in_cell(_e21, span_6);
+                    let end_4 = _e26.x().min(_e26.y()).min(rt::Scalar(path_36.exit));
+                    let _e32 = t_25;
+                    let span_7 = (end_4 - _e32).max(rt::Scalar(0f32));
+                    let _e36 = cell_29;
+                    let _e37 = t_25;
+                    self.v_mark_patch(_e36, _e37, end_4);
+                    let _e38 = self.v_falls_in_cell(_e21, span_7);
                     if rt::Scalar::into_branch_condition(_e38) {
-                        let _e39 = t_19;
-                        let _e41 = cost_10.x();
-                        let _e44 = cost_10;
-                        let _e45 = self.v_found_in_cell(_e21, _e39, span_6, _e41.elementwise_eq(rt::Scalar(1u32)), _e44);
+                        let _e39 = t_25;
+                        let _e41 = cost_11.x();
+                        let _e44 = cost_11;
+                        let _e45 = self.v_found_in_cell(_e21, _e39, span_7, _e41.elementwise_eq(rt::Scalar(1u32)), _e44);
                         return _e45;
                     }
-                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(path_29.exit))) {
-                        let _e49 = t_19;
-                        let _e52 = self.v_quadratic(_e21, span_6);
-                        let _e53 = cost_10;
-                        return <SearchResult>::new(FOUND_MISS, _e49, rt::Scalar(path_29.exit), _e21.x(), _e52, _e53);
+                    if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(path_36.exit))) {
+                        let _e49 = t_25;
+                        let _e52 = self.v_quadratic(_e21, span_7);
+                        let _e53 = cost_11;
+                        return <SearchResult>::new(FOUND_MISS, _e49, rt::Scalar(path_36.exit), _e21.x(), _e52, _e53);
                     }
-                    let _e55 = cell_22;
+                    let _e55 = cell_29;
                     let _e56 = self.v_cell_next(_e2, _e55, _e26);
-                    cell_22 = _e56;
-                    let _e57 = t_19;
-                    t_19 = _e57.max(end_2);
+                    cell_29 = _e56;
+                    let _e57 = t_25;
+                    t_25 = _e57.max(end_4);
                 }
             }
         }
-        let _e60 = t_19;
-        let _e62 = cost_10;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e60, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e62);
+        let _e60 = t_25;
+        let _e62 = cost_11;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e60, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e62);
     }
     pub(super) fn v_search_cone(
         &self,
-        path_31: Path,
-        params_19: rt::Vec4<f32>,
+        path_38: Path,
+        params_26: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_23: rt::Vec2<f32>;
-        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_11: rt::Vec3<u32> = NO_COST;
-        let mut next_1: rt::Scalar<f32>;
+        let mut cell_30: rt::Vec2<f32>;
+        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_12: rt::Vec3<u32> = NO_COST;
+        let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_31);
+        let _e2 = self.v_grid_of(path_38);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_23 = _e9;
-        let limit_2 = params_19.x().to_u32();
+        cell_30 = _e9;
+        let limit_3 = params_26.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e18 = cost_11.x();
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_2)) {
+                let _e18 = cost_12.x();
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_3)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e20 = cost_11;
-                    cost_11 = (_e20 + STEP);
-                    let _e23 = t_21;
+                    let _e20 = cost_12;
+                    cost_12 = (_e20 + STEP);
+                    let _e23 = t_27;
                     self.v_mark_turn(_e23);
-                    let _e25 = cost_11.x();
-                    let first_3 = _e25.elementwise_eq(rt::Scalar(0u32));
-                    let _e28 = cell_23;
+                    let _e25 = cost_12.x();
+                    let first_5 = _e25.elementwise_eq(rt::Scalar(0u32));
+                    let _e28 = cell_30;
                     let _e29 = self.v_whole_cell(_e28);
-                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_31.level));
-                    let _e32 = cost_11;
-                    cost_11 = (_e32 + HEIGHTS_READ);
-                    let _e35 = cell_23;
+                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_38.level));
+                    let _e32 = cost_12;
+                    cost_12 = (_e32 + HEIGHTS_READ);
+                    let _e35 = cell_30;
                     let _e36 = self.v_cell_leave(_e2, _e35);
-                    let end_4 = _e36.x().min(_e36.y()).min(rt::Scalar(path_31.exit));
-                    let _e42 = t_21;
-                    let span_7 = (end_4 - _e42).max(rt::Scalar(0f32));
-                    let _e47 = cell_23;
-                    let _e50 = t_21;
-                    let at_3 = ((_e2.origin - _e47) + (_e2.step * _e50));
-                    let _e53 = self.v_nearest_corner(at_3);
+                    let end_6 = _e36.x().min(_e36.y()).min(rt::Scalar(path_38.exit));
+                    let _e42 = t_27;
+                    let span_8 = (end_6 - _e42).max(rt::Scalar(0f32));
+                    let _e47 = cell_30;
+                    let _e50 = t_27;
+                    let at_7 = ((_e2.origin - _e47) + (_e2.step * _e50));
+                    let _e53 = self.v_nearest_corner(at_7);
                     let _e54 = self.v_corner_height(_e31, _e53);
-                    let _e55 = t_21;
-                    next_1 = _e55;
-                    let _e57 = t_21;
-                    let _e58 = self.v_path_height(path_31, _e57);
+                    let _e55 = t_27;
+                    next_2 = _e55;
+                    let _e57 = t_27;
+                    let _e58 = self.v_path_height(path_38, _e57);
                     if rt::Scalar::into_branch_condition(_e58.elementwise_gt(_e54)) {
-                        let _e60 = cell_23;
+                        let _e60 = cell_30;
                         let texel_5 = (_e60 + _e53);
-                        let _e62 = self.v_cone_slope(path_31, texel_5);
-                        let _e63 = cost_11;
-                        let _e65 = self.v_map_read(path_31, rt::Scalar(1u32));
-                        cost_11 = (_e63 + _e65);
+                        let _e62 = self.v_cone_slope(path_38, texel_5);
+                        let _e63 = cost_12;
+                        let _e65 = self.v_map_read(path_38, rt::Scalar(1u32));
+                        cost_12 = (_e63 + _e65);
                         if rt::Scalar::into_branch_condition(_e62.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e73 = self.v_height_size(rt::Scalar(path_31.level));
+                            let _e73 = self.v_height_size(rt::Scalar(path_38.level));
                             self.v_mark_cone(((texel_5 + rt::Vec2::splat_from_scalar(rt::Scalar(0.5f32))) / _e73), _e54, _e62);
-                            let _e75 = t_21;
-                            let _e76 = t_21;
-                            let _e77 = self.v_stays_inside(path_31, _e2, texel_5, _e54, _e62, _e76);
-                            next_1 = (_e75 + _e77);
+                            let _e75 = t_27;
+                            let _e76 = t_27;
+                            let _e77 = self.v_stays_inside(path_38, _e2, texel_5, _e54, _e62, _e76);
+                            next_2 = (_e75 + _e77);
                         }
                     }
-                    let _e79 = next_1;
-                    if rt::Scalar::into_branch_condition(_e79.elementwise_lt(end_4)) {
-                        let _e81 = cell_23;
-                        let _e82 = t_21;
-                        self.v_mark_patch(_e81, _e82, end_4);
-                        let _e83 = cell_23;
-                        let _e84 = t_21;
-                        let _e85 = self.v_gap_to(path_31, _e2, _e83, _e31, _e84);
-                        let _e86 = self.v_falls_in_cell(_e85, span_7);
+                    let _e79 = next_2;
+                    if rt::Scalar::into_branch_condition(_e79.elementwise_lt(end_6)) {
+                        let _e81 = cell_30;
+                        let _e82 = t_27;
+                        self.v_mark_patch(_e81, _e82, end_6);
+                        let _e83 = cell_30;
+                        let _e84 = t_27;
+                        let _e85 = self.v_gap_to(path_38, _e2, _e83, _e31, _e84);
+                        let _e86 = self.v_falls_in_cell(_e85, span_8);
                         if rt::Scalar::into_branch_condition(_e86) {
-                            let _e87 = t_21;
-                            let _e88 = cost_11;
-                            let _e89 = self.v_found_in_cell(_e85, _e87, span_7, first_3, _e88);
+                            let _e87 = t_27;
+                            let _e88 = cost_12;
+                            let _e89 = self.v_found_in_cell(_e85, _e87, span_8, first_5, _e88);
                             return _e89;
                         }
-                        let _e90 = t_21;
-                        next_1 = _e90.max(end_4);
+                        let _e90 = t_27;
+                        next_2 = _e90.max(end_6);
                     }
-                    let _e92 = next_1;
-                    if rt::Scalar::into_branch_condition(_e92.elementwise_ge(rt::Scalar(path_31.exit))) {
-                        let _e96 = t_21;
-                        let _e98 = cost_11;
-                        return <SearchResult>::new(FOUND_MISS, _e96, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e98);
+                    let _e92 = next_2;
+                    if rt::Scalar::into_branch_condition(_e92.elementwise_ge(rt::Scalar(path_38.exit))) {
+                        let _e96 = t_27;
+                        let _e98 = cost_12;
+                        return <SearchResult>::new(FOUND_MISS, _e96, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e98);
                     }
-                    let _e102 = cell_23;
-                    let _e103 = next_1;
+                    let _e102 = cell_30;
+                    let _e103 = next_2;
                     let _e104 = self.v_cell_after(_e2, _e102, _e36, forward_3, _e103);
-                    cell_23 = _e104;
-                    let _e105 = next_1;
-                    t_21 = _e105;
+                    cell_30 = _e104;
+                    let _e105 = next_2;
+                    t_27 = _e105;
                 }
             }
         }
-        let _e107 = t_21;
-        let _e109 = cost_11;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e107, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
+        let _e107 = t_27;
+        let _e109 = cost_12;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e107, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
     }
     pub(super) fn v_search_cone_moved(
         &self,
-        path_32: Path,
-        params_20: rt::Vec4<f32>,
+        path_39: Path,
+        params_27: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_12: rt::Vec3<u32> = NO_COST;
-        let mut k_4: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_18: rt::Scalar<bool>;
+        let mut cost_13: rt::Vec3<u32> = NO_COST;
+        let mut k_7: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_28: rt::Scalar<bool>;
 
-        let aside_1 = path_32.duv.length();
+        let aside_1 = path_39.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_4;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_20.x())) {
+                let _e14 = k_7;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_27.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = cost_12;
-                    cost_12 = (_e17 + STEP);
-                    let _e20 = t_22;
+                    let _e17 = cost_13;
+                    cost_13 = (_e17 + STEP);
+                    let _e20 = t_28;
                     self.v_mark_turn(_e20);
-                    let _e21 = t_22;
+                    let _e21 = t_28;
                     self.v_mark_sample(_e21);
-                    let _e22 = t_22;
-                    let _e23 = self.v_path_gap(path_32, _e22);
-                    let _e24 = cost_12;
-                    cost_12 = (_e24 + HEIGHTS_READ);
+                    let _e22 = t_28;
+                    let _e23 = self.v_path_gap(path_39, _e22);
+                    let _e24 = cost_13;
+                    cost_13 = (_e24 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e23.elementwise_le(rt::Scalar(0f32))) {
-                        let _e29 = t_22;
+                        let _e29 = t_28;
                         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(0f32))) {
-                            local_18 = _e23.elementwise_lt(rt::Scalar(0f32));
+                            local_28 = _e23.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_18 = rt::Scalar(false);
+                            local_28 = rt::Scalar(false);
                         }
-                        let _e37 = local_18;
+                        let _e37 = local_28;
                         if rt::Scalar::into_branch_condition(_e37) {
-                            let _e39 = cost_12;
+                            let _e39 = cost_13;
                             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e23, _e23, _e39);
                         }
-                        let _e44 = near_6;
-                        let _e45 = t_22;
+                        let _e44 = near_7;
+                        let _e45 = t_28;
                         let _e46 = near_gap_3;
-                        let _e47 = cost_12;
+                        let _e47 = cost_13;
                         return <SearchResult>::new(FOUND_BRACKET, _e44, _e45, _e46, _e23, _e47);
                     }
-                    let _e49 = t_22;
-                    near_6 = _e49;
+                    let _e49 = t_28;
+                    near_7 = _e49;
                     near_gap_3 = _e23;
-                    let _e50 = t_22;
-                    let _e51 = self.v_path_uv(path_32, _e50);
-                    let _e53 = self.v_search_texel_between(path_32, _e51, rt::Scalar(0i32));
+                    let _e50 = t_28;
+                    let _e51 = self.v_path_uv(path_39, _e50);
+                    let _e53 = self.v_search_texel_between(path_39, _e51, rt::Scalar(0i32));
                     let _e55 = self.v_slope_of(_e53.x());
-                    let _e56 = cost_12;
-                    let _e58 = self.v_map_read(path_32, rt::Scalar(4u32));
-                    cost_12 = (_e56 + _e58);
+                    let _e56 = cost_13;
+                    let _e58 = self.v_map_read(path_39, rt::Scalar(4u32));
+                    cost_13 = (_e56 + _e58);
                     if rt::Scalar::into_branch_condition(_e55.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e62 = t_22;
-                    let _e63 = self.v_path_uv(path_32, _e62);
-                    let _e64 = t_22;
-                    let _e65 = self.v_path_height(path_32, _e64);
+                    let _e62 = t_28;
+                    let _e63 = self.v_path_uv(path_39, _e62);
+                    let _e64 = t_28;
+                    let _e65 = self.v_path_height(path_39, _e64);
                     self.v_mark_cone(_e63, (_e65 - _e23), _e55);
-                    let _e68 = t_22;
-                    let rest_1 = (rt::Scalar(path_32.exit) - _e68);
-                    let _e70 = t_22;
-                    let _e71 = self.v_path_slope(path_32, _e70);
-                    let rise_4 = (_e71 + (path_32.h.z().min(rt::Scalar(0f32)) * rest_1));
-                    let terms_1 = (path_32.h.x().abs() + (rt::Scalar(path_32.exit) * (path_32.h.y().abs() + (rt::Scalar(path_32.exit) * path_32.h.z().abs()))));
-                    let far_7 = (((path_32.uv.abs() + (path_32.duv.abs() * rt::Scalar(path_32.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e55);
-                    let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
-                    let nearing = ((_e55 * aside_1) - rise_4);
+                    let _e68 = t_28;
+                    let rest_1 = (rt::Scalar(path_39.exit) - _e68);
+                    let _e70 = t_28;
+                    let _e71 = self.v_path_slope(path_39, _e70);
+                    let rise_5 = (_e71 + (path_39.h.z().min(rt::Scalar(0f32)) * rest_1));
+                    let terms_1 = (path_39.h.x().abs() + (rt::Scalar(path_39.exit) * (path_39.h.y().abs() + (rt::Scalar(path_39.exit) * path_39.h.z().abs()))));
+                    let far_8 = (((path_39.uv.abs() + (path_39.duv.abs() * rt::Scalar(path_39.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e55);
+                    let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_8.x()) + far_8.y()));
+                    let nearing = ((_e55 * aside_1) - rise_5);
                     let closing_2 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_2.elementwise_le(rt::Scalar(0f32))) {
-                        let _e119 = t_22;
-                        let _e121 = cost_12;
-                        return <SearchResult>::new(FOUND_MISS, _e119, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e121);
+                        let _e119 = t_28;
+                        let _e121 = cost_13;
+                        return <SearchResult>::new(FOUND_MISS, _e119, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e121);
                     }
-                    let _e125 = t_22;
-                    t_22 = (_e125 + ((_e23 - lost_2).max(rt::Scalar(0f32)) / closing_2));
-                    let _e131 = t_22;
-                    if rt::Scalar::into_branch_condition(_e131.elementwise_ge(rt::Scalar(path_32.exit))) {
-                        let _e135 = near_6;
-                        let _e137 = cost_12;
-                        return <SearchResult>::new(FOUND_MISS, _e135, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
+                    let _e125 = t_28;
+                    t_28 = (_e125 + ((_e23 - lost_2).max(rt::Scalar(0f32)) / closing_2));
+                    let _e131 = t_28;
+                    if rt::Scalar::into_branch_condition(_e131.elementwise_ge(rt::Scalar(path_39.exit))) {
+                        let _e135 = near_7;
+                        let _e137 = cost_13;
+                        return <SearchResult>::new(FOUND_MISS, _e135, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
                     }
-                    let _e141 = k_4;
-                    k_4 = (_e141 + rt::Scalar(1f32));
+                    let _e141 = k_7;
+                    k_7 = (_e141 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e145 = t_22;
-        let _e147 = t_22;
-        let _e148 = self.v_path_height(path_32, _e147);
-        let _e149 = cost_12;
-        return <SearchResult>::new(FOUND_ABOVE, _e145, rt::Scalar(path_32.exit), _e148, rt::Scalar(0f32), _e149);
+        let _e145 = t_28;
+        let _e147 = t_28;
+        let _e148 = self.v_path_height(path_39, _e147);
+        let _e149 = cost_13;
+        return <SearchResult>::new(FOUND_ABOVE, _e145, rt::Scalar(path_39.exit), _e148, rt::Scalar(0f32), _e149);
     }
     pub(super) fn v_search_dilation_erosion(
         &self,
-        path_33: Path,
-        params_21: rt::Vec4<f32>,
+        path_40: Path,
+        params_28: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_24: rt::Vec2<f32>;
-        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_31: rt::Vec2<f32>;
+        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_13: rt::Vec3<u32> = NO_COST;
-        let mut next_2: rt::Scalar<f32>;
+        let mut cost_14: rt::Vec3<u32> = NO_COST;
+        let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_19: rt::Scalar<bool>;
-        let mut local_20: rt::Scalar<bool>;
-        let mut local_21: rt::Scalar<bool>;
-        let mut local_22: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_33);
-        let _e4 = self.v_height_texels(rt::Scalar(path_33.level));
+        let _e2 = self.v_grid_of(path_40);
+        let _e4 = self.v_height_texels(rt::Scalar(path_40.level));
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
-        cell_24 = _e11;
-        let limit_3 = params_21.x().to_u32();
+        cell_31 = _e11;
+        let limit_4 = params_28.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e22 = cost_13.x();
-                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_3)) {
+                let _e22 = cost_14.x();
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_4)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = cost_13;
-                    cost_13 = (_e24 + STEP);
-                    let _e27 = t_23;
+                    let _e24 = cost_14;
+                    cost_14 = (_e24 + STEP);
+                    let _e27 = t_29;
                     self.v_mark_turn(_e27);
-                    let _e28 = cell_24;
+                    let _e28 = cell_31;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_5 = _e29.x().min(_e29.y()).min(rt::Scalar(path_33.exit));
-                    let _e35 = t_23;
-                    let span_8 = (end_5 - _e35).max(rt::Scalar(0f32));
-                    let _e39 = t_23;
-                    next_2 = _e39;
-                    looks = params_21.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e45 = cell_24;
+                    let end_7 = _e29.x().min(_e29.y()).min(rt::Scalar(path_40.exit));
+                    let _e35 = t_29;
+                    let span_9 = (end_7 - _e35).max(rt::Scalar(0f32));
+                    let _e39 = t_29;
+                    next_3 = _e39;
+                    looks = params_28.y().elementwise_gt(rt::Scalar(0.5f32));
+                    let _e45 = cell_31;
                     let _e46 = self.v_whole_cell(_e45);
                     let _e49 = self.v_image_of(_e46.x(), _e4.x());
                     let _e52 = self.v_image_of(_e46.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e49.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_19 = _e52.y().elementwise_eq(rt::Scalar(2i32));
+                        local_29 = _e52.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_19 = rt::Scalar(true);
+                        local_29 = rt::Scalar(true);
                     }
-                    let _e63 = local_19;
+                    let _e63 = local_29;
                     if rt::Scalar::into_branch_condition(_e63) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e71 = self.v_search_texel(path_33, <rt::Vec2<i32>>::from_scalars(_e49.x(), _e52.x()), rt::Scalar(0i32), rt::Scalar(path_33.level).to_i32());
-                        let _e72 = cost_13;
-                        let _e74 = self.v_map_read(path_33, rt::Scalar(1u32));
-                        cost_13 = (_e72 + _e74);
-                        let _e76 = cell_24;
-                        let _e80 = cell_24;
-                        self.v_mark_box((_e76 - rt::Vec2::splat_from_scalar(params_21.z())), ((_e80 + rt::Vec2::splat_from_scalar(params_21.z())) + rt::Vec2::splat_from_scalar(rt::Scalar(1f32))), _e71.y());
-                        let _e88 = cell_24;
-                        let _e90 = self.v_leaves_window(_e2, _e88, params_21.z());
-                        let _e93 = t_23;
-                        let reach = (_e90.min(rt::Scalar(path_33.exit)) - _e93).max(rt::Scalar(0f32));
-                        let _e97 = t_23;
+                        let _e71 = self.v_search_texel(path_40, <rt::Vec2<i32>>::from_scalars(_e49.x(), _e52.x()), rt::Scalar(0i32), rt::Scalar(path_40.level).to_i32());
+                        let _e72 = cost_14;
+                        let _e74 = self.v_map_read(path_40, rt::Scalar(1u32));
+                        cost_14 = (_e72 + _e74);
+                        let _e76 = cell_31;
+                        let _e80 = cell_31;
+                        self.v_mark_box((_e76 - rt::Vec2::splat_from_scalar(params_28.z())), ((_e80 + rt::Vec2::splat_from_scalar(params_28.z())) + rt::Vec2::splat_from_scalar(rt::Scalar(1f32))), _e71.y());
+                        let _e88 = cell_31;
+                        let _e90 = self.v_leaves_window(_e2, _e88, params_28.z());
+                        let _e93 = t_29;
+                        let reach = (_e90.min(rt::Scalar(path_40.exit)) - _e93).max(rt::Scalar(0f32));
+                        let _e97 = t_29;
                         let furthest = (_e97 + reach);
-                        let rounded = (path_33.h.x().abs() + (furthest * (path_33.h.y().abs() + (furthest * path_33.h.z().abs()))));
-                        let _e112 = t_23;
-                        let _e113 = self.v_path_height(path_33, _e112);
-                        let _e119 = t_23;
-                        let _e120 = self.v_path_slope(path_33, _e119);
-                        let gap_2 = <rt::Vec3<f32>>::from_scalars(((_e113 - _e71.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e120, path_33.h.z());
-                        if rt::Scalar::into_branch_condition(gap_2.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e127 = t_23;
+                        let rounded = (path_40.h.x().abs() + (furthest * (path_40.h.y().abs() + (furthest * path_40.h.z().abs()))));
+                        let _e112 = t_29;
+                        let _e113 = self.v_path_height(path_40, _e112);
+                        let _e119 = t_29;
+                        let _e120 = self.v_path_slope(path_40, _e119);
+                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e113 - _e71.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e120, path_40.h.z());
+                        if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
+                            let _e127 = t_29;
                             safe_ = _e127;
-                            let _e128 = t_23;
-                            next_2 = (_e128 + reach);
-                            let _e130 = self.v_least_at(gap_2, reach);
-                            let _e131 = self.v_quadratic(gap_2, _e130);
+                            let _e128 = t_29;
+                            next_3 = (_e128 + reach);
+                            let _e130 = self.v_least_at(gap_3, reach);
+                            let _e131 = self.v_quadratic(gap_3, _e130);
                             if rt::Scalar::into_branch_condition(_e131.elementwise_le(rt::Scalar(0f32))) {
-                                let _e134 = t_23;
-                                let _e135 = self.v_first_root(gap_2, reach);
-                                next_2 = (_e134 + _e135.min(reach));
+                                let _e134 = t_29;
+                                let _e135 = self.v_first_root(gap_3, reach);
+                                next_3 = (_e134 + _e135.min(reach));
                             }
                         }
                         let _e138 = looks;
                         if rt::Scalar::into_branch_condition((!_e138)) {
-                            let _e142 = next_2;
-                            local_20 = _e142.elementwise_lt(end_5);
+                            let _e142 = next_3;
+                            local_30 = _e142.elementwise_lt(end_7);
                         } else {
-                            local_20 = rt::Scalar(false);
+                            local_30 = rt::Scalar(false);
                         }
-                        let _e145 = local_20;
+                        let _e145 = local_30;
                         if rt::Scalar::into_branch_condition(_e145) {
-                            let _e148 = self.v_path_height(path_33, end_5);
-                            local_21 = _e148.elementwise_lt(_e71.x());
+                            let _e148 = self.v_path_height(path_40, end_7);
+                            local_31 = _e148.elementwise_lt(_e71.x());
                         } else {
-                            local_21 = rt::Scalar(false);
+                            local_31 = rt::Scalar(false);
                         }
-                        let _e152 = local_21;
+                        let _e152 = local_31;
                         if rt::Scalar::into_branch_condition(_e152) {
                             let _e153 = safe_;
-                            let _e154 = cost_13;
-                            let _e155 = self.v_bracket_between(path_33, _e153, end_5, _e154);
+                            let _e154 = cost_14;
+                            let _e155 = self.v_bracket_between(path_40, _e153, end_7, _e154);
                             return _e155;
                         }
                     }
-                    let _e156 = next_2;
-                    if rt::Scalar::into_branch_condition((!_e156.elementwise_lt(end_5))) {
-                        let _e161 = t_23;
-                        local_22 = (!end_5.elementwise_gt(_e161));
+                    let _e156 = next_3;
+                    if rt::Scalar::into_branch_condition((!_e156.elementwise_lt(end_7))) {
+                        let _e161 = t_29;
+                        local_32 = (!end_7.elementwise_gt(_e161));
                     } else {
-                        local_22 = rt::Scalar(true);
+                        local_32 = rt::Scalar(true);
                     }
-                    let _e165 = local_22;
+                    let _e165 = local_32;
                     if rt::Scalar::into_branch_condition(_e165) {
                         let _e166 = looks;
                         if rt::Scalar::into_branch_condition(_e166) {
-                            let _e167 = cost_13;
-                            cost_13 = (_e167 + HEIGHTS_READ);
-                            let _e170 = cell_24;
-                            let _e171 = t_23;
-                            self.v_mark_patch(_e170, _e171, end_5);
-                            let _e173 = self.v_height_cell(_e46, rt::Scalar(path_33.level));
-                            let _e174 = cell_24;
-                            let _e175 = t_23;
-                            let _e176 = self.v_gap_to(path_33, _e2, _e174, _e173, _e175);
-                            let _e177 = self.v_falls_in_cell(_e176, span_8);
+                            let _e167 = cost_14;
+                            cost_14 = (_e167 + HEIGHTS_READ);
+                            let _e170 = cell_31;
+                            let _e171 = t_29;
+                            self.v_mark_patch(_e170, _e171, end_7);
+                            let _e173 = self.v_height_cell(_e46, rt::Scalar(path_40.level));
+                            let _e174 = cell_31;
+                            let _e175 = t_29;
+                            let _e176 = self.v_gap_to(path_40, _e2, _e174, _e173, _e175);
+                            let _e177 = self.v_falls_in_cell(_e176, span_9);
                             if rt::Scalar::into_branch_condition(_e177) {
-                                let _e178 = t_23;
-                                let _e179 = t_23;
-                                let _e182 = cost_13;
-                                let _e183 = self.v_found_in_cell(_e176, _e178, span_8, _e179.elementwise_eq(rt::Scalar(0f32)), _e182);
+                                let _e178 = t_29;
+                                let _e179 = t_29;
+                                let _e182 = cost_14;
+                                let _e183 = self.v_found_in_cell(_e176, _e178, span_9, _e179.elementwise_eq(rt::Scalar(0f32)), _e182);
                                 return _e183;
                             }
                         }
-                        let _e184 = t_23;
-                        next_2 = _e184.max(end_5);
+                        let _e184 = t_29;
+                        next_3 = _e184.max(end_7);
                     }
-                    let _e186 = next_2;
-                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_33.exit))) {
-                        let _e190 = t_23;
-                        let _e192 = cost_13;
-                        return <SearchResult>::new(FOUND_MISS, _e190, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e192);
+                    let _e186 = next_3;
+                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_40.exit))) {
+                        let _e190 = t_29;
+                        let _e192 = cost_14;
+                        return <SearchResult>::new(FOUND_MISS, _e190, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e192);
                     }
-                    let _e196 = cell_24;
-                    let _e197 = next_2;
+                    let _e196 = cell_31;
+                    let _e197 = next_3;
                     let _e198 = self.v_cell_after(_e2, _e196, _e29, forward_4, _e197);
-                    cell_24 = _e198;
-                    let _e199 = next_2;
-                    t_23 = _e199;
+                    cell_31 = _e198;
+                    let _e199 = next_3;
+                    t_29 = _e199;
                 }
             }
         }
-        let _e201 = t_23;
-        let _e203 = cost_13;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e201, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e203);
+        let _e201 = t_29;
+        let _e203 = cost_14;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e201, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e203);
     }
     pub(super) fn v_search_frustum(
         &self,
-        path_34: Path,
-        params_22: rt::Vec4<f32>,
+        path_41: Path,
+        params_29: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_25: rt::Vec2<f32>;
-        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut next_3: rt::Scalar<f32>;
+        let mut cell_32: rt::Vec2<f32>;
+        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_15: rt::Vec3<u32> = NO_COST;
+        let mut next_4: rt::Scalar<f32>;
         let mut slope_5: rt::Scalar<f32>;
-        let mut local_23: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_34);
+        let _e2 = self.v_grid_of(path_41);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_25 = _e9;
-        let limit_4 = params_22.x().to_u32();
+        cell_32 = _e9;
+        let limit_5 = params_29.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e18 = cost_14.x();
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_4)) {
+                let _e18 = cost_15.x();
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_5)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e20 = cost_14;
-                    cost_14 = (_e20 + STEP);
-                    let _e23 = t_24;
+                    let _e20 = cost_15;
+                    cost_15 = (_e20 + STEP);
+                    let _e23 = t_30;
                     self.v_mark_turn(_e23);
-                    let _e25 = cost_14.x();
-                    let first_4 = _e25.elementwise_eq(rt::Scalar(0u32));
-                    let _e28 = cell_25;
+                    let _e25 = cost_15.x();
+                    let first_6 = _e25.elementwise_eq(rt::Scalar(0u32));
+                    let _e28 = cell_32;
                     let _e29 = self.v_whole_cell(_e28);
-                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_34.level));
-                    let _e32 = cost_14;
-                    cost_14 = (_e32 + HEIGHTS_READ);
-                    let _e35 = cell_25;
+                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_41.level));
+                    let _e32 = cost_15;
+                    cost_15 = (_e32 + HEIGHTS_READ);
+                    let _e35 = cell_32;
                     let _e36 = self.v_cell_leave(_e2, _e35);
-                    let end_6 = _e36.x().min(_e36.y()).min(rt::Scalar(path_34.exit));
-                    let _e42 = t_24;
-                    let span_9 = (end_6 - _e42).max(rt::Scalar(0f32));
-                    let top_8 = _e31.x().max(_e31.y()).max(_e31.z().max(_e31.w()));
-                    let _e53 = t_24;
-                    let _e54 = self.v_path_height(path_34, _e53);
-                    let _e56 = t_24;
-                    let _e57 = self.v_path_slope(path_34, _e56);
-                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e54 - top_8), _e57, path_34.h.z());
-                    let _e64 = t_24;
-                    let _e68 = t_24;
-                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_34.h.x().abs() + (_e64 * (path_34.h.y().abs() + (_e68 * path_34.h.z().abs())))));
-                    let _e78 = t_24;
-                    next_3 = _e78.max(end_6);
+                    let end_8 = _e36.x().min(_e36.y()).min(rt::Scalar(path_41.exit));
+                    let _e42 = t_30;
+                    let span_10 = (end_8 - _e42).max(rt::Scalar(0f32));
+                    let top_9 = _e31.x().max(_e31.y()).max(_e31.z().max(_e31.w()));
+                    let _e53 = t_30;
+                    let _e54 = self.v_path_height(path_41, _e53);
+                    let _e56 = t_30;
+                    let _e57 = self.v_path_slope(path_41, _e56);
+                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e54 - top_9), _e57, path_41.h.z());
+                    let _e64 = t_30;
+                    let _e68 = t_30;
+                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_41.h.x().abs() + (_e64 * (path_41.h.y().abs() + (_e68 * path_41.h.z().abs())))));
+                    let _e78 = t_30;
+                    next_4 = _e78.max(end_8);
                     slope_5 = rt::Scalar(-1f32);
-                    let _e83 = self.v_least_at(above_3, span_9);
-                    let _e84 = self.v_quadratic(above_3, _e83);
+                    let _e83 = self.v_least_at(above_4, span_10);
+                    let _e84 = self.v_quadratic(above_4, _e83);
                     if rt::Scalar::into_branch_condition(_e84.elementwise_gt(of_heights_1)) {
-                        local_23 = above_3.x().elementwise_gt(of_heights_1);
+                        local_33 = above_4.x().elementwise_gt(of_heights_1);
                     } else {
-                        local_23 = rt::Scalar(false);
+                        local_33 = rt::Scalar(false);
                     }
-                    let _e91 = local_23;
+                    let _e91 = local_33;
                     if rt::Scalar::into_branch_condition(_e91) {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_34.exit))) {
-                            let _e94 = cell_25;
+                        if rt::Scalar::into_branch_condition(end_8.elementwise_lt(rt::Scalar(path_41.exit))) {
+                            let _e94 = cell_32;
                             let _e95 = self.v_whole_cell(_e94);
-                            let _e96 = self.v_frustum_slope(path_34, _e95, forward_5);
+                            let _e96 = self.v_frustum_slope(path_41, _e95, forward_5);
                             slope_5 = _e96;
                             let _e97 = slope_5;
                             if rt::Scalar::into_branch_condition(_e97.elementwise_ge(rt::Scalar(0f32))) {
-                                let _e100 = cost_14;
-                                let _e102 = self.v_map_read(path_34, rt::Scalar(1u32));
-                                cost_14 = (_e100 + _e102);
+                                let _e100 = cost_15;
+                                let _e102 = self.v_map_read(path_41, rt::Scalar(1u32));
+                                cost_15 = (_e100 + _e102);
                             }
                         }
                     } else {
-                        let _e104 = cell_25;
-                        let _e105 = t_24;
-                        self.v_mark_patch(_e104, _e105, end_6);
-                        let _e106 = cell_25;
-                        let _e107 = t_24;
-                        let _e108 = self.v_gap_to(path_34, _e2, _e106, _e31, _e107);
-                        let _e109 = self.v_falls_in_cell(_e108, span_9);
+                        let _e104 = cell_32;
+                        let _e105 = t_30;
+                        self.v_mark_patch(_e104, _e105, end_8);
+                        let _e106 = cell_32;
+                        let _e107 = t_30;
+                        let _e108 = self.v_gap_to(path_41, _e2, _e106, _e31, _e107);
+                        let _e109 = self.v_falls_in_cell(_e108, span_10);
                         if rt::Scalar::into_branch_condition(_e109) {
-                            let _e110 = t_24;
-                            let _e111 = cost_14;
-                            let _e112 = self.v_found_in_cell(_e108, _e110, span_9, first_4, _e111);
+                            let _e110 = t_30;
+                            let _e111 = cost_15;
+                            let _e112 = self.v_found_in_cell(_e108, _e110, span_10, first_6, _e111);
                             return _e112;
                         }
                     }
                     let _e113 = slope_5;
                     if rt::Scalar::into_branch_condition(_e113.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e116 = cell_25;
+                        let _e116 = cell_32;
                         let _e117 = slope_5;
-                        self.v_mark_frustum(_e116, top_8, _e117);
-                        let _e119 = cell_25;
-                        let _e122 = t_24;
-                        let at_4 = ((_e2.origin - _e119) + (_e2.step * _e122));
-                        let left_3 = at_4.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_4), forward_5);
-                        let _e134 = t_24;
-                        let far_8 = ((_e2.origin.abs() + (_e2.step.abs() * _e134)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        self.v_mark_frustum(_e116, top_9, _e117);
+                        let _e119 = cell_32;
+                        let _e122 = t_30;
+                        let at_8 = ((_e2.origin - _e119) + (_e2.step * _e122));
+                        let left_3 = at_8.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_8), forward_5);
+                        let _e134 = t_30;
+                        let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e134)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e142 = slope_5;
-                        let lost_3 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e142) * far_8));
-                        let _e148 = t_24;
-                        let rest_2 = (rt::Scalar(path_34.exit) - _e148);
+                        let lost_3 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e142) * far_9));
+                        let _e148 = t_30;
+                        let rest_2 = (rt::Scalar(path_41.exit) - _e148);
                         let _e150 = slope_5;
-                        let _e155 = self.v_stays_above(above_3, _e150, left_3.x(), _e2.step.x(), lost_3.x(), rest_2);
+                        let _e155 = self.v_stays_above(above_4, _e150, left_3.x(), _e2.step.x(), lost_3.x(), rest_2);
                         let _e156 = slope_5;
-                        let _e161 = self.v_stays_above(above_3, _e156, left_3.y(), _e2.step.y(), lost_3.y(), rest_2);
-                        let _e162 = next_3;
-                        let _e163 = t_24;
-                        next_3 = _e162.max((_e163 + _e155.min(_e161)));
+                        let _e161 = self.v_stays_above(above_4, _e156, left_3.y(), _e2.step.y(), lost_3.y(), rest_2);
+                        let _e162 = next_4;
+                        let _e163 = t_30;
+                        next_4 = _e162.max((_e163 + _e155.min(_e161)));
                     }
-                    let _e167 = next_3;
-                    if rt::Scalar::into_branch_condition(_e167.elementwise_ge(rt::Scalar(path_34.exit))) {
-                        let _e171 = t_24;
-                        let _e173 = cost_14;
-                        return <SearchResult>::new(FOUND_MISS, _e171, rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e173);
+                    let _e167 = next_4;
+                    if rt::Scalar::into_branch_condition(_e167.elementwise_ge(rt::Scalar(path_41.exit))) {
+                        let _e171 = t_30;
+                        let _e173 = cost_15;
+                        return <SearchResult>::new(FOUND_MISS, _e171, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e173);
                     }
                     let _e177 = slope_5;
                     if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e180 = cell_25;
-                        let _e181 = next_3;
+                        let _e180 = cell_32;
+                        let _e181 = next_4;
                         let _e182 = self.v_cell_after(_e2, _e180, _e36, forward_5, _e181);
-                        cell_25 = _e182;
+                        cell_32 = _e182;
                     } else {
-                        let _e183 = cell_25;
+                        let _e183 = cell_32;
                         let _e184 = self.v_cell_next(_e2, _e183, _e36);
-                        cell_25 = _e184;
+                        cell_32 = _e184;
                     }
-                    let _e185 = next_3;
-                    t_24 = _e185;
+                    let _e185 = next_4;
+                    t_30 = _e185;
                 }
             }
         }
-        let _e187 = t_24;
-        let _e189 = cost_14;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e187, rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e189);
+        let _e187 = t_30;
+        let _e189 = cost_15;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e187, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e189);
     }
     pub(super) fn v_search_linear(
         &self,
-        path_35: Path,
-        params_23: rt::Vec4<f32>,
+        path_42: Path,
+        params_30: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_8: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32>;
-        let mut cost_15: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut cost_16: rt::Vec3<u32>;
+        let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine = (path_35.h.y().abs() * path_35.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max(((params_23.x() * params_23.y().mix_scalar(rt::Scalar(1f32), cosine)) * rt::Scalar(path_35.share)).ceil());
-        let _e24 = self.v_path_gap(path_35, rt::Scalar(0f32));
+        let cosine = (path_42.h.y().abs() * path_42.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max(((params_30.x() * params_30.y().mix_scalar(rt::Scalar(1f32), cosine)) * rt::Scalar(path_42.share)).ceil());
+        let _e24 = self.v_path_gap(path_42, rt::Scalar(0f32));
         near_gap_4 = _e24;
-        let _e28 = near_gap_4;
-        if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
-            let _e32 = near_gap_4;
+        let _e27 = self.v_field_cost_stage(rt::Scalar(path_42.level));
+        cost_16 = _e27;
+        let _e29 = near_gap_4;
+        if rt::Scalar::into_branch_condition(_e29.elementwise_lt(rt::Scalar(0f32))) {
             let _e33 = near_gap_4;
-            let _e34 = cost_15;
-            return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e32, _e33, _e34);
+            let _e34 = near_gap_4;
+            let _e35 = cost_16;
+            return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e33, _e34, _e35);
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_5;
-                if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps)) {
+                let _e41 = k_8;
+                if rt::Scalar::into_branch_condition(_e41.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e42 = cost_15;
-                    cost_15 = (_e42 + STEP);
-                    let _e46 = k_5;
-                    let t_31 = (rt::Scalar(path_35.exit) * (_e46 / steps));
-                    self.v_mark_turn(t_31);
-                    self.v_mark_sample(t_31);
-                    let _e49 = self.v_path_gap(path_35, t_31);
-                    let _e50 = cost_15;
-                    cost_15 = (_e50 + HEIGHTS_READ);
-                    if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
-                        let _e56 = near_7;
-                        let _e57 = near_gap_4;
-                        let _e58 = cost_15;
-                        return <SearchResult>::new(FOUND_BRACKET, _e56, t_31, _e57, _e49, _e58);
+                    let _e43 = cost_16;
+                    cost_16 = (_e43 + STEP);
+                    let _e47 = k_8;
+                    let t_38 = (rt::Scalar(path_42.exit) * (_e47 / steps));
+                    self.v_mark_turn(t_38);
+                    self.v_mark_sample(t_38);
+                    let _e50 = self.v_path_gap(path_42, t_38);
+                    let _e51 = cost_16;
+                    let _e53 = self.v_field_cost_stage(rt::Scalar(path_42.level));
+                    cost_16 = (_e51 + _e53);
+                    if rt::Scalar::into_branch_condition(_e50.elementwise_le(rt::Scalar(0f32))) {
+                        let _e58 = near_8;
+                        let _e59 = near_gap_4;
+                        let _e60 = cost_16;
+                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_38, _e59, _e50, _e60);
                     }
-                    near_7 = t_31;
-                    near_gap_4 = _e49;
-                    let _e60 = k_5;
-                    k_5 = (_e60 + rt::Scalar(1f32));
+                    near_8 = t_38;
+                    near_gap_4 = _e50;
+                    let _e62 = k_8;
+                    k_8 = (_e62 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e64 = near_7;
-        let _e65 = near_7;
-        let _e66 = near_gap_4;
-        let _e67 = near_gap_4;
-        let _e68 = cost_15;
-        return <SearchResult>::new(FOUND_MISS, _e64, _e65, _e66, _e67, _e68);
+        let _e66 = near_8;
+        let _e67 = near_8;
+        let _e68 = near_gap_4;
+        let _e69 = near_gap_4;
+        let _e70 = cost_16;
+        return <SearchResult>::new(FOUND_MISS, _e66, _e67, _e68, _e69, _e70);
     }
     pub(super) fn v_search_pyramid(
         &self,
-        path_37: Path,
-        params_25: rt::Vec4<f32>,
+        path_44: Path,
+        params_32: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut top_3: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_21: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut cell_26: rt::Vec2<i32>;
+        let mut level_27: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cell_33: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_16: rt::Vec3<u32> = NO_COST;
-        let mut local_24: rt::Scalar<bool>;
-        let mut local_25: rt::Scalar<bool>;
-        let mut local_26: rt::Scalar<bool>;
+        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_17: rt::Vec3<u32> = NO_COST;
+        let mut local_34: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_37);
-        let _e4 = self.v_height_texels(rt::Scalar(path_37.level));
-        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_37.exit));
+        let _e2 = self.v_grid_of(path_44);
+        let _e4 = self.v_height_texels(rt::Scalar(path_44.level));
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_44.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top_3;
@@ -1332,791 +1347,796 @@ impl Marked<'_> {
                 {
                     let _e25 = top_3;
                     top_3 = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_21;
+                    let _e28 = level_27;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long)) {
-                        let _e33 = level_21;
-                        level_21 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_27;
+                        level_27 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
-        cell_26 = _e37.to_i32();
-        let limit_5 = params_25.x().to_u32();
+        cell_33 = _e37.to_i32();
+        let limit_6 = params_32.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e51 = cost_16.x();
-                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_5)) {
+                let _e51 = cost_17.x();
+                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_6)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e53 = cost_16;
-                    cost_16 = (_e53 + STEP);
-                    let _e56 = t_25;
+                    let _e53 = cost_17;
+                    cost_17 = (_e53 + STEP);
+                    let _e56 = t_31;
                     self.v_mark_turn(_e56);
-                    let _e58 = cell_26.x();
+                    let _e58 = cell_33.x();
                     let _e60 = self.v_image_of(_e58, _e4.x());
-                    let _e62 = cell_26.y();
+                    let _e62 = cell_33.y();
                     let _e64 = self.v_image_of(_e62, _e4.y());
-                    let place_2 = <rt::Vec2<i32>>::from_scalars(_e60.x(), _e64.x());
-                    let _e68 = level_21;
+                    let place_3 = <rt::Vec2<i32>>::from_scalars(_e60.x(), _e64.x());
+                    let _e68 = level_27;
                     let above_level = (_e68 + rt::Scalar(1u32));
-                    let over = <rt::Vec2<i32>>::from_scalars((place_2.x() >> above_level), (place_2.y() >> above_level));
+                    let over = <rt::Vec2<i32>>::from_scalars((place_3.x() >> above_level), (place_3.y() >> above_level));
                     let _e77 = parent.x();
                     if rt::Scalar::into_branch_condition(_e77.elementwise_ge(rt::Scalar(0i32))) {
                         let _e83 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e83.elementwise_ne(over.x()))) {
                             let _e90 = parent.y();
-                            local_25 = _e90.elementwise_ne(over.y());
+                            local_35 = _e90.elementwise_ne(over.y());
                         } else {
-                            local_25 = rt::Scalar(true);
+                            local_35 = rt::Scalar(true);
                         }
-                        let _e94 = local_25;
-                        local_24 = _e94;
+                        let _e94 = local_35;
+                        local_34 = _e94;
                     } else {
-                        local_24 = rt::Scalar(false);
+                        local_34 = rt::Scalar(false);
                     }
-                    let left_4 = local_24;
+                    let left_4 = local_34;
                     if rt::Scalar::into_branch_condition(left_4) {
-                        let _e99 = level_21;
+                        let _e99 = level_27;
                         let _e100 = top_3;
-                        local_26 = _e99.elementwise_lt(_e100);
+                        local_36 = _e99.elementwise_lt(_e100);
                     } else {
-                        local_26 = rt::Scalar(false);
+                        local_36 = rt::Scalar(false);
                     }
-                    let _e103 = local_26;
+                    let _e103 = local_36;
                     if rt::Scalar::into_branch_condition(_e103) {
-                        level_21 = above_level;
+                        level_27 = above_level;
                     }
-                    let _e105 = cell_26.x();
-                    let _e107 = level_21;
+                    let _e105 = cell_33.x();
+                    let _e107 = level_27;
                     let _e108 = self.v_node_extent(_e105, _e60, _e4.x(), _e107);
-                    let _e110 = cell_26.y();
-                    let _e112 = level_21;
+                    let _e110 = cell_33.y();
+                    let _e112 = level_27;
                     let _e113 = self.v_node_extent(_e110, _e64, _e4.y(), _e112);
                     let _e118 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e108);
                     let _e123 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e113);
-                    let end_7 = _e118.min(_e123).min(rt::Scalar(path_37.exit));
-                    let _e127 = t_25;
-                    let span_10 = (end_7 - _e127).max(rt::Scalar(0f32));
-                    let low_3 = <rt::Vec2<i32>>::from_scalars(_e108.x(), _e113.x());
+                    let end_9 = _e118.min(_e123).min(rt::Scalar(path_44.exit));
+                    let _e127 = t_31;
+                    let span_11 = (end_9 - _e127).max(rt::Scalar(0f32));
+                    let low_4 = <rt::Vec2<i32>>::from_scalars(_e108.x(), _e113.x());
                     let last_1 = <rt::Vec2<i32>>::from_scalars((_e108.y() - rt::Scalar(1i32)), (_e113.y() - rt::Scalar(1i32)));
-                    let _e141 = level_21;
+                    let _e141 = level_27;
                     if rt::Scalar::into_branch_condition(_e141.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e144 = cost_16;
-                        cost_16 = (_e144 + HEIGHTS_READ);
-                        let _e147 = cell_26;
-                        let _e149 = t_25;
-                        self.v_mark_patch(_e147.to_f32(), _e149, end_7);
-                        let _e150 = cell_26;
-                        let _e152 = cell_26;
-                        let _e154 = self.v_object_cell_stage(_e152, rt::Scalar(path_37.level));
-                        let _e155 = t_25;
-                        let _e156 = self.v_gap_to(path_37, _e2, _e150.to_f32(), _e154, _e155);
-                        let _e157 = self.v_falls_in_cell(_e156, span_10);
+                        let _e144 = cost_17;
+                        cost_17 = (_e144 + HEIGHTS_READ);
+                        let _e147 = cell_33;
+                        let _e149 = t_31;
+                        self.v_mark_patch(_e147.to_f32(), _e149, end_9);
+                        let _e150 = cell_33;
+                        let _e152 = cell_33;
+                        let _e154 = self.v_object_cell_stage(_e152, rt::Scalar(path_44.level));
+                        let _e155 = t_31;
+                        let _e156 = self.v_gap_to(path_44, _e2, _e150.to_f32(), _e154, _e155);
+                        let _e157 = self.v_falls_in_cell(_e156, span_11);
                         if rt::Scalar::into_branch_condition(_e157) {
-                            let _e158 = t_25;
-                            let _e159 = t_25;
-                            let _e162 = cost_16;
-                            let _e163 = self.v_found_in_cell(_e156, _e158, span_10, _e159.elementwise_eq(rt::Scalar(0f32)), _e162);
+                            let _e158 = t_31;
+                            let _e159 = t_31;
+                            let _e162 = cost_17;
+                            let _e163 = self.v_found_in_cell(_e156, _e158, span_11, _e159.elementwise_eq(rt::Scalar(0f32)), _e162);
                             return _e163;
                         }
                     } else {
-                        let _e164 = cost_16;
-                        let _e166 = self.v_map_read(path_37, rt::Scalar(1u32));
-                        cost_16 = (_e164 + _e166);
-                        let _e169 = level_21;
-                        let _e172 = level_21;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_2.x() >> _e169), (place_2.y() >> _e172));
-                        let _e176 = level_21;
-                        let _e182 = self.v_search_texel(path_37, node, rt::Scalar(0i32), ((_e176 + rt::Scalar(path_37.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e164 = cost_17;
+                        let _e166 = self.v_map_read(path_44, rt::Scalar(1u32));
+                        cost_17 = (_e164 + _e166);
+                        let _e169 = level_27;
+                        let _e172 = level_27;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_3.x() >> _e169), (place_3.y() >> _e172));
+                        let _e176 = level_27;
+                        let _e182 = self.v_search_texel(path_44, node, rt::Scalar(0i32), ((_e176 + rt::Scalar(path_44.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e182.y();
-                        self.v_mark_box(low_3.to_f32(), (last_1 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), highest_1);
-                        let _e189 = t_25;
-                        let furthest_1 = (_e189 + span_10);
-                        let rounded_1 = (path_37.h.x().abs() + (furthest_1 * (path_37.h.y().abs() + (furthest_1 * path_37.h.z().abs()))));
-                        let _e204 = t_25;
-                        let _e205 = self.v_path_height(path_37, _e204);
-                        let _e210 = t_25;
-                        let _e211 = self.v_path_slope(path_37, _e210);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e205 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e211, path_37.h.z());
-                        let _e215 = self.v_falls_in_cell(gap_4, span_10);
+                        self.v_mark_box(low_4.to_f32(), (last_1 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), highest_1);
+                        let _e189 = t_31;
+                        let furthest_1 = (_e189 + span_11);
+                        let rounded_1 = (path_44.h.x().abs() + (furthest_1 * (path_44.h.y().abs() + (furthest_1 * path_44.h.z().abs()))));
+                        let _e204 = t_31;
+                        let _e205 = self.v_path_height(path_44, _e204);
+                        let _e210 = t_31;
+                        let _e211 = self.v_path_slope(path_44, _e210);
+                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e205 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e211, path_44.h.z());
+                        let _e215 = self.v_falls_in_cell(gap_5, span_11);
                         if rt::Scalar::into_branch_condition(_e215) {
-                            if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e219 = t_25;
-                                let _e220 = self.v_first_root(gap_4, span_10);
-                                t_25 = (_e219 + _e220.min(span_10));
+                            if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
+                                let _e219 = t_31;
+                                let _e220 = self.v_first_root(gap_5, span_11);
+                                t_31 = (_e219 + _e220.min(span_11));
                             }
-                            let _e225 = t_25;
+                            let _e225 = t_31;
                             let _e228 = self.v_cell_of((_e2.origin + (_e2.step * _e225)));
-                            cell_26 = _e228.to_i32().clamp(low_3, last_1);
-                            let _e231 = level_21;
-                            level_21 = (_e231 - rt::Scalar(1u32));
+                            cell_33 = _e228.to_i32().clamp(low_4, last_1);
+                            let _e231 = level_27;
+                            level_27 = (_e231 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_37.exit))) {
-                        let _e240 = t_25;
-                        let _e242 = cost_16;
-                        return <SearchResult>::new(FOUND_MISS, _e240, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e242);
+                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_44.exit))) {
+                        let _e240 = t_31;
+                        let _e242 = cost_17;
+                        return <SearchResult>::new(FOUND_MISS, _e240, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e242);
                     }
-                    let _e250 = self.v_cell_of((_e2.origin + (_e2.step * end_7)));
-                    cell_26 = _e250.to_i32().clamp(low_3, last_1);
-                    if rt::Scalar::into_branch_condition(_e118.elementwise_le(end_7)) {
-                        cell_26.set_x((low_3.x() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    let _e250 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
+                    cell_33 = _e250.to_i32().clamp(low_4, last_1);
+                    if rt::Scalar::into_branch_condition(_e118.elementwise_le(end_9)) {
+                        cell_33.set_x((low_4.x() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    if rt::Scalar::into_branch_condition(_e123.elementwise_le(end_7)) {
-                        cell_26.set_y((low_3.y() - rt::Scalar(1i32)).select(_e113.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    if rt::Scalar::into_branch_condition(_e123.elementwise_le(end_9)) {
+                        cell_33.set_y((low_4.y() - rt::Scalar(1i32)).select(_e113.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e276 = level_21;
-                    let _e281 = level_21;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_2.x() >> (_e276 + rt::Scalar(1u32))), (place_2.y() >> (_e281 + rt::Scalar(1u32))));
-                    let _e286 = t_25;
-                    t_25 = _e286.max(end_7);
+                    let _e276 = level_27;
+                    let _e281 = level_27;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_3.x() >> (_e276 + rt::Scalar(1u32))), (place_3.y() >> (_e281 + rt::Scalar(1u32))));
+                    let _e286 = t_31;
+                    t_31 = _e286.max(end_9);
                 }
             }
         }
-        let _e289 = t_25;
-        let _e291 = cost_16;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e289, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e291);
+        let _e289 = t_31;
+        let _e291 = cost_17;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e289, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e291);
     }
     pub(super) fn v_search_pyramid_texels(
         &self,
-        path_38: Path,
-        params_26: rt::Vec4<f32>,
+        path_45: Path,
+        params_33: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut level_23: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_29: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_17: rt::Vec3<u32> = NO_COST;
+        let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_38.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_38.level));
-        let origin_1 = (path_38.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_38.level));
-        let step_1 = (path_38.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_45.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_45.level));
+        let origin_1 = (path_45.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_45.level));
+        let step_1 = (path_45.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_23;
+                let _e14 = level_29;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_23;
-                    level_23 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_29;
+                    level_29 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_1);
         texel_3 = _e24.to_i32();
-        let limit_6 = params_26.x().to_u32();
-        let _e35 = level_23;
-        finest_1 = params_26.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_38.ray).elementwise_eq(RAY_SHADOW)) {
+        let limit_7 = params_33.x().to_u32();
+        let _e35 = level_29;
+        finest_1 = params_33.y().to_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_45.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e43 = cost_17.x();
-                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_6)) {
+                let _e43 = cost_18.x();
+                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e45 = cost_17;
-                    cost_17 = (_e45 + STEP);
-                    let _e48 = t_26;
+                    let _e45 = cost_18;
+                    cost_18 = (_e45 + STEP);
+                    let _e48 = t_32;
                     self.v_mark_turn(_e48);
                     let _e50 = texel_3.x();
                     let _e52 = self.v_wrap_index(_e50, _e3.x());
                     let _e54 = texel_3.y();
                     let _e56 = self.v_wrap_index(_e54, _e3.y());
-                    let place_3 = <rt::Vec2<i32>>::from_scalars(_e52, _e56);
+                    let place_4 = <rt::Vec2<i32>>::from_scalars(_e52, _e56);
                     highest = rt::Scalar(0f32);
-                    let _e60 = level_23;
+                    let _e60 = level_29;
                     if rt::Scalar::into_branch_condition(_e60.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e63 = cost_17;
-                        cost_17 = (_e63 + HEIGHT_READ);
-                        let _e68 = rt::texture::Read::read_texel((&self.height_map), place_3, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e63 = cost_18;
+                        cost_18 = (_e63 + HEIGHT_READ);
+                        let _e68 = rt::texture::Read::read_texel((&self.height_map), place_4, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e68.x();
                     } else {
-                        let _e71 = level_23;
-                        let _e74 = level_23;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_3.x() >> _e71), (place_3.y() >> _e74));
-                        let _e77 = cost_17;
-                        let _e79 = self.v_map_read(path_38, rt::Scalar(1u32));
-                        cost_17 = (_e77 + _e79);
-                        let _e82 = level_23;
-                        let _e86 = self.v_search_texel(path_38, node_1, rt::Scalar(0i32), (_e82.to_i32() - rt::Scalar(1i32)));
+                        let _e71 = level_29;
+                        let _e74 = level_29;
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e71), (place_4.y() >> _e74));
+                        let _e77 = cost_18;
+                        let _e79 = self.v_map_read(path_45, rt::Scalar(1u32));
+                        cost_18 = (_e77 + _e79);
+                        let _e82 = level_29;
+                        let _e86 = self.v_search_texel(path_45, node_1, rt::Scalar(0i32), (_e82.to_i32() - rt::Scalar(1i32)));
                         highest = _e86.y();
                     }
                     let _e89 = texel_3.x();
-                    let _e91 = level_23;
+                    let _e91 = level_29;
                     let _e92 = self.v_texel_extent(_e89, _e3.x(), _e91);
                     let _e94 = texel_3.y();
-                    let _e96 = level_23;
+                    let _e96 = level_29;
                     let _e97 = self.v_texel_extent(_e94, _e3.y(), _e96);
                     let _e100 = self.v_leaves_extent(origin_1.x(), step_1.x(), _e92);
                     let _e103 = self.v_leaves_extent(origin_1.y(), step_1.y(), _e97);
-                    let leave_5 = <rt::Vec2<f32>>::from_scalars(_e100, _e103);
-                    let _e110 = t_26;
-                    let end_8 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_38.exit)).max(_e110);
-                    let _e112 = t_26;
-                    let _e113 = self.v_path_height(path_38, _e112);
+                    let leave_6 = <rt::Vec2<f32>>::from_scalars(_e100, _e103);
+                    let _e110 = t_32;
+                    let end_10 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_45.exit)).max(_e110);
+                    let _e112 = t_32;
+                    let _e113 = self.v_path_height(path_45, _e112);
                     let _e114 = highest;
-                    let _e116 = t_26;
-                    let _e117 = self.v_path_slope(path_38, _e116);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e113 - _e114), _e117, path_38.h.z());
+                    let _e116 = t_32;
+                    let _e117 = self.v_path_slope(path_45, _e116);
+                    let gap_6 = <rt::Vec3<f32>>::from_scalars((_e113 - _e114), _e117, path_45.h.z());
                     sinks = rt::Scalar(0f32);
-                    if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e126 = t_26;
-                        let _e128 = self.v_first_root(gap_5, (end_8 - _e126));
+                    if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
+                        let _e126 = t_32;
+                        let _e128 = self.v_first_root(gap_6, (end_10 - _e126));
                         sinks = _e128;
                     }
-                    let low_4 = <rt::Vec2<i32>>::from_scalars(_e92.x(), _e97.x());
+                    let low_5 = <rt::Vec2<i32>>::from_scalars(_e92.x(), _e97.x());
                     let last_3 = <rt::Vec2<i32>>::from_scalars((_e92.y() - rt::Scalar(1i32)), (_e97.y() - rt::Scalar(1i32)));
                     let _e144 = highest;
-                    self.v_mark_columns(low_4.to_f32(), (last_3 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), _e144);
+                    self.v_mark_columns(low_5.to_f32(), (last_3 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), _e144);
                     let _e145 = sinks;
                     if rt::Scalar::into_branch_condition(_e145.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e148 = t_26;
+                        let _e148 = t_32;
                         let _e149 = sinks;
-                        t_26 = (_e148 + _e149);
-                        let _e151 = level_23;
+                        t_32 = (_e148 + _e149);
+                        let _e151 = level_29;
                         let _e152 = finest_1;
                         if rt::Scalar::into_branch_condition(_e151.elementwise_eq(_e152)) {
-                            let _e155 = t_26;
-                            let _e156 = cost_17;
+                            let _e155 = t_32;
+                            let _e156 = cost_18;
                             return <SearchResult>::new(FOUND_BELOW, rt::Scalar(0f32), _e155, rt::Scalar(0f32), rt::Scalar(0f32), _e156);
                         }
-                        let _e161 = level_23;
-                        level_23 = (_e161 - rt::Scalar(1u32));
-                        let _e164 = t_26;
+                        let _e161 = level_29;
+                        level_29 = (_e161 - rt::Scalar(1u32));
+                        let _e164 = t_32;
                         let _e167 = self.v_cell_of((origin_1 + (step_1 * _e164)));
-                        texel_3 = _e167.to_i32().clamp(low_4, last_3);
+                        texel_3 = _e167.to_i32().clamp(low_5, last_3);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_8.elementwise_ge(rt::Scalar(path_38.exit))) {
-                            let _e173 = t_26;
-                            let _e175 = cost_17;
-                            return <SearchResult>::new(FOUND_MISS, _e173, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e175);
+                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_45.exit))) {
+                            let _e173 = t_32;
+                            let _e175 = cost_18;
+                            return <SearchResult>::new(FOUND_MISS, _e173, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e175);
                         }
-                        let _e181 = self.v_cell_of((origin_1 + (step_1 * end_8)));
-                        texel_3 = _e181.to_i32().clamp(low_4, last_3);
-                        if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(end_8)) {
-                            texel_3.set_x((low_4.x() - rt::Scalar(1i32)).select(_e92.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
+                        let _e181 = self.v_cell_of((origin_1 + (step_1 * end_10)));
+                        texel_3 = _e181.to_i32().clamp(low_5, last_3);
+                        if rt::Scalar::into_branch_condition(leave_6.x().elementwise_le(end_10)) {
+                            texel_3.set_x((low_5.x() - rt::Scalar(1i32)).select(_e92.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(end_8)) {
-                            texel_3.set_y((low_4.y() - rt::Scalar(1i32)).select(_e97.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
+                        if rt::Scalar::into_branch_condition(leave_6.y().elementwise_le(end_10)) {
+                            texel_3.set_y((low_5.y() - rt::Scalar(1i32)).select(_e97.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_26 = end_8;
+                        t_32 = end_10;
                     }
                 }
             }
         }
-        let _e207 = t_26;
-        let _e209 = cost_17;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e207, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e209);
+        let _e207 = t_32;
+        let _e209 = cost_18;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e207, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e209);
     }
     pub(super) fn v_search_relaxed_cone(
         &self,
-        path_39: Path,
-        params_27: rt::Vec4<f32>,
+        path_46: Path,
+        params_34: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_27: rt::Vec2<f32>;
-        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_8: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_34: rt::Vec2<f32>;
+        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_9: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut local_28: rt::Scalar<bool>;
+        let mut cost_19: rt::Vec3<u32> = NO_COST;
+        let mut local_38: rt::Scalar<bool>;
         let mut start: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
-        let mut next_4: rt::Scalar<f32>;
-        let mut local_29: rt::Scalar<bool>;
+        let mut next_5: rt::Scalar<f32>;
+        let mut local_39: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_39);
+        let _e2 = self.v_grid_of(path_46);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_2 = path_39.duv.length();
-        let _e11 = self.v_path_slope(path_39, rt::Scalar(0f32));
-        let terms_2 = (path_39.h.x().abs() + (rt::Scalar(path_39.exit) * path_39.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_39.level));
-        let far_9 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_39.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_2 = path_46.duv.length();
+        let _e11 = self.v_path_slope(path_46, rt::Scalar(0f32));
+        let terms_2 = (path_46.h.x().abs() + (rt::Scalar(path_46.exit) * path_46.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_46.level));
+        let far_10 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_46.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
-        cell_27 = _e36;
-        let limit_7 = params_27.x().to_u32();
+        cell_34 = _e36;
+        let limit_8 = params_34.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e49 = cost_18.x();
-                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_7)) {
+                let _e49 = cost_19.x();
+                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_8)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e51 = cost_18;
-                    cost_18 = (_e51 + STEP);
-                    let _e54 = t_27;
+                    let _e51 = cost_19;
+                    cost_19 = (_e51 + STEP);
+                    let _e54 = t_33;
                     self.v_mark_turn(_e54);
-                    let _e55 = cell_27;
+                    let _e55 = cell_34;
                     let _e56 = self.v_cell_leave(_e2, _e55);
-                    let end_9 = _e56.x().min(_e56.y()).min(rt::Scalar(path_39.exit));
-                    let _e62 = t_27;
-                    let span_11 = (end_9 - _e62).max(rt::Scalar(0f32));
-                    let _e66 = cell_27;
-                    let _e67 = cell_27;
+                    let end_11 = _e56.x().min(_e56.y()).min(rt::Scalar(path_46.exit));
+                    let _e62 = t_33;
+                    let span_12 = (end_11 - _e62).max(rt::Scalar(0f32));
+                    let _e66 = cell_34;
+                    let _e67 = cell_34;
                     let _e68 = self.v_whole_cell(_e67);
-                    let _e70 = self.v_height_cell(_e68, rt::Scalar(path_39.level));
-                    let _e71 = t_27;
-                    let _e72 = self.v_gap_to(path_39, _e2, _e66, _e70, _e71);
-                    let _e73 = cost_18;
-                    cost_18 = (_e73 + HEIGHTS_READ);
-                    let _e76 = t_27;
+                    let _e70 = self.v_height_cell(_e68, rt::Scalar(path_46.level));
+                    let _e71 = t_33;
+                    let _e72 = self.v_gap_to(path_46, _e2, _e66, _e70, _e71);
+                    let _e73 = cost_19;
+                    cost_19 = (_e73 + HEIGHTS_READ);
+                    let _e76 = t_33;
                     self.v_mark_sample(_e76);
                     if rt::Scalar::into_branch_condition(_e72.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e80 = near_8;
-                        let _e81 = t_27;
+                        let _e80 = near_9;
+                        let _e81 = t_33;
                         if rt::Scalar::into_branch_condition(_e80.elementwise_lt(_e81)) {
                             let _e85 = near_gap_5;
-                            local_28 = _e85.elementwise_gt(rt::Scalar(0f32));
+                            local_38 = _e85.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_28 = rt::Scalar(false);
+                            local_38 = rt::Scalar(false);
                         }
-                        let _e89 = local_28;
+                        let _e89 = local_38;
                         if rt::Scalar::into_branch_condition(_e89) {
-                            let _e90 = near_8;
-                            let _e91 = t_27;
+                            let _e90 = near_9;
+                            let _e91 = t_33;
                             let _e92 = near_gap_5;
-                            let _e94 = cost_18;
-                            let _e95 = self.v_entered_once(path_39, _e2, _e90, _e91, _e92, _e72.x(), _e94);
+                            let _e94 = cost_19;
+                            let _e95 = self.v_entered_once(path_46, _e2, _e90, _e91, _e92, _e72.x(), _e94);
                             return _e95;
                         }
-                        let _e96 = t_27;
-                        let _e97 = t_27;
-                        let _e100 = cost_18;
-                        let _e101 = self.v_found_in_cell(_e72, _e96, span_11, _e97.elementwise_eq(rt::Scalar(0f32)), _e100);
+                        let _e96 = t_33;
+                        let _e97 = t_33;
+                        let _e100 = cost_19;
+                        let _e101 = self.v_found_in_cell(_e72, _e96, span_12, _e97.elementwise_eq(rt::Scalar(0f32)), _e100);
                         return _e101;
                     }
-                    let _e102 = t_27;
+                    let _e102 = t_33;
                     start = _e102;
                     gap = _e72.x();
-                    if rt::Scalar::into_branch_condition(params_27.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e109 = cell_27;
-                        let _e110 = t_27;
-                        self.v_mark_patch(_e109, _e110, end_9);
-                        let _e111 = self.v_falls_in_cell(_e72, span_11);
+                    if rt::Scalar::into_branch_condition(params_34.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e109 = cell_34;
+                        let _e110 = t_33;
+                        self.v_mark_patch(_e109, _e110, end_11);
+                        let _e111 = self.v_falls_in_cell(_e72, span_12);
                         if rt::Scalar::into_branch_condition(_e111) {
-                            let _e112 = t_27;
-                            let _e113 = t_27;
-                            let _e116 = cost_18;
-                            let _e117 = self.v_found_in_cell(_e72, _e112, span_11, _e113.elementwise_eq(rt::Scalar(0f32)), _e116);
+                            let _e112 = t_33;
+                            let _e113 = t_33;
+                            let _e116 = cost_19;
+                            let _e117 = self.v_found_in_cell(_e72, _e112, span_12, _e113.elementwise_eq(rt::Scalar(0f32)), _e116);
                             return _e117;
                         }
-                        let _e118 = t_27;
-                        start = _e118.max(end_9);
-                        let _e120 = self.v_quadratic(_e72, span_11);
+                        let _e118 = t_33;
+                        start = _e118.max(end_11);
+                        let _e120 = self.v_quadratic(_e72, span_12);
                         gap = _e120;
                     }
                     let _e121 = start;
-                    if rt::Scalar::into_branch_condition(_e121.elementwise_ge(rt::Scalar(path_39.exit))) {
-                        let _e125 = t_27;
-                        let _e127 = cost_18;
-                        return <SearchResult>::new(FOUND_MISS, _e125, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e127);
+                    if rt::Scalar::into_branch_condition(_e121.elementwise_ge(rt::Scalar(path_46.exit))) {
+                        let _e125 = t_33;
+                        let _e127 = cost_19;
+                        return <SearchResult>::new(FOUND_MISS, _e125, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e127);
                     }
                     let _e131 = start;
-                    near_8 = _e131;
+                    near_9 = _e131;
                     let _e132 = gap;
                     near_gap_5 = _e132;
-                    let _e133 = cell_27;
-                    let _e135 = cell_27;
+                    let _e133 = cell_34;
+                    let _e135 = cell_34;
                     let _e138 = start;
                     let _e141 = self.v_nearest_corner(((_e2.origin - _e135) + (_e2.step * _e138)));
-                    let _e143 = self.v_cone_slope(path_39, (_e133 + _e141));
-                    let _e144 = cost_18;
-                    let _e146 = self.v_map_read(path_39, rt::Scalar(1u32));
-                    cost_18 = (_e144 + _e146);
+                    let _e143 = self.v_cone_slope(path_46, (_e133 + _e141));
+                    let _e144 = cost_19;
+                    let _e146 = self.v_map_read(path_46, rt::Scalar(1u32));
+                    cost_19 = (_e144 + _e146);
                     let _e148 = start;
-                    next_4 = _e148;
+                    next_5 = _e148;
                     if rt::Scalar::into_branch_condition(_e143.elementwise_ge(rt::Scalar(0f32))) {
                         let _e152 = start;
-                        let _e153 = self.v_path_uv(path_39, _e152);
+                        let _e153 = self.v_path_uv(path_46, _e152);
                         let _e154 = start;
-                        let _e155 = self.v_path_height(path_39, _e154);
+                        let _e155 = self.v_path_height(path_46, _e154);
                         let _e156 = gap;
                         self.v_mark_cone(_e153, (_e155 - _e156), _e143);
                         let nearing_1 = ((_e143 * aside_2) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e163 = gap;
-                        let room = (_e163 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e143 * (far_9.x() + far_9.y())))));
-                        next_4 = rt::Scalar(300000000000000000000000000000000000000f32);
+                        let room = (_e163 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e143 * (far_10.x() + far_10.y())))));
+                        next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e175 = start;
-                            next_4 = (_e175 + (room.max(rt::Scalar(0f32)) / closing_4));
+                            next_5 = (_e175 + (room.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_27.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e185 = next_4;
-                        let _e186 = t_27;
-                        local_29 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_39.exit))));
+                    if rt::Scalar::into_branch_condition(params_34.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e185 = next_5;
+                        let _e186 = t_33;
+                        local_39 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_46.exit))));
                     } else {
-                        local_29 = rt::Scalar(false);
+                        local_39 = rt::Scalar(false);
                     }
-                    let _e194 = local_29;
+                    let _e194 = local_39;
                     if rt::Scalar::into_branch_condition(_e194) {
-                        let _e196 = t_27;
+                        let _e196 = t_33;
                         let _e198 = gap;
-                        let _e199 = cost_18;
-                        return <SearchResult>::new(FOUND_ABOVE, _e196, rt::Scalar(path_39.exit), _e198, rt::Scalar(0f32), _e199);
+                        let _e199 = cost_19;
+                        return <SearchResult>::new(FOUND_ABOVE, _e196, rt::Scalar(path_46.exit), _e198, rt::Scalar(0f32), _e199);
                     }
-                    let _e202 = next_4;
-                    if rt::Scalar::into_branch_condition(_e202.elementwise_ge(rt::Scalar(path_39.exit))) {
-                        let _e206 = self.v_path_gap(path_39, rt::Scalar(path_39.exit));
-                        let _e207 = cost_18;
-                        cost_18 = (_e207 + HEIGHTS_READ);
+                    let _e202 = next_5;
+                    if rt::Scalar::into_branch_condition(_e202.elementwise_ge(rt::Scalar(path_46.exit))) {
+                        let _e206 = self.v_path_gap(path_46, rt::Scalar(path_46.exit));
+                        let _e207 = cost_19;
+                        cost_19 = (_e207 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e206.elementwise_le(rt::Scalar(0f32))) {
                             let _e212 = start;
                             let _e214 = gap;
-                            let _e215 = cost_18;
-                            let _e216 = self.v_entered_once(path_39, _e2, _e212, rt::Scalar(path_39.exit), _e214, _e206, _e215);
+                            let _e215 = cost_19;
+                            let _e216 = self.v_entered_once(path_46, _e2, _e212, rt::Scalar(path_46.exit), _e214, _e206, _e215);
                             return _e216;
                         }
                         let _e218 = start;
-                        let _e220 = cost_18;
-                        return <SearchResult>::new(FOUND_MISS, _e218, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e220);
+                        let _e220 = cost_19;
+                        return <SearchResult>::new(FOUND_MISS, _e218, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e220);
                     }
-                    let _e224 = cell_27;
-                    let _e225 = next_4;
+                    let _e224 = cell_34;
+                    let _e225 = next_5;
                     let _e226 = self.v_cell_after(_e2, _e224, _e56, forward_6, _e225);
-                    cell_27 = _e226;
-                    let _e227 = next_4;
-                    t_27 = _e227;
+                    cell_34 = _e226;
+                    let _e227 = next_5;
+                    t_33 = _e227;
                 }
             }
         }
-        let _e229 = t_27;
-        let _e231 = cost_18;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e229, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e231);
+        let _e229 = t_33;
+        let _e231 = cost_19;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e229, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e231);
     }
     pub(super) fn v_search_relaxed_cone_resting(
         &self,
-        path_40: Path,
-        params_28: rt::Vec4<f32>,
+        path_47: Path,
+        params_35: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_28: rt::Vec2<f32>;
-        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_9: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_35: rt::Vec2<f32>;
+        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_6: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_30: rt::Scalar<bool>;
-        let mut next_5: rt::Scalar<f32>;
+        let mut cost_20: rt::Vec3<u32> = NO_COST;
+        let mut local_40: rt::Scalar<bool>;
+        let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_40);
+        let _e2 = self.v_grid_of(path_47);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_28 = _e9;
-        let limit_8 = params_28.x().to_u32();
+        cell_35 = _e9;
+        let limit_9 = params_35.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e22 = cost_19.x();
-                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_8)) {
+                let _e22 = cost_20.x();
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_9)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = cost_19;
-                    cost_19 = (_e24 + STEP);
-                    let _e27 = t_28;
+                    let _e24 = cost_20;
+                    cost_20 = (_e24 + STEP);
+                    let _e27 = t_34;
                     self.v_mark_turn(_e27);
-                    let _e28 = cell_28;
+                    let _e28 = cell_35;
                     let _e29 = self.v_whole_cell(_e28);
-                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_40.level));
-                    let _e32 = cost_19;
-                    cost_19 = (_e32 + HEIGHTS_READ);
-                    let _e35 = cell_28;
+                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_47.level));
+                    let _e32 = cost_20;
+                    cost_20 = (_e32 + HEIGHTS_READ);
+                    let _e35 = cell_35;
                     let _e36 = self.v_cell_leave(_e2, _e35);
-                    let end_10 = _e36.x().min(_e36.y()).min(rt::Scalar(path_40.exit));
-                    let _e42 = t_28;
-                    let span_12 = (end_10 - _e42).max(rt::Scalar(0f32));
-                    let _e46 = cell_28;
-                    let _e47 = t_28;
-                    let _e48 = self.v_gap_to(path_40, _e2, _e46, _e31, _e47);
-                    let _e49 = t_28;
+                    let end_12 = _e36.x().min(_e36.y()).min(rt::Scalar(path_47.exit));
+                    let _e42 = t_34;
+                    let span_13 = (end_12 - _e42).max(rt::Scalar(0f32));
+                    let _e46 = cell_35;
+                    let _e47 = t_34;
+                    let _e48 = self.v_gap_to(path_47, _e2, _e46, _e31, _e47);
+                    let _e49 = t_34;
                     self.v_mark_sample(_e49);
                     if rt::Scalar::into_branch_condition(_e48.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e53 = near_9;
-                        let _e54 = t_28;
+                        let _e53 = near_10;
+                        let _e54 = t_34;
                         if rt::Scalar::into_branch_condition(_e53.elementwise_lt(_e54)) {
                             let _e58 = near_gap_6;
-                            local_30 = _e58.elementwise_gt(rt::Scalar(0f32));
+                            local_40 = _e58.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_30 = rt::Scalar(false);
+                            local_40 = rt::Scalar(false);
                         }
-                        let _e62 = local_30;
+                        let _e62 = local_40;
                         if rt::Scalar::into_branch_condition(_e62) {
-                            let _e63 = near_9;
-                            let _e64 = t_28;
+                            let _e63 = near_10;
+                            let _e64 = t_34;
                             let _e65 = near_gap_6;
-                            let _e67 = cost_19;
-                            let _e68 = self.v_entered_once(path_40, _e2, _e63, _e64, _e65, _e48.x(), _e67);
+                            let _e67 = cost_20;
+                            let _e68 = self.v_entered_once(path_47, _e2, _e63, _e64, _e65, _e48.x(), _e67);
                             return _e68;
                         }
-                        let _e69 = t_28;
-                        let _e70 = t_28;
-                        let _e73 = cost_19;
-                        let _e74 = self.v_found_in_cell(_e48, _e69, span_12, _e70.elementwise_eq(rt::Scalar(0f32)), _e73);
+                        let _e69 = t_34;
+                        let _e70 = t_34;
+                        let _e73 = cost_20;
+                        let _e74 = self.v_found_in_cell(_e48, _e69, span_13, _e70.elementwise_eq(rt::Scalar(0f32)), _e73);
                         return _e74;
                     }
-                    let _e75 = cell_28;
-                    let _e76 = t_28;
-                    self.v_mark_patch(_e75, _e76, end_10);
-                    let _e77 = self.v_falls_in_cell(_e48, span_12);
+                    let _e75 = cell_35;
+                    let _e76 = t_34;
+                    self.v_mark_patch(_e75, _e76, end_12);
+                    let _e77 = self.v_falls_in_cell(_e48, span_13);
                     if rt::Scalar::into_branch_condition(_e77) {
-                        let _e78 = t_28;
-                        let _e79 = t_28;
-                        let _e82 = cost_19;
-                        let _e83 = self.v_found_in_cell(_e48, _e78, span_12, _e79.elementwise_eq(rt::Scalar(0f32)), _e82);
+                        let _e78 = t_34;
+                        let _e79 = t_34;
+                        let _e82 = cost_20;
+                        let _e83 = self.v_found_in_cell(_e48, _e78, span_13, _e79.elementwise_eq(rt::Scalar(0f32)), _e82);
                         return _e83;
                     }
-                    let _e84 = t_28;
-                    let start_1 = _e84.max(end_10);
-                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_40.exit))) {
-                        let _e89 = t_28;
-                        let _e91 = cost_19;
-                        return <SearchResult>::new(FOUND_MISS, _e89, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                    let _e84 = t_34;
+                    let start_1 = _e84.max(end_12);
+                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_47.exit))) {
+                        let _e89 = t_34;
+                        let _e91 = cost_20;
+                        return <SearchResult>::new(FOUND_MISS, _e89, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
-                    near_9 = start_1;
-                    let _e95 = self.v_quadratic(_e48, span_12);
+                    near_10 = start_1;
+                    let _e95 = self.v_quadratic(_e48, span_13);
                     near_gap_6 = _e95;
-                    let _e97 = cell_28;
+                    let _e97 = cell_35;
                     let _e102 = self.v_nearest_corner(((_e2.origin - _e97) + (_e2.step * start_1)));
                     let _e103 = self.v_corner_height(_e31, _e102);
-                    next_5 = start_1;
-                    let _e105 = self.v_path_height(path_40, start_1);
+                    next_6 = start_1;
+                    let _e105 = self.v_path_height(path_47, start_1);
                     if rt::Scalar::into_branch_condition(_e105.elementwise_gt(_e103)) {
-                        let _e107 = cell_28;
+                        let _e107 = cell_35;
                         let texel_6 = (_e107 + _e102);
-                        let _e109 = self.v_cone_slope(path_40, texel_6);
-                        let _e110 = cost_19;
-                        let _e112 = self.v_map_read(path_40, rt::Scalar(1u32));
-                        cost_19 = (_e110 + _e112);
+                        let _e109 = self.v_cone_slope(path_47, texel_6);
+                        let _e110 = cost_20;
+                        let _e112 = self.v_map_read(path_47, rt::Scalar(1u32));
+                        cost_20 = (_e110 + _e112);
                         if rt::Scalar::into_branch_condition(_e109.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e120 = self.v_height_size(rt::Scalar(path_40.level));
+                            let _e120 = self.v_height_size(rt::Scalar(path_47.level));
                             self.v_mark_cone(((texel_6 + rt::Vec2::splat_from_scalar(rt::Scalar(0.5f32))) / _e120), _e103, _e109);
-                            let _e122 = self.v_stays_inside(path_40, _e2, texel_6, _e103, _e109, start_1);
-                            next_5 = (start_1 + _e122);
+                            let _e122 = self.v_stays_inside(path_47, _e2, texel_6, _e103, _e109, start_1);
+                            next_6 = (start_1 + _e122);
                         }
                     }
-                    let _e124 = next_5;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_40.exit))) {
-                        let _e128 = self.v_path_gap(path_40, rt::Scalar(path_40.exit));
-                        let _e129 = cost_19;
-                        cost_19 = (_e129 + HEIGHTS_READ);
+                    let _e124 = next_6;
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_47.exit))) {
+                        let _e128 = self.v_path_gap(path_47, rt::Scalar(path_47.exit));
+                        let _e129 = cost_20;
+                        cost_20 = (_e129 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e128.elementwise_le(rt::Scalar(0f32))) {
                             let _e135 = near_gap_6;
-                            let _e136 = cost_19;
-                            let _e137 = self.v_entered_once(path_40, _e2, start_1, rt::Scalar(path_40.exit), _e135, _e128, _e136);
+                            let _e136 = cost_20;
+                            let _e137 = self.v_entered_once(path_47, _e2, start_1, rt::Scalar(path_47.exit), _e135, _e128, _e136);
                             return _e137;
                         }
-                        let _e140 = cost_19;
-                        return <SearchResult>::new(FOUND_MISS, start_1, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e140);
+                        let _e140 = cost_20;
+                        return <SearchResult>::new(FOUND_MISS, start_1, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e140);
                     }
-                    let _e144 = cell_28;
-                    let _e145 = next_5;
+                    let _e144 = cell_35;
+                    let _e145 = next_6;
                     let _e146 = self.v_cell_after(_e2, _e144, _e36, forward_7, _e145);
-                    cell_28 = _e146;
-                    let _e147 = next_5;
-                    t_28 = _e147;
+                    cell_35 = _e146;
+                    let _e147 = next_6;
+                    t_34 = _e147;
                 }
             }
         }
-        let _e149 = t_28;
-        let _e151 = cost_19;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e149, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+        let _e149 = t_34;
+        let _e151 = cost_20;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e149, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
     }
     pub(super) fn v_search_sphere(
         &self,
-        path_41: Path,
-        params_29: rt::Vec4<f32>,
+        path_48: Path,
+        params_36: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_29: rt::Vec2<f32>;
-        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut next_6: rt::Scalar<f32>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut cell_36: rt::Vec2<f32>;
+        let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_21: rt::Vec3<u32> = NO_COST;
+        let mut next_7: rt::Scalar<f32>;
+        let mut local_41: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_41);
+        let _e2 = self.v_grid_of(path_48);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_41, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_41, rt::Scalar(path_41.exit));
+        let _e9 = self.v_path_slope(path_48, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_48, rt::Scalar(path_48.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_41.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_48.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_10 = (path_41.uv.abs() + (path_41.duv.abs() * rt::Scalar(path_41.exit)));
-        let height_terms = (path_41.h.x().abs() + (rt::Scalar(path_41.exit) * (path_41.h.y().abs() + (rt::Scalar(path_41.exit) * path_41.h.z().abs()))));
-        let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_10.x() + far_10.y()) + height_terms) + rt::Scalar(1f32)));
+        let far_11 = (path_48.uv.abs() + (path_48.duv.abs() * rt::Scalar(path_48.exit)));
+        let height_terms = (path_48.h.x().abs() + (rt::Scalar(path_48.exit) * (path_48.h.y().abs() + (rt::Scalar(path_48.exit) * path_48.h.z().abs()))));
+        let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_11.x() + far_11.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
-        cell_29 = _e52;
-        let limit_9 = params_29.x().to_u32();
+        cell_36 = _e52;
+        let limit_10 = params_36.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e61 = cost_20.x();
-                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_9)) {
+                let _e61 = cost_21.x();
+                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_10)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e63 = cost_20;
-                    cost_20 = (_e63 + STEP);
-                    let _e66 = t_29;
+                    let _e63 = cost_21;
+                    cost_21 = (_e63 + STEP);
+                    let _e66 = t_35;
                     self.v_mark_turn(_e66);
-                    let _e67 = cell_29;
+                    let _e67 = cell_36;
                     let _e68 = self.v_cell_leave(_e2, _e67);
-                    let end_11 = _e68.x().min(_e68.y()).min(rt::Scalar(path_41.exit));
-                    let _e74 = t_29;
-                    let span_13 = (end_11 - _e74).max(rt::Scalar(0f32));
-                    let _e78 = t_29;
-                    let _e79 = self.v_path_uv(path_41, _e78);
-                    let _e80 = t_29;
-                    let _e81 = self.v_path_height(path_41, _e80);
-                    let _e83 = self.v_distance_at(path_41, _e79, _e81, params_29.z());
+                    let end_13 = _e68.x().min(_e68.y()).min(rt::Scalar(path_48.exit));
+                    let _e74 = t_35;
+                    let span_14 = (end_13 - _e74).max(rt::Scalar(0f32));
+                    let _e78 = t_35;
+                    let _e79 = self.v_path_uv(path_48, _e78);
+                    let _e80 = t_35;
+                    let _e81 = self.v_path_height(path_48, _e80);
+                    let _e83 = self.v_distance_at(path_48, _e79, _e81, params_36.z());
                     let free = (_e83 - lost_4);
-                    let _e85 = cost_20;
-                    let _e87 = self.v_map_read(path_41, rt::Scalar(4u32));
-                    let _e90 = self.v_map_read(path_41, rt::Scalar(4u32));
-                    cost_20 = ((_e85 + _e87) + _e90);
-                    let _e92 = t_29;
-                    next_6 = _e92;
+                    let _e85 = cost_21;
+                    let _e87 = self.v_map_read(path_48, rt::Scalar(4u32));
+                    let _e90 = self.v_map_read(path_48, rt::Scalar(4u32));
+                    cost_21 = ((_e85 + _e87) + _e90);
+                    let _e92 = t_35;
+                    next_7 = _e92;
                     if rt::Scalar::into_branch_condition(free.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e96 = t_29;
+                        let _e96 = t_35;
                         self.v_mark_ball(_e96, free);
-                        let _e97 = t_29;
-                        next_6 = (_e97 + (free / speed_2));
+                        let _e97 = t_35;
+                        next_7 = (_e97 + (free / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_29.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e103 = next_6;
-                        let _e104 = t_29;
-                        if rt::Scalar::into_branch_condition((!(_e103 - _e104).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_41.exit))))) {
-                            let _e112 = t_29;
-                            let _e114 = cost_20;
-                            return <SearchResult>::new(FOUND_ABOVE, _e112, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                    if rt::Scalar::into_branch_condition(params_36.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e103 = next_7;
+                        let _e104 = t_35;
+                        if rt::Scalar::into_branch_condition((!(_e103 - _e104).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_48.exit))))) {
+                            let _e112 = t_35;
+                            let _e114 = cost_21;
+                            return <SearchResult>::new(FOUND_ABOVE, _e112, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                         }
                     } else {
-                        let _e118 = next_6;
-                        if rt::Scalar::into_branch_condition((!_e118.elementwise_lt(end_11))) {
-                            let _e123 = t_29;
-                            local_31 = (!end_11.elementwise_gt(_e123));
+                        let _e118 = next_7;
+                        if rt::Scalar::into_branch_condition((!_e118.elementwise_lt(end_13))) {
+                            let _e123 = t_35;
+                            local_41 = (!end_13.elementwise_gt(_e123));
                         } else {
-                            local_31 = rt::Scalar(true);
+                            local_41 = rt::Scalar(true);
                         }
-                        let _e127 = local_31;
+                        let _e127 = local_41;
                         if rt::Scalar::into_branch_condition(_e127) {
-                            let _e128 = cost_20;
-                            cost_20 = (_e128 + HEIGHTS_READ);
-                            let _e131 = cell_29;
-                            let _e132 = t_29;
-                            self.v_mark_patch(_e131, _e132, end_11);
-                            let _e133 = cell_29;
-                            let _e134 = cell_29;
+                            let _e128 = cost_21;
+                            cost_21 = (_e128 + HEIGHTS_READ);
+                            let _e131 = cell_36;
+                            let _e132 = t_35;
+                            self.v_mark_patch(_e131, _e132, end_13);
+                            let _e133 = cell_36;
+                            let _e134 = cell_36;
                             let _e135 = self.v_whole_cell(_e134);
-                            let _e137 = self.v_height_cell(_e135, rt::Scalar(path_41.level));
-                            let _e138 = t_29;
-                            let _e139 = self.v_gap_to(path_41, _e2, _e133, _e137, _e138);
-                            let _e140 = self.v_falls_in_cell(_e139, span_13);
+                            let _e137 = self.v_height_cell(_e135, rt::Scalar(path_48.level));
+                            let _e138 = t_35;
+                            let _e139 = self.v_gap_to(path_48, _e2, _e133, _e137, _e138);
+                            let _e140 = self.v_falls_in_cell(_e139, span_14);
                             if rt::Scalar::into_branch_condition(_e140) {
-                                let _e141 = t_29;
-                                let _e142 = t_29;
-                                let _e145 = cost_20;
-                                let _e146 = self.v_found_in_cell(_e139, _e141, span_13, _e142.elementwise_eq(rt::Scalar(0f32)), _e145);
+                                let _e141 = t_35;
+                                let _e142 = t_35;
+                                let _e145 = cost_21;
+                                let _e146 = self.v_found_in_cell(_e139, _e141, span_14, _e142.elementwise_eq(rt::Scalar(0f32)), _e145);
                                 return _e146;
                             }
-                            let _e147 = t_29;
-                            next_6 = _e147.max(end_11);
+                            let _e147 = t_35;
+                            next_7 = _e147.max(end_13);
                         }
                     }
-                    let _e149 = next_6;
-                    if rt::Scalar::into_branch_condition(_e149.elementwise_ge(rt::Scalar(path_41.exit))) {
-                        let _e153 = t_29;
-                        let _e155 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, _e153, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e155);
+                    let _e149 = next_7;
+                    if rt::Scalar::into_branch_condition(_e149.elementwise_ge(rt::Scalar(path_48.exit))) {
+                        let _e153 = t_35;
+                        let _e155 = cost_21;
+                        return <SearchResult>::new(FOUND_MISS, _e153, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e155);
                     }
-                    let _e159 = cell_29;
-                    let _e160 = next_6;
+                    let _e159 = cell_36;
+                    let _e160 = next_7;
                     let _e161 = self.v_cell_after(_e2, _e159, _e68, forward_8, _e160);
-                    cell_29 = _e161;
-                    let _e162 = next_6;
-                    t_29 = _e162;
+                    cell_36 = _e161;
+                    let _e162 = next_7;
+                    t_35 = _e162;
                 }
             }
         }
-        let _e164 = t_29;
-        let _e166 = cost_20;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e164, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e166);
+        let _e164 = t_35;
+        let _e166 = cost_21;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e164, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e166);
     }
-    pub(super) fn v_search_stage(&self, path_42: Path) -> SearchResult {
-        let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
+    pub(super) fn v_search_stage(&self, path_50: Path) -> SearchResult {
+        let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[5usize].params;
-                let _e11 = self.v_search_none(path_42, _e10);
+                let _e10 = self.surface_settings.choices[6usize].params;
+                let _e11 = self.v_search_none(path_50, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[5usize].params;
-                let _e17 = self.v_search_linear(path_42, _e16);
+                let _e16 = self.surface_settings.choices[6usize].params;
+                let _e17 = self.v_search_linear(path_50, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[5usize].params;
-                let _e23 = self.v_search_cells(path_42, _e22);
+                let _e22 = self.surface_settings.choices[6usize].params;
+                let _e23 = self.v_search_cells(path_50, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[5usize].params;
-                let _e29 = self.v_search_frustum(path_42, _e28);
+                let _e28 = self.surface_settings.choices[6usize].params;
+                let _e29 = self.v_search_frustum(path_50, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[5usize].params;
-                let _e35 = self.v_search_cone(path_42, _e34);
+                let _e34 = self.surface_settings.choices[6usize].params;
+                let _e35 = self.v_search_cone(path_50, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[5usize].params;
-                let _e41 = self.v_search_pyramid(path_42, _e40);
+                let _e40 = self.surface_settings.choices[6usize].params;
+                let _e41 = self.v_search_pyramid(path_50, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[5usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_42, _e46);
+                let _e46 = self.surface_settings.choices[6usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_50, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[5usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_42, _e52);
+                let _e52 = self.surface_settings.choices[6usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_50, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[5usize].params;
-                let _e59 = self.v_search_sphere(path_42, _e58);
+                let _e58 = self.surface_settings.choices[6usize].params;
+                let _e59 = self.v_search_sphere(path_50, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[5usize].params;
-                let _e65 = self.v_search_cone_moved(path_42, _e64);
+                let _e64 = self.surface_settings.choices[6usize].params;
+                let _e65 = self.v_search_cone_moved(path_50, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[5usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_42, _e70);
+                let _e70 = self.surface_settings.choices[6usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_50, _e70);
                 return _e71;
             }
-            _ => {
-                let _e76 = self.surface_settings.choices[5usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_42, _e76);
+            11u32 => {
+                let _e76 = self.surface_settings.choices[6usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_50, _e76);
                 return _e77;
+            }
+            _ => {
+                let _e82 = self.surface_settings.choices[6usize].params;
+                let _e83 = self.v_search_voxels(path_50, _e82);
+                return _e83;
             }
         }
     }

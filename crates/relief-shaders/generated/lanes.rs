@@ -117,6 +117,33 @@ lanes! { fn zero_path() -> Path {
 } }
 
 #[derive(Clone, Copy)]
+pub struct Quartic {
+    pub a: F,
+    pub b: F,
+    pub c: F,
+    pub d: F,
+    pub e: F,
+}
+lanes! { fn sel_quartic(m: M, a: &Quartic, b: &Quartic) -> Quartic {
+    Quartic {
+        a: sel(m, a.a, b.a),
+        b: sel(m, a.b, b.b),
+        c: sel(m, a.c, b.c),
+        d: sel(m, a.d, b.d),
+        e: sel(m, a.e, b.e),
+    }
+} }
+lanes! { fn zero_quartic() -> Quartic {
+    Quartic {
+        a: splat(0f32),
+        b: splat(0f32),
+        c: splat(0f32),
+        d: splat(0f32),
+        e: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct SearchResult {
     pub status: U,
     pub near: F,
@@ -143,6 +170,45 @@ lanes! { fn zero_search_result() -> SearchResult {
         near_gap: splat(0f32),
         far_gap: splat(0f32),
         cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct VoxelCell {
+    pub low: Vec4<F>,
+    pub high: Vec4<F>,
+}
+lanes! { fn sel_voxel_cell(m: M, a: &VoxelCell, b: &VoxelCell) -> VoxelCell {
+    VoxelCell {
+        low: Vec4 { x: sel(m, a.low.x, b.low.x), y: sel(m, a.low.y, b.low.y), z: sel(m, a.low.z, b.low.z), w: sel(m, a.low.w, b.low.w) },
+        high: Vec4 { x: sel(m, a.high.x, b.high.x), y: sel(m, a.high.y, b.high.y), z: sel(m, a.high.z, b.high.z), w: sel(m, a.high.w, b.high.w) },
+    }
+} }
+lanes! { fn zero_voxel_cell() -> VoxelCell {
+    VoxelCell {
+        low: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        high: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct VoxelPath {
+    pub origin: Vec3<F>,
+    pub step: Vec3<F>,
+    pub bend: F,
+}
+lanes! { fn sel_voxel_path(m: M, a: &VoxelPath, b: &VoxelPath) -> VoxelPath {
+    VoxelPath {
+        origin: Vec3 { x: sel(m, a.origin.x, b.origin.x), y: sel(m, a.origin.y, b.origin.y), z: sel(m, a.origin.z, b.origin.z) },
+        step: Vec3 { x: sel(m, a.step.x, b.step.x), y: sel(m, a.step.y, b.step.y), z: sel(m, a.step.z, b.step.z) },
+        bend: sel(m, a.bend, b.bend),
+    }
+} }
+lanes! { fn zero_voxel_path() -> VoxelPath {
+    VoxelPath {
+        origin: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        step: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        bend: splat(0f32),
     }
 } }
 
@@ -190,6 +256,12 @@ lanes! { fn first_root(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: F) 
     ret = sel(and(ex, c8), span_a1, ret);
     ex = and_not(ex, c8);
     return sel(ex, splat(3e38f32), ret);
+} }
+lanes! { fn along_slice(r: &Resources<'_>, h_a0: Vec4<F>, at_a1: Vec2<F>, dx_a2: F, dy_a3: F) -> Vec3<F> {
+    let bx_6 = sub(h_a0.y, h_a0.x);
+    let by_9 = sub(h_a0.z, h_a0.x);
+    let twist_16 = add(sub(h_a0.x, h_a0.y), sub(h_a0.w, h_a0.z));
+    return Vec3 { x: add(add(add(h_a0.x, mul(bx_6, at_a1.x)), mul(by_9, at_a1.y)), mul(mul(twist_16, at_a1.x), at_a1.y)), y: add(add(mul(bx_6, dx_a2), mul(by_9, dy_a3)), mul(twist_16, add(mul(at_a1.x, dy_a3), mul(at_a1.y, dx_a2)))), z: mul(mul(twist_16, dx_a2), dy_a3) };
 } }
 lanes! { fn cell_of(r: &Resources<'_>, point_a0: Vec2<F>) -> Vec2<F> {
     return Vec2 { x: min_with(max_with(floor(point_a0.x), splat((-1073741800.0f32))), splat(1073741800.0f32)), y: min_with(max_with(floor(point_a0.y), splat((-1073741800.0f32))), splat(1073741800.0f32)) };
@@ -274,13 +346,97 @@ lanes! { fn path_height(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
 lanes! { fn path_slope(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
     return add(path_a0.h.y, mul(mul(splat(2.0f32), t_a1), path_a0.h.z));
 } }
+lanes! { fn field_heights_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, params_a2: Vec4<f32>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_3 = path_height(r, path_a0, t_a1);
+    let e_4 = path_uv(r, path_a0, t_a1);
+    let e_6 = height_at(r, ex, e_4, path_a0.level);
+    return sub(e_3, e_6);
+} }
+lanes! { fn slice_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, slice_a1: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let size_6 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
+    let in_row_11 = (r.surface_settings.volume.w as i32);
+    let k_16 = min_i(max_i(slice_a1, splat_i(0i32)), splat_i(size_6.z.wrapping_sub(1i32)));
+    let row_22 = i_of_f(div(add(f_of_i(k_16), splat(0.5f32)), splat((in_row_11 as f32))));
+    let x_26 = mul_i(sub_i(k_16, mul_i(row_22, splat_i(in_row_11))), splat_i(size_6.x));
+    let y_28 = mul_i(row_22, splat_i(size_6.y));
+    let e_31 = wrap_index(r, ex, cell_a0.x, size_6.x);
+    let i0_32 = add_i(x_26, e_31);
+    let e_37 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), size_6.x);
+    let i1_38 = add_i(x_26, e_37);
+    let e_41 = wrap_index(r, ex, cell_a0.y, size_6.y);
+    let j0_42 = add_i(y_28, e_41);
+    let e_47 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), size_6.y);
+    let j1_48 = add_i(y_28, e_47);
+    let e_52 = height_texel(&r.height_map, i0_32, j0_42, 0i32);
+    let e_57 = height_texel(&r.height_map, i1_38, j0_42, 0i32);
+    let e_62 = height_texel(&r.height_map, i0_32, j1_48, 0i32);
+    let e_67 = height_texel(&r.height_map, i1_38, j1_48, 0i32);
+    return Vec4 { x: e_52.x, y: e_57.x, z: e_62.x, w: e_67.x };
+} }
+lanes! { fn voxel_cell(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> VoxelCell {
+    let mut ex = within;
+    let mut ret: VoxelCell = zero_voxel_cell();
+    let e_3 = slice_cell(r, ex, Vec2 { x: cell_a0.x, y: cell_a0.y }, cell_a0.z);
+    let e_8 = slice_cell(r, ex, Vec2 { x: cell_a0.x, y: cell_a0.y }, add_i(cell_a0.z, splat_i(1i32)));
+    return VoxelCell { low: e_3, high: e_8, };
+} }
+lanes! { fn in_slice(r: &Resources<'_>, corners_a0: Vec4<F>, part_a1: Vec2<F>) -> F {
+    let top_8 = add(corners_a0.x, mul(sub(corners_a0.y, corners_a0.x), part_a1.x));
+    let bottom_15 = add(corners_a0.z, mul(sub(corners_a0.w, corners_a0.z), part_a1.x));
+    return add(top_8, mul(sub(bottom_15, top_8), part_a1.y));
+} }
+lanes! { fn field_at_voxel(r: &Resources<'_>, within: M, place_a0: Vec3<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let first_1 = Vec3 { x: floor(place_a0.x), y: floor(place_a0.y), z: floor(place_a0.z) };
+    let part_2 = Vec3 { x: sub(place_a0.x, first_1.x), y: sub(place_a0.y, first_1.y), z: sub(place_a0.z, first_1.z) };
+    let cell_4 = voxel_cell(r, ex, Vec3 { x: i_of_f(first_1.x), y: i_of_f(first_1.y), z: i_of_f(first_1.z) });
+    let low_7 = in_slice(r, Vec4 { x: cell_4.low.x, y: cell_4.low.y, z: cell_4.low.z, w: cell_4.low.w }, Vec2 { x: part_2.x, y: part_2.y });
+    let e_10 = in_slice(r, Vec4 { x: cell_4.high.x, y: cell_4.high.y, z: cell_4.high.z, w: cell_4.high.w }, Vec2 { x: part_2.x, y: part_2.y });
+    return add(low_7, mul(sub(e_10, low_7), part_2.z));
+} }
+lanes! { fn voxel_place(r: &Resources<'_>, at_a0: Vec3<F>) -> Vec3<F> {
+    let e_1 = r.volume_size();
+    return Vec3 { x: sub(mul(at_a0.x, splat(e_1.x)), splat(0.5f32)), y: sub(mul(at_a0.y, splat(e_1.y)), splat(0.5f32)), z: sub(mul(at_a0.z, splat(e_1.z)), splat(0.5f32)) };
+} }
+lanes! { fn field_at(r: &Resources<'_>, within: M, at_a0: Vec3<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_1 = voxel_place(r, at_a0);
+    let e_2 = field_at_voxel(r, ex, e_1);
+    return e_2;
+} }
+lanes! { fn field_volume_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, params_a2: Vec4<f32>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_3 = path_uv(r, path_a0, t_a1);
+    let e_4 = path_height(r, path_a0, t_a1);
+    let e_6 = field_at(r, ex, Vec3 { x: e_3.x, y: e_3.y, z: e_4 });
+    return sub(splat(0.5f32), e_6);
+} }
+lanes! { fn field_gap_stage(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    match r.surface_settings.choices[4].number {
+        0u32 => {
+            let e_12 = field_heights_gap(r, ex, path_a0, t_a1, r.surface_settings.choices[4].params);
+            return e_12;
+        }
+        _ => {
+            let e_18 = field_volume_gap(r, ex, path_a0, t_a1, r.surface_settings.choices[4].params);
+            return e_18;
+        }
+    }
+} }
 lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
-    let e_2 = path_height(r, path_a0, t_a1);
-    let e_3 = path_uv(r, path_a0, t_a1);
-    let e_5 = height_at(r, ex, e_3, path_a0.level);
-    return sub(e_2, e_5);
+    let e_2 = field_gap_stage(r, ex, path_a0, t_a1);
+    return e_2;
 } }
 lanes! { fn bracket_between(r: &Resources<'_>, within: M, path_a0: &Path, near_a1: F, far_a2: F, cost_a3: Vec3<U>) -> SearchResult {
     let mut ex = within;
@@ -602,6 +758,38 @@ stage! { fn entered_once(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: 
     let e_53 = cost_v4;
     return SearchResult { status: splat_u(3u32), near: e_49, far: e_50, near_gap: e_51, far_gap: e_52, cost: e_53, };
 } }
+lanes! { fn quartic_slope(r: &Resources<'_>, q_a0: &Quartic, x_a1: F) -> F {
+    return add(q_a0.b, mul(x_a1, add(mul(splat(2.0f32), q_a0.c), mul(x_a1, add(mul(splat(3.0f32), q_a0.d), mul(x_a1, mul(splat(4.0f32), q_a0.e)))))));
+} }
+stage! { fn extremum_between(r: &Resources<'_>, within: M, q_a0: &Quartic, from_x_a1: F, to_x_a2: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut low_v0: F = splat(0f32);
+    let mut high_v1: F = splat(0f32);
+    let mut k_v2: u32 = 0u32;
+    low_v0 = from_x_a1;
+    high_v1 = to_x_a2;
+    let e_5 = quartic_slope(r, q_a0, from_x_a1);
+    let rises_7 = gt(e_5, splat(0.0f32));
+    'l1: loop {
+        let e_10 = k_v2;
+        if (e_10 < 24u32) {
+        } else {
+            break 'l1;
+        }
+        let e_13 = low_v0;
+        let e_14 = high_v1;
+        let middle_17 = mul(splat(0.5f32), add(e_13, e_14));
+        let e_18 = quartic_slope(r, q_a0, middle_17);
+        let c2 = eq_m(gt(e_18, splat(0.0f32)), rises_7);
+        low_v0 = sel(c2, middle_17, low_v0);
+        high_v1 = sel(not(c2), middle_17, high_v1);
+        let e_22 = k_v2;
+        k_v2 = e_22.wrapping_add(1u32);
+    }
+    let e_25 = high_v1;
+    return e_25;
+} }
 lanes! { fn least_at(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: F) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
@@ -632,6 +820,25 @@ lanes! { fn falls_in_cell(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: 
 lanes! { fn miss(r: &Resources<'_>, cost_a0: Vec3<U>) -> Hit {
     return Hit { found: splat_u(0u32), exhausted: splat_u(0u32), uv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, height: splat(0.0f32), t: splat(0.0f32), cost: cost_a0, };
 } }
+lanes! { fn leaves_at_exit(r: &Resources<'_>, within: M, path_a0: &Path) -> M {
+    let mut ex = within;
+    let mut ret: M = splat_m(false);
+    let mut both_v0: M = splat_m(false);
+    let e_2 = path_height(r, path_a0, path_a0.exit);
+    let (b1, c2) = (ex, not(gt(e_2, splat(1e-6f32))));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_9 = r.field_is_ground_stage(path_a0.level);
+        both_v0 = sel_m(ex, splat_m(!e_9), both_v0);
+    }
+    ex = and_not(b1, c2);
+    if any(ex) {
+        both_v0 = sel_m(ex, splat_m(true), both_v0);
+    }
+    ex = b1;
+    let e_12 = both_v0;
+    return e_12;
+} }
 lanes! { fn hit_on_path(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, exhausted_a2: U, cost_a3: Vec3<U>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
@@ -639,28 +846,28 @@ lanes! { fn hit_on_path(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, e
     let (b1, c2) = (ex, gt(t_a1, path_a0.exit));
     ex = and(b1, c2);
     if any(ex) {
-        let e_9 = path_height(r, path_a0, path_a0.exit);
-        both_v0 = sel_m(ex, gt(e_9, splat(1e-6f32)), both_v0);
+        let e_8 = leaves_at_exit(r, ex, path_a0);
+        both_v0 = sel_m(ex, e_8, both_v0);
     }
     ex = and_not(b1, c2);
     if any(ex) {
         both_v0 = sel_m(ex, splat_m(false), both_v0);
     }
     ex = b1;
-    let e_13 = both_v0;
-    let (b3, c4) = (ex, e_13);
+    let e_10 = both_v0;
+    let (b3, c4) = (ex, e_10);
     ex = and(b3, c4);
     if any(ex) {
-        let e_14 = miss(r, cost_a3);
-        ret = e_14;
+        let e_11 = miss(r, cost_a3);
+        ret = e_11;
         ex = no_lane();
     }
     ex = and_not(b3, c4);
-    let inside_17 = min(max_with(t_a1, splat(0.0f32)), path_a0.exit);
+    let inside_14 = min(max_with(t_a1, splat(0.0f32)), path_a0.exit);
     if none(ex) { return ret; }
-    let e_19 = path_uv(r, path_a0, inside_17);
-    let e_20 = path_height(r, path_a0, inside_17);
-    return sel_hit(ex, &Hit { found: splat_u(1u32), exhausted: exhausted_a2, uv: e_19, height: e_20, t: inside_17, cost: cost_a3, }, &ret);
+    let e_16 = path_uv(r, path_a0, inside_14);
+    let e_17 = path_height(r, path_a0, inside_14);
+    return sel_hit(ex, &Hit { found: splat_u(1u32), exhausted: exhausted_a2, uv: e_16, height: e_17, t: inside_14, cost: cost_a3, }, &ret);
 } }
 lanes! { fn starting_point(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult) -> F {
     let mut ex = within;
@@ -913,31 +1120,32 @@ stage! { fn refine_binary(r: &Resources<'_>, within: M, path_a0: &Path, found_a1
         let e_34 = far_v1;
         let middle_37 = mul(splat(0.5f32), add(e_33, e_34));
         let e_38 = cost_v2;
-        cost_v2 = Vec3 { x: add_u(e_38.x, splat_u(1u32)), y: add_u(e_38.y, splat_u(0u32)), z: add_u(e_38.z, splat_u(16u32)) };
-        let e_41 = path_gap(r, ex, path_a0, middle_37);
-        let c6 = le(e_41, splat(0.0f32));
+        let e_40 = r.field_cost_stage(path_a0.level);
+        cost_v2 = Vec3 { x: add_u(e_38.x, splat_u(e_40.x)), y: add_u(e_38.y, splat_u(e_40.y)), z: add_u(e_38.z, splat_u(e_40.z)) };
+        let e_42 = path_gap(r, ex, path_a0, middle_37);
+        let c6 = le(e_42, splat(0.0f32));
         far_v1 = sel(c6, middle_37, far_v1);
         crossed_v4 = sel_m(c6, splat_m(true), crossed_v4);
         near_v0 = sel(not(c6), middle_37, near_v0);
-        let e_45 = k_v5;
-        k_v5 = (e_45 + 1.0f32);
+        let e_46 = k_v5;
+        k_v5 = (e_46 + 1.0f32);
     }
-    let e_48 = crossed_v4;
-    let (b7, c8) = (ex, not(e_48));
+    let e_49 = crossed_v4;
+    let (b7, c8) = (ex, not(e_49));
     ex = and(b7, c8);
     if any(ex) {
-        let e_50 = cost_v2;
-        let e_51 = miss(r, e_50);
-        ret = sel_hit(ex, &e_51, &ret);
+        let e_51 = cost_v2;
+        let e_52 = miss(r, e_51);
+        ret = sel_hit(ex, &e_52, &ret);
         ex = no_lane();
     }
     ex = and_not(b7, c8);
-    let e_52 = near_v0;
-    let e_53 = far_v1;
-    let e_58 = cost_v2;
+    let e_53 = near_v0;
+    let e_54 = far_v1;
+    let e_59 = cost_v2;
     if none(ex) { return ret; }
-    let e_59 = hit_on_path(r, ex, path_a0, mul(splat(0.5f32), add(e_52, e_53)), splat_u(0u32), e_58);
-    return sel_hit(ex, &e_59, &ret);
+    let e_60 = hit_on_path(r, ex, path_a0, mul(splat(0.5f32), add(e_53, e_54)), splat_u(0u32), e_59);
+    return sel_hit(ex, &e_60, &ret);
 } }
 stage! { fn refine_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
@@ -974,15 +1182,17 @@ stage! { fn refine_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1
         let e_22 = path_gap(r, ex, path_a0, e_21);
         far_gap_v3 = sel(ex, e_22, far_gap_v3);
         let e_23 = cost_v4;
-        let (m5, y6) = (ex, Vec3 { x: add_u(add_u(e_23.x, splat_u(1u32)), splat_u(1u32)), y: add_u(add_u(e_23.y, splat_u(0u32)), splat_u(0u32)), z: add_u(add_u(e_23.z, splat_u(16u32)), splat_u(16u32)) });
+        let e_25 = r.field_cost_stage(path_a0.level);
+        let e_28 = r.field_cost_stage(path_a0.level);
+        let (m5, y6) = (ex, Vec3 { x: add_u(add_u(e_23.x, splat_u(e_25.x)), splat_u(e_28.x)), y: add_u(add_u(e_23.y, splat_u(e_25.y)), splat_u(e_28.y)), z: add_u(add_u(e_23.z, splat_u(e_25.z)), splat_u(e_28.z)) });
         cost_v4 = Vec3 { x: sel_u(m5, y6.x, cost_v4.x), y: sel_u(m5, y6.y, cost_v4.y), z: sel_u(m5, y6.z, cost_v4.z) };
-        let e_28 = far_gap_v3;
-        let (b7, c8) = (ex, gt(e_28, splat(0.0f32)));
+        let e_30 = far_gap_v3;
+        let (b7, c8) = (ex, gt(e_30, splat(0.0f32)));
         ex = and(b7, c8);
         if any(ex) {
-            let e_31 = cost_v4;
-            let e_32 = miss(r, e_31);
-            ret = sel_hit(ex, &e_32, &ret);
+            let e_33 = cost_v4;
+            let e_34 = miss(r, e_33);
+            ret = sel_hit(ex, &e_34, &ret);
             ex = no_lane();
         }
         ex = and_not(b7, c8);
@@ -990,54 +1200,55 @@ stage! { fn refine_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1
     let x9 = ex;
     ex = and_not(b3, c4);
     ex = or(ex, x9);
-    let e_33 = far_v1;
-    t_v5 = e_33;
+    let e_35 = far_v1;
+    t_v5 = e_35;
     if none(ex) { return ret; }
     let b11 = ex;
     'l10: loop {
-        let e_37 = k_v6;
-        let c12 = le(e_37, splat(params_a2.x));
+        let e_39 = k_v6;
+        let c12 = le(e_39, splat(params_a2.x));
         ex = and(ex, c12);
-        let e_40 = cost_v4;
-        let (m13, y14) = (ex, Vec3 { x: add_u(e_40.x, splat_u(0u32)), y: add_u(e_40.y, splat_u(1u32)), z: add_u(e_40.z, splat_u(0u32)) });
+        let e_42 = cost_v4;
+        let (m13, y14) = (ex, Vec3 { x: add_u(e_42.x, splat_u(0u32)), y: add_u(e_42.y, splat_u(1u32)), z: add_u(e_42.z, splat_u(0u32)) });
         cost_v4 = Vec3 { x: sel_u(m13, y14.x, cost_v4.x), y: sel_u(m13, y14.y, cost_v4.y), z: sel_u(m13, y14.z, cost_v4.z) };
-        let e_43 = near_gap_v2;
-        let e_44 = far_gap_v3;
-        let drop_45 = sub(e_43, e_44);
-        let c15 = not(gt(drop_45, splat(0.0f32)));
+        let e_45 = near_gap_v2;
+        let e_46 = far_gap_v3;
+        let drop_47 = sub(e_45, e_46);
+        let c15 = not(gt(drop_47, splat(0.0f32)));
         ex = and_not(ex, c15);
-        let e_49 = near_v0;
-        let e_50 = far_v1;
         let e_51 = near_v0;
-        let e_53 = near_gap_v2;
-        t_v5 = sel(ex, add(e_49, mul(sub(e_50, e_51), div(e_53, drop_45))), t_v5);
-        let e_57 = k_v6;
+        let e_52 = far_v1;
+        let e_53 = near_v0;
+        let e_55 = near_gap_v2;
+        t_v5 = sel(ex, add(e_51, mul(sub(e_52, e_53), div(e_55, drop_47))), t_v5);
+        let e_59 = k_v6;
         if none(ex) { break 'l10; }
-        let (b16, c17) = (ex, lt(e_57, splat(params_a2.x)));
+        let (b16, c17) = (ex, lt(e_59, splat(params_a2.x)));
         ex = and(b16, c17);
         if any(ex) {
-            let e_60 = t_v5;
-            let gap_61 = path_gap(r, ex, path_a0, e_60);
-            let e_62 = cost_v4;
-            let (m18, y19) = (ex, Vec3 { x: add_u(e_62.x, splat_u(1u32)), y: add_u(e_62.y, splat_u(0u32)), z: add_u(e_62.z, splat_u(16u32)) });
+            let e_62 = t_v5;
+            let gap_63 = path_gap(r, ex, path_a0, e_62);
+            let e_64 = cost_v4;
+            let e_66 = r.field_cost_stage(path_a0.level);
+            let (m18, y19) = (ex, Vec3 { x: add_u(e_64.x, splat_u(e_66.x)), y: add_u(e_64.y, splat_u(e_66.y)), z: add_u(e_64.z, splat_u(e_66.z)) });
             cost_v4 = Vec3 { x: sel_u(m18, y19.x, cost_v4.x), y: sel_u(m18, y19.y, cost_v4.y), z: sel_u(m18, y19.z, cost_v4.z) };
-            let c20 = le(gap_61, splat(0.0f32));
-            let e_67 = t_v5;
-            far_v1 = sel(and(ex, c20), e_67, far_v1);
-            far_gap_v3 = sel(and(ex, c20), gap_61, far_gap_v3);
-            let e_68 = t_v5;
-            near_v0 = sel(and(ex, not(c20)), e_68, near_v0);
-            near_gap_v2 = sel(and(ex, not(c20)), gap_61, near_gap_v2);
+            let c20 = le(gap_63, splat(0.0f32));
+            let e_70 = t_v5;
+            far_v1 = sel(and(ex, c20), e_70, far_v1);
+            far_gap_v3 = sel(and(ex, c20), gap_63, far_gap_v3);
+            let e_71 = t_v5;
+            near_v0 = sel(and(ex, not(c20)), e_71, near_v0);
+            near_gap_v2 = sel(and(ex, not(c20)), gap_63, near_gap_v2);
         }
         ex = b16;
-        let e_69 = k_v6;
-        k_v6 = add(e_69, splat(1.0f32));
+        let e_72 = k_v6;
+        k_v6 = add(e_72, splat(1.0f32));
     }
     ex = b11;
-    let e_72 = t_v5;
-    let e_74 = cost_v4;
-    let e_75 = hit_on_path(r, ex, path_a0, e_72, splat_u(0u32), e_74);
-    return sel_hit(ex, &e_75, &ret);
+    let e_75 = t_v5;
+    let e_77 = cost_v4;
+    let e_78 = hit_on_path(r, ex, path_a0, e_75, splat_u(0u32), e_77);
+    return sel_hit(ex, &e_78, &ret);
 } }
 stage! { fn refine_true_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
@@ -1073,15 +1284,17 @@ stage! { fn refine_true_secant(r: &Resources<'_>, within: M, path_a0: &Path, fou
         let e_22 = path_gap(r, ex, path_a0, e_21);
         last_gap_v3 = sel(ex, e_22, last_gap_v3);
         let e_23 = cost_v4;
-        let (m5, y6) = (ex, Vec3 { x: add_u(add_u(e_23.x, splat_u(1u32)), splat_u(1u32)), y: add_u(add_u(e_23.y, splat_u(0u32)), splat_u(0u32)), z: add_u(add_u(e_23.z, splat_u(16u32)), splat_u(16u32)) });
+        let e_25 = r.field_cost_stage(path_a0.level);
+        let e_28 = r.field_cost_stage(path_a0.level);
+        let (m5, y6) = (ex, Vec3 { x: add_u(add_u(e_23.x, splat_u(e_25.x)), splat_u(e_28.x)), y: add_u(add_u(e_23.y, splat_u(e_25.y)), splat_u(e_28.y)), z: add_u(add_u(e_23.z, splat_u(e_25.z)), splat_u(e_28.z)) });
         cost_v4 = Vec3 { x: sel_u(m5, y6.x, cost_v4.x), y: sel_u(m5, y6.y, cost_v4.y), z: sel_u(m5, y6.z, cost_v4.z) };
-        let e_28 = last_gap_v3;
-        let (b7, c8) = (ex, gt(e_28, splat(0.0f32)));
+        let e_30 = last_gap_v3;
+        let (b7, c8) = (ex, gt(e_30, splat(0.0f32)));
         ex = and(b7, c8);
         if any(ex) {
-            let e_31 = cost_v4;
-            let e_32 = miss(r, e_31);
-            ret = sel_hit(ex, &e_32, &ret);
+            let e_33 = cost_v4;
+            let e_34 = miss(r, e_33);
+            ret = sel_hit(ex, &e_34, &ret);
             ex = no_lane();
         }
         ex = and_not(b7, c8);
@@ -1092,47 +1305,48 @@ stage! { fn refine_true_secant(r: &Resources<'_>, within: M, path_a0: &Path, fou
     if none(ex) { return ret; }
     let b11 = ex;
     'l10: loop {
-        let e_35 = k_v5;
-        let c12 = le(e_35, splat(params_a2.x));
+        let e_37 = k_v5;
+        let c12 = le(e_37, splat(params_a2.x));
         ex = and(ex, c12);
-        let e_38 = cost_v4;
-        let (m13, y14) = (ex, Vec3 { x: add_u(e_38.x, splat_u(0u32)), y: add_u(e_38.y, splat_u(1u32)), z: add_u(e_38.z, splat_u(0u32)) });
+        let e_40 = cost_v4;
+        let (m13, y14) = (ex, Vec3 { x: add_u(e_40.x, splat_u(0u32)), y: add_u(e_40.y, splat_u(1u32)), z: add_u(e_40.z, splat_u(0u32)) });
         cost_v4 = Vec3 { x: sel_u(m13, y14.x, cost_v4.x), y: sel_u(m13, y14.y, cost_v4.y), z: sel_u(m13, y14.z, cost_v4.z) };
-        let e_41 = before_gap_v2;
-        let e_42 = last_gap_v3;
-        let change_43 = sub(e_41, e_42);
-        let c15 = eq(change_43, splat(0.0f32));
+        let e_43 = before_gap_v2;
+        let e_44 = last_gap_v3;
+        let change_45 = sub(e_43, e_44);
+        let c15 = eq(change_45, splat(0.0f32));
         ex = and_not(ex, c15);
-        let e_46 = last_v1;
-        let e_47 = last_v1;
-        let e_48 = before_v0;
-        let e_50 = last_gap_v3;
-        let t_56 = min(max(add(e_46, mul(sub(e_47, e_48), div(e_50, change_43))), found_a1.near), found_a1.far);
-        let e_57 = last_v1;
-        before_v0 = e_57;
-        let e_58 = last_gap_v3;
-        before_gap_v2 = e_58;
-        last_v1 = sel(ex, t_56, last_v1);
-        let e_59 = k_v5;
+        let e_48 = last_v1;
+        let e_49 = last_v1;
+        let e_50 = before_v0;
+        let e_52 = last_gap_v3;
+        let t_58 = min(max(add(e_48, mul(sub(e_49, e_50), div(e_52, change_45))), found_a1.near), found_a1.far);
+        let e_59 = last_v1;
+        before_v0 = e_59;
+        let e_60 = last_gap_v3;
+        before_gap_v2 = e_60;
+        last_v1 = sel(ex, t_58, last_v1);
+        let e_61 = k_v5;
         if none(ex) { break 'l10; }
-        let (b16, c17) = (ex, lt(e_59, splat(params_a2.x)));
+        let (b16, c17) = (ex, lt(e_61, splat(params_a2.x)));
         ex = and(b16, c17);
         if any(ex) {
-            let e_62 = path_gap(r, ex, path_a0, t_56);
-            last_gap_v3 = sel(ex, e_62, last_gap_v3);
-            let e_63 = cost_v4;
-            let (m18, y19) = (ex, Vec3 { x: add_u(e_63.x, splat_u(1u32)), y: add_u(e_63.y, splat_u(0u32)), z: add_u(e_63.z, splat_u(16u32)) });
+            let e_64 = path_gap(r, ex, path_a0, t_58);
+            last_gap_v3 = sel(ex, e_64, last_gap_v3);
+            let e_65 = cost_v4;
+            let e_67 = r.field_cost_stage(path_a0.level);
+            let (m18, y19) = (ex, Vec3 { x: add_u(e_65.x, splat_u(e_67.x)), y: add_u(e_65.y, splat_u(e_67.y)), z: add_u(e_65.z, splat_u(e_67.z)) });
             cost_v4 = Vec3 { x: sel_u(m18, y19.x, cost_v4.x), y: sel_u(m18, y19.y, cost_v4.y), z: sel_u(m18, y19.z, cost_v4.z) };
         }
         ex = b16;
-        let e_66 = k_v5;
-        k_v5 = add(e_66, splat(1.0f32));
+        let e_69 = k_v5;
+        k_v5 = add(e_69, splat(1.0f32));
     }
     ex = b11;
-    let e_69 = last_v1;
-    let e_71 = cost_v4;
-    let e_72 = hit_on_path(r, ex, path_a0, e_69, splat_u(0u32), e_71);
-    return sel_hit(ex, &e_72, &ret);
+    let e_72 = last_v1;
+    let e_74 = cost_v4;
+    let e_75 = hit_on_path(r, ex, path_a0, e_72, splat_u(0u32), e_74);
+    return sel_hit(ex, &e_75, &ret);
 } }
 stage! { fn refine_patch(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
@@ -1297,49 +1511,426 @@ lanes! { fn refine_half_texel(r: &Resources<'_>, within: M, path_a0: &Path, foun
     let e_49 = hit_on_path(r, ex, path_a0, add(backward_23, mul(sub(forward_27, backward_23), e_45)), splat_u(0u32), cost_43);
     return sel_hit(ex, &e_49, &ret);
 } }
+lanes! { fn voxel_path(r: &Resources<'_>, path_a0: &Path) -> VoxelPath {
+    let size_1 = r.volume_size();
+    return VoxelPath { origin: Vec3 { x: sub(mul(path_a0.uv.x, splat(size_1.x)), splat(0.5f32)), y: sub(mul(path_a0.uv.y, splat(size_1.y)), splat(0.5f32)), z: sub(mul(path_a0.h.x, splat(size_1.z)), splat(0.5f32)) }, step: Vec3 { x: mul(path_a0.duv.x, splat(size_1.x)), y: mul(path_a0.duv.y, splat(size_1.y)), z: mul(path_a0.h.y, splat(size_1.z)) }, bend: mul(path_a0.h.z, splat(size_1.z)), };
+} }
+lanes! { fn turning_point(r: &Resources<'_>, within: M, way_a0: &VoxelPath) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let c1 = eq(way_a0.bend, splat(0.0f32));
+    ret = splat(3e38f32);
+    ex = and_not(ex, c1);
+    let t_12 = div(sub(splat(0.0f32), way_a0.step.z), mul(splat(2.0f32), way_a0.bend));
+    return sel(ex, sel(gt(t_12, splat(0.0f32)), t_12, splat(3e38f32)), ret);
+} }
+lanes! { fn voxel_place_on(r: &Resources<'_>, way_a0: &VoxelPath, t_a1: F) -> Vec3<F> {
+    return Vec3 { x: add(way_a0.origin.x, mul(add(way_a0.step.x, splat(0.0f32)), t_a1)), y: add(way_a0.origin.y, mul(add(way_a0.step.y, splat(0.0f32)), t_a1)), z: add(way_a0.origin.z, mul(add(way_a0.step.z, mul(way_a0.bend, t_a1)), t_a1)) };
+} }
+lanes! { fn rises_on(r: &Resources<'_>, within: M, way_a0: &VoxelPath, has_turned_a1: M) -> M {
+    let mut ex = within;
+    let mut ret: M = splat_m(false);
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let c1 = has_turned_a1;
+    ret = gt(way_a0.bend, splat(0.0f32));
+    ex = and_not(ex, c1);
+    both_v1 = and(eq(way_a0.step.z, splat(0.0f32)), gt(way_a0.bend, splat(0.0f32)));
+    let e_22 = both_v1;
+    both_v0 = or(gt(way_a0.step.z, splat(0.0f32)), e_22);
+    let e_24 = both_v0;
+    return sel_m(ex, e_24, ret);
+} }
+lanes! { fn meets_plane(r: &Resources<'_>, within: M, way_a0: &VoxelPath, plane_a1: F, rises_a2: M, has_turned_a3: M) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let gap_6 = sub(plane_a1, way_a0.origin.z);
+    let discriminant_16 = add(mul(way_a0.step.z, way_a0.step.z), mul(mul(splat(4.0f32), way_a0.bend), gap_6));
+    let c1 = not(ge(discriminant_16, splat(0.0f32)));
+    ret = splat(3e38f32);
+    ex = and_not(ex, c1);
+    let root_25 = sel(rises_a2, sqrt(discriminant_16), sub(splat(0.0f32), sqrt(discriminant_16)));
+    let c2 = has_turned_a3;
+    ret = sel(and(ex, c2), div(sub(root_25, way_a0.step.z), mul(splat(2.0f32), way_a0.bend)), ret);
+    ex = and_not(ex, c2);
+    let both_35 = add(way_a0.step.z, root_25);
+    return sel(ex, sel(ne(both_35, splat(0.0f32)), div(mul(splat(2.0f32), gap_6), both_35), splat(3e38f32)), ret);
+} }
+lanes! { fn voxel_leave(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, has_turned_a2: M) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let none_5 = Vec2 { x: 0.0f32, y: 0.0f32 };
+    let ahead_14 = Vec2 { x: add(cell_a1.x, sel(gt(way_a0.step.x, splat(none_5.x)), splat(1.0f32), splat(none_5.x))), y: add(cell_a1.y, sel(gt(way_a0.step.y, splat(none_5.y)), splat(1.0f32), splat(none_5.y))) };
+    let beside_20 = Vec2 { x: div(sub(ahead_14.x, way_a0.origin.x), way_a0.step.x), y: div(sub(ahead_14.y, way_a0.origin.y), way_a0.step.y) };
+    let across_28 = Vec2 { x: sel(gt(abs(way_a0.step.x), splat(none_5.x)), beside_20.x, splat(3e38f32)), y: sel(gt(abs(way_a0.step.y), splat(none_5.y)), beside_20.y, splat(3e38f32)) };
+    let rises_29 = rises_on(r, ex, way_a0, has_turned_a2);
+    let plane_34 = add(cell_a1.z, sel(rises_29, splat(1.0f32), splat(0.0f32)));
+    let e_35 = meets_plane(r, ex, way_a0, plane_34, rises_29, has_turned_a2);
+    return Vec3 { x: across_28.x, y: across_28.y, z: e_35 };
+} }
+lanes! { fn greatest_value(r: &Resources<'_>, cell_a0: &VoxelCell) -> F {
+    let most_3 = Vec4 { x: max(cell_a0.low.x, cell_a0.high.x), y: max(cell_a0.low.y, cell_a0.high.y), z: max(cell_a0.low.z, cell_a0.high.z), w: max(cell_a0.low.w, cell_a0.high.w) };
+    return max(max(most_3.x, most_3.y), max(most_3.z, most_3.w));
+} }
+lanes! { fn gap_in_cell(r: &Resources<'_>, way_a0: &VoxelPath, cell_a1: Vec3<F>, corners_a2: &VoxelCell, t_a3: F, span_a4: F) -> Quartic {
+    let e_5 = voxel_place_on(r, way_a0, t_a3);
+    let at_6 = Vec3 { x: sub(e_5.x, cell_a1.x), y: sub(e_5.y, cell_a1.y), z: sub(e_5.z, cell_a1.z) };
+    let slope_14 = mul(add(way_a0.step.z, mul(mul(splat(2.0f32), way_a0.bend), t_a3)), span_a4);
+    let bend_17 = mul(way_a0.bend, mul(span_a4, span_a4));
+    let dx_20 = mul(way_a0.step.x, span_a4);
+    let dy_23 = mul(way_a0.step.y, span_a4);
+    let low_26 = along_slice(r, Vec4 { x: corners_a2.low.x, y: corners_a2.low.y, z: corners_a2.low.z, w: corners_a2.low.w }, Vec2 { x: at_6.x, y: at_6.y }, dx_20, dy_23);
+    let e_29 = along_slice(r, Vec4 { x: corners_a2.high.x, y: corners_a2.high.y, z: corners_a2.high.z, w: corners_a2.high.w }, Vec2 { x: at_6.x, y: at_6.y }, dx_20, dy_23);
+    let rise_30 = Vec3 { x: sub(e_29.x, low_26.x), y: sub(e_29.y, low_26.y), z: sub(e_29.z, low_26.z) };
+    return Quartic { a: sub(splat(0.5f32), add(low_26.x, mul(rise_30.x, at_6.z))), b: sub(splat(0.0f32), add(add(low_26.y, mul(rise_30.y, at_6.z)), mul(rise_30.x, slope_14))), c: sub(splat(0.0f32), add(add(add(low_26.z, mul(rise_30.z, at_6.z)), mul(rise_30.y, slope_14)), mul(rise_30.x, bend_17))), d: sub(splat(0.0f32), add(mul(rise_30.z, slope_14), mul(rise_30.y, bend_17))), e: sub(splat(0.0f32), mul(rise_30.z, bend_17)), };
+} }
+lanes! { fn is_above_zero(r: &Resources<'_>, q_a0: &Quartic) -> M {
+    let p1_5 = add(q_a0.a, mul(splat(0.25f32), q_a0.b));
+    let p2_14 = add(add(q_a0.a, mul(splat(0.5f32), q_a0.b)), div(q_a0.c, splat(6.0f32)));
+    let p3_27 = add(add(add(q_a0.a, mul(splat(0.75f32), q_a0.b)), mul(splat(0.5f32), q_a0.c)), mul(splat(0.25f32), q_a0.d));
+    let p4_36 = add(add(add(add(q_a0.a, q_a0.b), q_a0.c), q_a0.d), q_a0.e);
+    return gt(min(min(min(q_a0.a, p1_5), min(p2_14, p3_27)), p4_36), splat(0.0f32));
+} }
+lanes! { fn inflections(r: &Resources<'_>, within: M, q_a0: &Quartic) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let b_3 = mul(splat(3.0f32), q_a0.d);
+    let a_6 = mul(splat(6.0f32), q_a0.e);
+    let discriminant_12 = sub(mul(b_3, b_3), mul(mul(splat(4.0f32), a_6), q_a0.c));
+    let c1 = not(ge(discriminant_12, splat(0.0f32)));
+    ret = Vec2 { x: splat(1.0f32), y: splat(1.0f32) };
+    ex = and_not(ex, c1);
+    let root_19 = sqrt(discriminant_12);
+    let s_27 = mul(splat((-0.5f32)), add(b_3, sel(ge(b_3, splat(0.0f32)), root_19, sub(splat(0.0f32), root_19))));
+    let first_32 = sel(ne(a_6, splat(0.0f32)), div(s_27, a_6), splat(1.0f32));
+    let second_38 = sel(ne(s_27, splat(0.0f32)), div(q_a0.c, s_27), splat(1.0f32));
+    both_v0 = and(gt(first_32, splat(0.0f32)), lt(first_32, splat(1.0f32)));
+    let e_46 = both_v0;
+    let x_48 = sel(e_46, first_32, splat(1.0f32));
+    both_v1 = and(gt(second_38, splat(0.0f32)), lt(second_38, splat(1.0f32)));
+    let e_56 = both_v1;
+    let y_58 = sel(e_56, second_38, splat(1.0f32));
+    let y2 = Vec2 { x: min(x_48, y_58), y: max(x_48, y_58) };
+    return Vec2 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y) };
+} }
+lanes! { fn quartic_at(r: &Resources<'_>, q_a0: &Quartic, x_a1: F) -> F {
+    return add(q_a0.a, mul(x_a1, add(q_a0.b, mul(x_a1, add(q_a0.c, mul(x_a1, add(q_a0.d, mul(x_a1, q_a0.e))))))));
+} }
+stage! { fn root_between(r: &Resources<'_>, within: M, q_a0: &Quartic, above_a1: F, below_a2: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut near_v0: F = splat(0f32);
+    let mut far_v1: F = splat(0f32);
+    let mut k_v2: u32 = 0u32;
+    near_v0 = above_a1;
+    far_v1 = below_a2;
+    'l1: loop {
+        let e_7 = k_v2;
+        if (e_7 < 24u32) {
+        } else {
+            break 'l1;
+        }
+        let e_10 = near_v0;
+        let e_11 = far_v1;
+        let middle_14 = mul(splat(0.5f32), add(e_10, e_11));
+        let e_15 = quartic_at(r, q_a0, middle_14);
+        let c2 = gt(e_15, splat(0.0f32));
+        near_v0 = sel(c2, middle_14, near_v0);
+        far_v1 = sel(not(c2), middle_14, far_v1);
+        let e_18 = k_v2;
+        k_v2 = e_18.wrapping_add(1u32);
+    }
+    let e_21 = far_v1;
+    return e_21;
+} }
+stage! { fn first_root_of_quartic(r: &Resources<'_>, within: M, q_a0: &Quartic) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut alive = ex;
+    let mut begin_v0: F = splat(0.0f32);
+    let mut k_v1: U = splat_u(0u32);
+    let mut both_v2: M = splat_m(false);
+    let c1 = not(gt(q_a0.a, splat(0.0f32)));
+    ret = splat(0.0f32);
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let e_6 = is_above_zero(r, q_a0);
+    let c2 = e_6;
+    ret = sel(and(ex, c2), splat(3e38f32), ret);
+    ex = and_not(ex, c2);
+    if none(ex) { return ret; }
+    let inner_8 = inflections(r, ex, q_a0);
+    let b4 = ex;
+    'l3: loop {
+        let e_13 = k_v1;
+        let c5 = lt_u(e_13, splat_u(3u32));
+        ex = and(ex, c5);
+        let e_17 = k_v1;
+        let e_23 = k_v1;
+        let end_26 = sel(eq_u(e_23, splat_u(0u32)), inner_8.x, sel(eq_u(e_17, splat_u(1u32)), inner_8.y, splat(1.0f32)));
+        let e_27 = begin_v0;
+        if none(ex) { break 'l3; }
+        let (b6, c7) = (ex, gt(end_26, e_27));
+        ex = and(b6, c7);
+        if any(ex) {
+            let e_29 = begin_v0;
+            let first_30 = quartic_slope(r, q_a0, e_29);
+            let last_31 = quartic_slope(r, q_a0, end_26);
+            both_v2 = and(lt(first_30, splat(0.0f32)), gt(last_31, splat(0.0f32)));
+            let e_39 = both_v2;
+            let (b8, c9) = (ex, e_39);
+            ex = and(b8, c9);
+            if any(ex) {
+                let e_40 = begin_v0;
+                let least_41 = extremum_between(r, ex, q_a0, e_40, end_26);
+                let e_42 = quartic_at(r, q_a0, least_41);
+                let (b10, c11) = (ex, not(gt(e_42, splat(0.0f32))));
+                ex = and(b10, c11);
+                if any(ex) {
+                    let e_46 = begin_v0;
+                    let e_47 = root_between(r, ex, q_a0, e_46, least_41);
+                    ret = sel(ex, e_47, ret);
+                    alive = and_not(alive, ex);
+                    ex = no_lane();
+                }
+                ex = and_not(b10, c11);
+            }
+            let x12 = ex;
+            ex = and_not(b8, c9);
+            ex = or(ex, x12);
+            let e_48 = quartic_at(r, q_a0, end_26);
+            let (b13, c14) = (ex, not(gt(e_48, splat(0.0f32))));
+            ex = and(b13, c14);
+            if any(ex) {
+                let e_52 = begin_v0;
+                let e_53 = root_between(r, ex, q_a0, e_52, end_26);
+                ret = sel(ex, e_53, ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b13, c14);
+        }
+        let x15 = ex;
+        ex = and_not(b6, c7);
+        ex = or(ex, x15);
+        let e_54 = begin_v0;
+        begin_v0 = max(e_54, end_26);
+        let e_56 = k_v1;
+        k_v1 = add_u(e_56, splat_u(1u32));
+        if none(ex) { break 'l3; }
+    }
+    ex = and(b4, alive);
+    return sel(ex, splat(3e38f32), ret);
+} }
+lanes! { fn next_voxel_cell(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, leave_a2: Vec3<F>, rises_a3: M) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut next_v0: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut both_v1: M = splat_m(false);
+    next_v0 = cell_a1;
+    both_v1 = and(le(leave_a2.x, leave_a2.y), le(leave_a2.x, leave_a2.z));
+    let e_14 = both_v1;
+    let (b1, c2) = (ex, e_14);
+    ex = and(b1, c2);
+    if any(ex) {
+        next_v0.x = sel(ex, add(cell_a1.x, sel(gt(way_a0.step.x, splat(0.0f32)), splat(1.0f32), splat((-1.0f32)))), next_v0.x);
+    }
+    ex = and_not(b1, c2);
+    if any(ex) {
+        let c3 = le(leave_a2.y, leave_a2.z);
+        next_v0.y = sel(and(ex, c3), add(cell_a1.y, sel(gt(way_a0.step.y, splat(0.0f32)), splat(1.0f32), splat((-1.0f32)))), next_v0.y);
+        next_v0.z = sel(and(ex, not(c3)), add(cell_a1.z, sel(rises_a3, splat(1.0f32), splat((-1.0f32)))), next_v0.z);
+    }
+    ex = b1;
+    let e_44 = next_v0;
+    return e_44;
+} }
+stage! { fn walk_voxels(r: &Resources<'_>, within: M, path_a0: &Path, from_t_a1: F, to_t_a2: F, limit_a3: u32) -> SearchResult {
+    let mut ex = within;
+    let mut ret: SearchResult = zero_search_result();
+    let mut alive = ex;
+    let mut has_turned_v0: M = splat_m(false);
+    let mut t_v1: F = splat(0f32);
+    let mut cell_v2: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut cost_v3: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut both_v4: M = splat_m(false);
+    let way_4 = voxel_path(r, path_a0);
+    let turn_5 = turning_point(r, ex, &way_4);
+    has_turned_v0 = ge(from_t_a1, turn_5);
+    t_v1 = from_t_a1;
+    let e_9 = t_v1;
+    let e_10 = voxel_place_on(r, &way_4, e_9);
+    cell_v2 = Vec3 { x: floor(e_10.x), y: floor(e_10.y), z: floor(e_10.z) };
+    let b2 = ex;
+    'l1: loop {
+        let e_16 = cost_v3.y;
+        let c3 = lt_u(e_16, splat_u(limit_a3));
+        ex = and(ex, c3);
+        let e_18 = cost_v3;
+        let (m4, y5) = (ex, Vec3 { x: add_u(add_u(e_18.x, splat_u(0u32)), splat_u(1u32)), y: add_u(add_u(e_18.y, splat_u(1u32)), splat_u(0u32)), z: add_u(add_u(e_18.z, splat_u(0u32)), splat_u(32u32)) });
+        cost_v3 = Vec3 { x: sel_u(m4, y5.x, cost_v3.x), y: sel_u(m4, y5.y, cost_v3.y), z: sel_u(m4, y5.z, cost_v3.z) };
+        let e_24 = has_turned_v0;
+        let end_of_part_25 = sel(e_24, to_t_a2, min(turn_5, to_t_a2));
+        let e_26 = cell_v2;
+        let e_27 = has_turned_v0;
+        if none(ex) { break 'l1; }
+        let leave_28 = voxel_leave(r, ex, &way_4, e_26, e_27);
+        let side_33 = min(min(leave_28.x, leave_28.y), leave_28.z);
+        let e_35 = t_v1;
+        let end_36 = max(min(side_33, end_of_part_25), e_35);
+        let e_37 = cell_v2;
+        let corners_39 = voxel_cell(r, ex, Vec3 { x: i_of_f(e_37.x), y: i_of_f(e_37.y), z: i_of_f(e_37.z) });
+        let e_40 = greatest_value(r, &corners_39);
+        let (b6, c7) = (ex, ge(e_40, splat(0.5f32)));
+        ex = and(b6, c7);
+        if any(ex) {
+            let e_43 = cell_v2;
+            let e_44 = t_v1;
+            let e_45 = t_v1;
+            let gap_47 = gap_in_cell(r, &way_4, e_43, &corners_39, e_44, sub(end_36, e_45));
+            let root_48 = first_root_of_quartic(r, ex, &gap_47);
+            let (b8, c9) = (ex, lt(root_48, splat(3e38f32)));
+            ex = and(b8, c9);
+            if any(ex) {
+                let e_56 = t_v1;
+                both_v4 = and(lt(gap_47.a, splat(0.0f32)), eq(e_56, from_t_a1));
+                let is_inside_59 = both_v4;
+                let status_62 = sel_u(is_inside_59, splat_u(5u32), splat_u(3u32));
+                let e_63 = t_v1;
+                let e_64 = t_v1;
+                let e_65 = t_v1;
+                let e_73 = cost_v3;
+                ret = sel_search_result(ex, &SearchResult { status: status_62, near: e_63, far: add(e_64, mul(root_48, sub(end_36, e_65))), near_gap: gap_47.a, far_gap: min_with(gap_47.a, splat(0.0f32)), cost: e_73, }, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b8, c9);
+        }
+        let x10 = ex;
+        ex = and_not(b6, c7);
+        ex = or(ex, x10);
+        if none(ex) { break 'l1; }
+        let (b11, c12) = (ex, ge(end_36, to_t_a2));
+        ex = and(b11, c12);
+        if any(ex) {
+            let e_77 = cost_v3;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: end_36, far: end_36, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_77, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b11, c12);
+        if none(ex) { break 'l1; }
+        let (b13, c14) = (ex, gt(side_33, end_of_part_25));
+        ex = and(b13, c14);
+        if any(ex) {
+            has_turned_v0 = sel_m(ex, splat_m(true), has_turned_v0);
+        }
+        ex = and_not(b13, c14);
+        if any(ex) {
+            let e_83 = cell_v2;
+            let e_84 = has_turned_v0;
+            let e_85 = rises_on(r, ex, &way_4, e_84);
+            let e_86 = next_voxel_cell(r, ex, &way_4, e_83, leave_28, e_85);
+            let (m15, y16) = (ex, e_86);
+            cell_v2 = Vec3 { x: sel(m15, y16.x, cell_v2.x), y: sel(m15, y16.y, cell_v2.y), z: sel(m15, y16.z, cell_v2.z) };
+        }
+        ex = b13;
+        t_v1 = sel(ex, end_36, t_v1);
+    }
+    ex = and(b2, alive);
+    let e_88 = t_v1;
+    let e_89 = t_v1;
+    let e_90 = cost_v3;
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_88, far: e_89, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_90, }, &ret);
+} }
+lanes! { fn refine_trilinear(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut both_v0: M = splat_m(false);
+    let e_3 = has_interval(r, ex, found_a1);
+    let (b1, c2) = (ex, not(e_3));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_5 = refine_none(r, ex, path_a0, found_a1, params_a2);
+        ret = e_5;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let root_10 = walk_voxels(r, ex, path_a0, found_a1.near, found_a1.far, (params_a2.x as u32));
+    let cost_13 = Vec3 { x: add_u(found_a1.cost.x, root_10.cost.x), y: add_u(found_a1.cost.y, root_10.cost.y), z: add_u(found_a1.cost.z, root_10.cost.z) };
+    both_v0 = or(eq_u(root_10.status, splat_u(3u32)), eq_u(root_10.status, splat_u(5u32)));
+    let e_24 = both_v0;
+    let (b3, c4) = (ex, e_24);
+    ex = and(b3, c4);
+    if any(ex) {
+        let e_27 = hit_on_path(r, ex, path_a0, root_10.far, splat_u(0u32), cost_13);
+        ret = sel_hit(ex, &e_27, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b3, c4);
+    if none(ex) { return ret; }
+    let (b5, c6) = (ex, eq_u(found_a1.status, splat_u(3u32)));
+    ex = and(b5, c6);
+    if any(ex) {
+        let e_38 = hit_on_path(r, ex, path_a0, found_a1.far, sel_u(eq_u(root_10.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32)), cost_13);
+        ret = sel_hit(ex, &e_38, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b5, c6);
+    if none(ex) { return ret; }
+    let e_39 = miss(r, cost_13);
+    return sel_hit(ex, &e_39, &ret);
+} }
 lanes! { fn refine_stage(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
-    match r.surface_settings.choices[6].number {
+    match r.surface_settings.choices[7].number {
         0u32 => {
-            let e_12 = refine_none(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
+            let e_12 = refine_none(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
             return e_12;
         }
         1u32 => {
-            let e_18 = refine_offset(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
+            let e_18 = refine_offset(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
             return e_18;
         }
         2u32 => {
-            let e_24 = refine_offset_limited(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
+            let e_24 = refine_offset_limited(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
             return e_24;
         }
         3u32 => {
-            let e_30 = refine_slope(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
+            let e_30 = refine_slope(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
             return e_30;
         }
         4u32 => {
-            let e_36 = refine_slope_iterative(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
+            let e_36 = refine_slope_iterative(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
             return e_36;
         }
         5u32 => {
-            let e_42 = refine_binary(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
+            let e_42 = refine_binary(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
             return e_42;
         }
         6u32 => {
-            let e_48 = refine_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
+            let e_48 = refine_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
             return e_48;
         }
         7u32 => {
-            let e_54 = refine_true_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
+            let e_54 = refine_true_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
             return e_54;
         }
         8u32 => {
-            let e_60 = refine_patch(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
+            let e_60 = refine_patch(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
             return e_60;
         }
-        _ => {
-            let e_66 = refine_half_texel(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
+        9u32 => {
+            let e_66 = refine_half_texel(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
             return e_66;
+        }
+        _ => {
+            let e_72 = refine_trilinear(r, ex, path_a0, found_a1, r.surface_settings.choices[7].params);
+            return e_72;
         }
     }
 } }
@@ -1352,63 +1943,66 @@ stage! { fn search_linear(r: &Resources<'_>, within: M, path_a0: &Path, params_a
     let mut alive = ex;
     let mut near_v0: F = splat(0.0f32);
     let mut near_gap_v1: F = splat(0f32);
-    let mut cost_v2: Vec3<U> = Vec3 { x: splat_u(1u32), y: splat_u(0u32), z: splat_u(16u32) };
+    let mut cost_v2: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
     let mut k_v3: F = splat(1.0f32);
     let cosine_10 = min_with(max_with(mul(abs(path_a0.h.y), path_a0.metric.w), splat(0.0f32)), splat(1.0f32));
     let steps_20 = max_with(ceil(mul(mul(splat(params_a1.x), add(mul(splat(params_a1.y), sub(splat(1.0f32), cosine_10)), mul(splat(1.0f32), cosine_10))), path_a0.share)), splat(1.0f32));
     let e_24 = path_gap(r, ex, path_a0, splat(0.0f32));
     near_gap_v1 = e_24;
-    let e_28 = near_gap_v1;
-    let (b1, c2) = (ex, lt(e_28, splat(0.0f32)));
+    let e_27 = r.field_cost_stage(path_a0.level);
+    cost_v2 = Vec3 { x: splat_u(e_27.x), y: splat_u(e_27.y), z: splat_u(e_27.z) };
+    let e_29 = near_gap_v1;
+    let (b1, c2) = (ex, lt(e_29, splat(0.0f32)));
     ex = and(b1, c2);
     if any(ex) {
-        let e_32 = near_gap_v1;
         let e_33 = near_gap_v1;
-        let e_34 = cost_v2;
-        ret = SearchResult { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: e_32, far_gap: e_33, cost: e_34, };
+        let e_34 = near_gap_v1;
+        let e_35 = cost_v2;
+        ret = SearchResult { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: e_33, far_gap: e_34, cost: e_35, };
         ex = no_lane();
     }
     ex = and_not(b1, c2);
     if none(ex) { return ret; }
     let b4 = ex;
     'l3: loop {
-        let e_40 = k_v3;
-        let c5 = le(e_40, steps_20);
+        let e_41 = k_v3;
+        let c5 = le(e_41, steps_20);
         ex = and(ex, c5);
-        let e_42 = cost_v2;
-        let (m6, y7) = (ex, Vec3 { x: add_u(e_42.x, splat_u(0u32)), y: add_u(e_42.y, splat_u(1u32)), z: add_u(e_42.z, splat_u(0u32)) });
+        let e_43 = cost_v2;
+        let (m6, y7) = (ex, Vec3 { x: add_u(e_43.x, splat_u(0u32)), y: add_u(e_43.y, splat_u(1u32)), z: add_u(e_43.z, splat_u(0u32)) });
         cost_v2 = Vec3 { x: sel_u(m6, y7.x, cost_v2.x), y: sel_u(m6, y7.y, cost_v2.y), z: sel_u(m6, y7.z, cost_v2.z) };
-        let e_46 = k_v3;
-        let t_48 = mul(path_a0.exit, div(e_46, steps_20));
+        let e_47 = k_v3;
+        let t_49 = mul(path_a0.exit, div(e_47, steps_20));
         if none(ex) { break 'l3; }
-        let gap_49 = path_gap(r, ex, path_a0, t_48);
-        let e_50 = cost_v2;
-        let (m8, y9) = (ex, Vec3 { x: add_u(e_50.x, splat_u(1u32)), y: add_u(e_50.y, splat_u(0u32)), z: add_u(e_50.z, splat_u(16u32)) });
+        let gap_50 = path_gap(r, ex, path_a0, t_49);
+        let e_51 = cost_v2;
+        let e_53 = r.field_cost_stage(path_a0.level);
+        let (m8, y9) = (ex, Vec3 { x: add_u(e_51.x, splat_u(e_53.x)), y: add_u(e_51.y, splat_u(e_53.y)), z: add_u(e_51.z, splat_u(e_53.z)) });
         cost_v2 = Vec3 { x: sel_u(m8, y9.x, cost_v2.x), y: sel_u(m8, y9.y, cost_v2.y), z: sel_u(m8, y9.z, cost_v2.z) };
-        let (b10, c11) = (ex, le(gap_49, splat(0.0f32)));
+        let (b10, c11) = (ex, le(gap_50, splat(0.0f32)));
         ex = and(b10, c11);
         if any(ex) {
-            let e_56 = near_v0;
-            let e_57 = near_gap_v1;
-            let e_58 = cost_v2;
-            ret = sel_search_result(ex, &SearchResult { status: splat_u(3u32), near: e_56, far: t_48, near_gap: e_57, far_gap: gap_49, cost: e_58, }, &ret);
+            let e_58 = near_v0;
+            let e_59 = near_gap_v1;
+            let e_60 = cost_v2;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(3u32), near: e_58, far: t_49, near_gap: e_59, far_gap: gap_50, cost: e_60, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b10, c11);
-        near_v0 = sel(ex, t_48, near_v0);
-        near_gap_v1 = sel(ex, gap_49, near_gap_v1);
-        let e_60 = k_v3;
-        k_v3 = add(e_60, splat(1.0f32));
+        near_v0 = sel(ex, t_49, near_v0);
+        near_gap_v1 = sel(ex, gap_50, near_gap_v1);
+        let e_62 = k_v3;
+        k_v3 = add(e_62, splat(1.0f32));
         if none(ex) { break 'l3; }
     }
     ex = and(b4, alive);
-    let e_64 = near_v0;
-    let e_65 = near_v0;
-    let e_66 = near_gap_v1;
-    let e_67 = near_gap_v1;
-    let e_68 = cost_v2;
-    return sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_64, far: e_65, near_gap: e_66, far_gap: e_67, cost: e_68, }, &ret);
+    let e_66 = near_v0;
+    let e_67 = near_v0;
+    let e_68 = near_gap_v1;
+    let e_69 = near_gap_v1;
+    let e_70 = cost_v2;
+    return sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_66, far: e_67, near_gap: e_68, far_gap: e_69, cost: e_70, }, &ret);
 } }
 lanes! { fn found_in_cell(r: &Resources<'_>, within: M, c_a0: Vec3<F>, t_a1: F, span_a2: F, first_a3: M, cost_a4: Vec3<U>) -> SearchResult {
     let mut ex = within;
@@ -3107,57 +3701,67 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
     let e_141 = cost_v4;
     return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_139, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_141, }, &ret);
 } }
+lanes! { fn search_voxels(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+    let mut ex = within;
+    let mut ret: SearchResult = zero_search_result();
+    let e_6 = walk_voxels(r, ex, path_a0, splat(0.0f32), path_a0.exit, (params_a1.x as u32));
+    return e_6;
+} }
 lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
-    match r.surface_settings.choices[5].number {
+    match r.surface_settings.choices[6].number {
         0u32 => {
-            let e_11 = search_none(r, path_a0, r.surface_settings.choices[5].params);
+            let e_11 = search_none(r, path_a0, r.surface_settings.choices[6].params);
             return e_11;
         }
         1u32 => {
-            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[5].params);
+            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_17;
         }
         2u32 => {
-            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[5].params);
+            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_23;
         }
         3u32 => {
-            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[5].params);
+            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_29;
         }
         4u32 => {
-            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[5].params);
+            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_35;
         }
         5u32 => {
-            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[5].params);
+            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_41;
         }
         6u32 => {
-            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[5].params);
+            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_47;
         }
         7u32 => {
-            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[5].params);
+            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_53;
         }
         8u32 => {
-            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[5].params);
+            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_59;
         }
         9u32 => {
-            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[5].params);
+            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_65;
         }
         10u32 => {
-            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[5].params);
+            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_71;
         }
-        _ => {
-            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[5].params);
+        11u32 => {
+            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_77;
+        }
+        _ => {
+            let e_83 = search_voxels(r, ex, path_a0, r.surface_settings.choices[6].params);
+            return e_83;
         }
     }
 } }
@@ -3171,54 +3775,58 @@ stage! { pub(super) fn trace(r: &Resources<'_>, within: M, path_a0: &Path) -> Hi
 stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
-    match r.surface_settings.choices[9].number {
+    match r.surface_settings.choices[10].number {
         0u32 => {
-            let e_11 = search_none(r, path_a0, r.surface_settings.choices[9].params);
+            let e_11 = search_none(r, path_a0, r.surface_settings.choices[10].params);
             return e_11;
         }
         1u32 => {
-            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[9].params);
+            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_17;
         }
         2u32 => {
-            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[9].params);
+            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_23;
         }
         3u32 => {
-            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[9].params);
+            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_29;
         }
         4u32 => {
-            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[9].params);
+            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_35;
         }
         5u32 => {
-            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[9].params);
+            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_41;
         }
         6u32 => {
-            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[9].params);
+            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_47;
         }
         7u32 => {
-            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[9].params);
+            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_53;
         }
         8u32 => {
-            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[9].params);
+            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_59;
         }
         9u32 => {
-            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[9].params);
+            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_65;
         }
         10u32 => {
-            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[9].params);
+            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_71;
         }
-        _ => {
-            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[9].params);
+        11u32 => {
+            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_77;
+        }
+        _ => {
+            let e_83 = search_voxels(r, ex, path_a0, r.surface_settings.choices[10].params);
+            return e_83;
         }
     }
 } }

@@ -842,6 +842,24 @@ lanes! { fn zero_toward() -> Toward {
     }
 } }
 
+#[derive(Clone, Copy)]
+pub struct VoxelCell {
+    pub low: Vec4<F>,
+    pub high: Vec4<F>,
+}
+lanes! { fn sel_voxel_cell(m: M, a: &VoxelCell, b: &VoxelCell) -> VoxelCell {
+    VoxelCell {
+        low: Vec4 { x: sel(m, a.low.x, b.low.x), y: sel(m, a.low.y, b.low.y), z: sel(m, a.low.z, b.low.z), w: sel(m, a.low.w, b.low.w) },
+        high: Vec4 { x: sel(m, a.high.x, b.high.x), y: sel(m, a.high.y, b.high.y), z: sel(m, a.high.z, b.high.z), w: sel(m, a.high.w, b.high.w) },
+    }
+} }
+lanes! { fn zero_voxel_cell() -> VoxelCell {
+    VoxelCell {
+        low: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        high: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+    }
+} }
+
 lanes! { fn singles_corner(value: &Corner) -> [single::Corner; LANES] {
     let position = { let rows = (row(value.position.x), row(value.position.y), row(value.position.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
     let normal = { let rows = (row(value.normal.x), row(value.normal.y), row(value.normal.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
@@ -1561,13 +1579,13 @@ lanes! { fn shade_metallic_roughness_mirrored(r: &Resources<'_>, material_a0: &M
     return Mirrored { part: part_18, lean: material_a0.alpha, lobes: Vec2 { x: mul(splat(1.4f32), material_a0.alpha), y: mul(splat(5.6f32), material_a0.alpha) }, second: splat(0.25f32), turn: turn_21, };
 } }
 lanes! { fn shade_mirrored_stage(r: &Resources<'_>, material_a0: &Material, mean_a1: F, cosine_a2: F) -> Mirrored {
-    match r.surface_settings.choices[7].number {
+    match r.surface_settings.choices[8].number {
         0u32 => {
-            let e_13 = shade_blinn_phong_mirrored(r, material_a0, mean_a1, cosine_a2, r.surface_settings.choices[7].params);
+            let e_13 = shade_blinn_phong_mirrored(r, material_a0, mean_a1, cosine_a2, r.surface_settings.choices[8].params);
             return e_13;
         }
         _ => {
-            let e_19 = shade_metallic_roughness_mirrored(r, material_a0, mean_a1, cosine_a2, r.surface_settings.choices[7].params);
+            let e_19 = shade_metallic_roughness_mirrored(r, material_a0, mean_a1, cosine_a2, r.surface_settings.choices[8].params);
             return e_19;
         }
     }
@@ -1800,33 +1818,33 @@ lanes! { fn ambient_sky(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &
 lanes! { fn ambient_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, material_a4: &Material) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    match r.surface_settings.choices[10].number {
+    match r.surface_settings.choices[11].number {
         0u32 => {
-            let e_15 = ambient_constant(r, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
+            let e_15 = ambient_constant(r, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[11].params);
             return e_15;
         }
         1u32 => {
-            let e_21 = ambient_occlusion(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
+            let e_21 = ambient_occlusion(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[11].params);
             return e_21;
         }
         2u32 => {
-            let e_27 = ambient_bent_normal(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
+            let e_27 = ambient_bent_normal(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[11].params);
             return e_27;
         }
         3u32 => {
-            let e_33 = ambient_bounce(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
+            let e_33 = ambient_bounce(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[11].params);
             return e_33;
         }
         4u32 => {
-            let e_39 = ambient_environment(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
+            let e_39 = ambient_environment(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[11].params);
             return e_39;
         }
         5u32 => {
-            let e_45 = ambient_hemisphere(r, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
+            let e_45 = ambient_hemisphere(r, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[11].params);
             return e_45;
         }
         _ => {
-            let e_51 = ambient_sky(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[10].params);
+            let e_51 = ambient_sky(r, ex, at_a0, hit_a1, normal_a2, view_a3, material_a4, r.surface_settings.choices[11].params);
             return e_51;
         }
     }
@@ -2102,13 +2120,97 @@ lanes! { fn mixed(r: &Resources<'_>, seed_a0: U) -> U {
     let e_17 = x_v0;
     return xor_u(e_16, shr_u(e_17, i_of_u(splat_u(16u32))));
 } }
+lanes! { fn field_heights_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, params_a2: Vec4<f32>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_3 = path_height(r, path_a0, t_a1);
+    let e_4 = path_uv(r, path_a0, t_a1);
+    let e_6 = height_at_ll(r, ex, e_4, path_a0.level);
+    return sub(e_3, e_6);
+} }
+lanes! { fn slice_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, slice_a1: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let size_6 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
+    let in_row_11 = (r.surface_settings.volume.w as i32);
+    let k_16 = min_i(max_i(slice_a1, splat_i(0i32)), splat_i(size_6.z.wrapping_sub(1i32)));
+    let row_22 = i_of_f(div(add(f_of_i(k_16), splat(0.5f32)), splat((in_row_11 as f32))));
+    let x_26 = mul_i(sub_i(k_16, mul_i(row_22, splat_i(in_row_11))), splat_i(size_6.x));
+    let y_28 = mul_i(row_22, splat_i(size_6.y));
+    let e_31 = wrap_index(r, ex, cell_a0.x, splat_i(size_6.x));
+    let i0_32 = add_i(x_26, e_31);
+    let e_37 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), splat_i(size_6.x));
+    let i1_38 = add_i(x_26, e_37);
+    let e_41 = wrap_index(r, ex, cell_a0.y, splat_i(size_6.y));
+    let j0_42 = add_i(y_28, e_41);
+    let e_47 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), splat_i(size_6.y));
+    let j1_48 = add_i(y_28, e_47);
+    let e_52 = height_texel(&r.height_map, i0_32, j0_42, 0i32);
+    let e_57 = height_texel(&r.height_map, i1_38, j0_42, 0i32);
+    let e_62 = height_texel(&r.height_map, i0_32, j1_48, 0i32);
+    let e_67 = height_texel(&r.height_map, i1_38, j1_48, 0i32);
+    return Vec4 { x: e_52.x, y: e_57.x, z: e_62.x, w: e_67.x };
+} }
+lanes! { fn voxel_cell(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> VoxelCell {
+    let mut ex = within;
+    let mut ret: VoxelCell = zero_voxel_cell();
+    let e_3 = slice_cell(r, ex, Vec2 { x: cell_a0.x, y: cell_a0.y }, cell_a0.z);
+    let e_8 = slice_cell(r, ex, Vec2 { x: cell_a0.x, y: cell_a0.y }, add_i(cell_a0.z, splat_i(1i32)));
+    return VoxelCell { low: e_3, high: e_8, };
+} }
+lanes! { fn in_slice(r: &Resources<'_>, corners_a0: Vec4<F>, part_a1: Vec2<F>) -> F {
+    let top_8 = add(corners_a0.x, mul(sub(corners_a0.y, corners_a0.x), part_a1.x));
+    let bottom_15 = add(corners_a0.z, mul(sub(corners_a0.w, corners_a0.z), part_a1.x));
+    return add(top_8, mul(sub(bottom_15, top_8), part_a1.y));
+} }
+lanes! { fn field_at_voxel(r: &Resources<'_>, within: M, place_a0: Vec3<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let first_1 = Vec3 { x: floor(place_a0.x), y: floor(place_a0.y), z: floor(place_a0.z) };
+    let part_2 = Vec3 { x: sub(place_a0.x, first_1.x), y: sub(place_a0.y, first_1.y), z: sub(place_a0.z, first_1.z) };
+    let cell_4 = voxel_cell(r, ex, Vec3 { x: i_of_f(first_1.x), y: i_of_f(first_1.y), z: i_of_f(first_1.z) });
+    let low_7 = in_slice(r, Vec4 { x: cell_4.low.x, y: cell_4.low.y, z: cell_4.low.z, w: cell_4.low.w }, Vec2 { x: part_2.x, y: part_2.y });
+    let e_10 = in_slice(r, Vec4 { x: cell_4.high.x, y: cell_4.high.y, z: cell_4.high.z, w: cell_4.high.w }, Vec2 { x: part_2.x, y: part_2.y });
+    return add(low_7, mul(sub(e_10, low_7), part_2.z));
+} }
+lanes! { fn voxel_place(r: &Resources<'_>, at_a0: Vec3<F>) -> Vec3<F> {
+    let e_1 = r.volume_size();
+    return Vec3 { x: sub(mul(at_a0.x, splat(e_1.x)), splat(0.5f32)), y: sub(mul(at_a0.y, splat(e_1.y)), splat(0.5f32)), z: sub(mul(at_a0.z, splat(e_1.z)), splat(0.5f32)) };
+} }
+lanes! { fn field_at(r: &Resources<'_>, within: M, at_a0: Vec3<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_1 = voxel_place(r, at_a0);
+    let e_2 = field_at_voxel(r, ex, e_1);
+    return e_2;
+} }
+lanes! { fn field_volume_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, params_a2: Vec4<f32>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_3 = path_uv(r, path_a0, t_a1);
+    let e_4 = path_height(r, path_a0, t_a1);
+    let e_6 = field_at(r, ex, Vec3 { x: e_3.x, y: e_3.y, z: e_4 });
+    return sub(splat(0.5f32), e_6);
+} }
+lanes! { fn field_gap_stage(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    match r.surface_settings.choices[4].number {
+        0u32 => {
+            let e_12 = field_heights_gap(r, ex, path_a0, t_a1, r.surface_settings.choices[4].params);
+            return e_12;
+        }
+        _ => {
+            let e_18 = field_volume_gap(r, ex, path_a0, t_a1, r.surface_settings.choices[4].params);
+            return e_18;
+        }
+    }
+} }
 lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
-    let e_2 = path_height(r, path_a0, t_a1);
-    let e_3 = path_uv(r, path_a0, t_a1);
-    let e_5 = height_at_ll(r, ex, e_3, path_a0.level);
-    return sub(e_2, e_5);
+    let e_2 = field_gap_stage(r, ex, path_a0, t_a1);
+    return e_2;
 } }
 lanes! { fn gap_to(r: &Resources<'_>, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, h_a3: Vec4<F>, t_a4: F) -> Vec3<F> {
     let bx_7 = sub(h_a3.y, h_a3.x);
@@ -2410,6 +2512,24 @@ lanes! { fn path_from(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Path {
     let e_33 = rest_v0;
     return e_33;
 } }
+lanes! { fn field_heights_is_ground(r: &Resources<'_>, level_a0: U, params_a1: Vec4<f32>) -> M {
+    return splat_m(true);
+} }
+lanes! { fn field_volume_is_ground(r: &Resources<'_>, level_a0: U, params_a1: Vec4<f32>) -> M {
+    return splat_m(false);
+} }
+lanes! { fn field_is_ground_stage(r: &Resources<'_>, level_a0: U) -> M {
+    match r.surface_settings.choices[4].number {
+        0u32 => {
+            let e_11 = field_heights_is_ground(r, level_a0, r.surface_settings.choices[4].params);
+            return e_11;
+        }
+        _ => {
+            let e_17 = field_volume_is_ground(r, level_a0, r.surface_settings.choices[4].params);
+            return e_17;
+        }
+    }
+} }
 lanes! { fn object_none_parts(r: &Resources<'_>, level_a0: U, params_a1: Vec4<f32>) -> I {
     return splat_i(1i32);
 } }
@@ -2470,86 +2590,91 @@ stage! { fn out_of_ground(r: &Resources<'_>, within: M, path_a0: &Path, slack_a1
     let mut both_v2: M = splat_m(false);
     let mut both_v3: M = splat_m(false);
     let mut both_v4: M = splat_m(false);
-    let grid_3 = grid_of(r, path_a0);
-    let least_4 = rounded_gap(r, ex, path_a0, slack_a1, texels_a2);
-    let e_6 = cell_of(r, Vec2 { x: grid_3.origin.x, y: grid_3.origin.y });
-    cell_v0 = e_6;
-    let e_10 = cell_v0;
-    let begin_12 = cell_gap_llls(r, ex, path_a0, &grid_3, e_10, 0.0f32);
-    let is_near_16 = ge(begin_12.x, sub(splat(0.0f32), least_4));
-    both_v2 = and(le(begin_12.x, splat(0.0f32)), gt(begin_12.y, splat(0.0f32)));
-    let comes_out_26 = both_v2;
-    both_v3 = and(is_near_16, not(comes_out_26));
-    let e_31 = both_v3;
-    let c1 = e_31;
+    let e_4 = field_is_ground_stage(r, path_a0.level);
+    let c1 = not(e_4);
     ret = splat(0.0f32);
     ex = and_not(ex, c1);
     if none(ex) { return ret; }
-    let above_34 = rounded_gap(r, ex, path_a0, slack_a1, 0.0f32);
-    let b3 = ex;
-    'l2: loop {
-        let e_35 = t_v1;
-        let c4 = lt(e_35, path_a0.exit);
-        ex = and(ex, c4);
-        let e_38 = cell_v0;
-        if none(ex) { break 'l2; }
-        let leave_39 = cell_leave(r, &grid_3, e_38);
-        let end_44 = min(min(leave_39.x, leave_39.y), path_a0.exit);
-        let e_48 = cell_v0;
-        let e_49 = t_v1;
-        let e_50 = cell_gap_llll(r, ex, path_a0, &grid_3, e_48, e_49);
-        let below_51 = Vec3 { x: sub(above_34, e_50.x), y: sub(splat(0.0f32), e_50.y), z: sub(splat(0.0f32), e_50.z) };
-        let (b5, c6) = (ex, not(gt(below_51.x, splat(0.0f32))));
-        ex = and(b5, c6);
+    let grid_7 = grid_of(r, path_a0);
+    let least_8 = rounded_gap(r, ex, path_a0, slack_a1, texels_a2);
+    let e_10 = cell_of(r, Vec2 { x: grid_7.origin.x, y: grid_7.origin.y });
+    cell_v0 = e_10;
+    let e_14 = cell_v0;
+    let begin_16 = cell_gap_llls(r, ex, path_a0, &grid_7, e_14, 0.0f32);
+    let is_near_20 = ge(begin_16.x, sub(splat(0.0f32), least_8));
+    both_v2 = and(le(begin_16.x, splat(0.0f32)), gt(begin_16.y, splat(0.0f32)));
+    let comes_out_30 = both_v2;
+    both_v3 = and(is_near_20, not(comes_out_30));
+    let e_35 = both_v3;
+    let c2 = e_35;
+    ret = sel(and(ex, c2), splat(0.0f32), ret);
+    ex = and_not(ex, c2);
+    if none(ex) { return ret; }
+    let above_38 = rounded_gap(r, ex, path_a0, slack_a1, 0.0f32);
+    let b4 = ex;
+    'l3: loop {
+        let e_39 = t_v1;
+        let c5 = lt(e_39, path_a0.exit);
+        ex = and(ex, c5);
+        let e_42 = cell_v0;
+        if none(ex) { break 'l3; }
+        let leave_43 = cell_leave(r, &grid_7, e_42);
+        let end_48 = min(min(leave_43.x, leave_43.y), path_a0.exit);
+        let e_52 = cell_v0;
+        let e_53 = t_v1;
+        let e_54 = cell_gap_llll(r, ex, path_a0, &grid_7, e_52, e_53);
+        let below_55 = Vec3 { x: sub(above_38, e_54.x), y: sub(splat(0.0f32), e_54.y), z: sub(splat(0.0f32), e_54.z) };
+        let (b6, c7) = (ex, not(gt(below_55.x, splat(0.0f32))));
+        ex = and(b6, c7);
         if any(ex) {
-            let e_56 = t_v1;
-            ret = sel(ex, e_56, ret);
+            let e_60 = t_v1;
+            ret = sel(ex, e_60, ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
-        ex = and_not(b5, c6);
-        let e_57 = t_v1;
-        let span_60 = max_with(sub(end_44, e_57), splat(0.0f32));
-        if none(ex) { break 'l2; }
-        let s_61 = first_root(r, ex, below_51, span_60);
-        let (b7, c8) = (ex, lt(s_61, splat(3e38f32)));
-        ex = and(b7, c8);
+        ex = and_not(b6, c7);
+        let e_61 = t_v1;
+        let span_64 = max_with(sub(end_48, e_61), splat(0.0f32));
+        if none(ex) { break 'l3; }
+        let s_65 = first_root(r, ex, below_55, span_64);
+        let (b8, c9) = (ex, lt(s_65, splat(3e38f32)));
+        ex = and(b8, c9);
         if any(ex) {
-            let e_64 = t_v1;
-            ret = sel(ex, add(e_64, s_61), ret);
+            let e_68 = t_v1;
+            ret = sel(ex, add(e_68, s_65), ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
-        ex = and_not(b7, c8);
-        if none(ex) { break 'l2; }
-        let (b9, c10) = (ex, is_near_16);
-        ex = and(b9, c10);
+        ex = and_not(b8, c9);
+        if none(ex) { break 'l3; }
+        let (b10, c11) = (ex, is_near_20);
+        ex = and(b10, c11);
         if any(ex) {
-            let e_68 = quadratic(r, below_51, span_60);
-            both_v4 = sel_m(ex, gt(e_68, add(above_34, least_4)), both_v4);
+            let e_72 = quadratic(r, below_55, span_64);
+            both_v4 = sel_m(ex, gt(e_72, add(above_38, least_8)), both_v4);
         }
-        ex = and_not(b9, c10);
+        ex = and_not(b10, c11);
         if any(ex) {
             both_v4 = sel_m(ex, splat_m(false), both_v4);
         }
-        ex = b9;
-        let e_72 = both_v4;
-        let (b11, c12) = (ex, e_72);
-        ex = and(b11, c12);
+        ex = b10;
+        let e_76 = both_v4;
+        let (b12, c13) = (ex, e_76);
+        ex = and(b12, c13);
         if any(ex) {
             ret = sel(ex, splat(0.0f32), ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
-        ex = and_not(b11, c12);
-        let e_74 = cell_v0;
-        if none(ex) { break 'l2; }
-        let e_75 = cell_next(r, ex, &grid_3, e_74, leave_39);
-        cell_v0 = e_75;
-        let e_76 = t_v1;
-        t_v1 = max(e_76, end_44);
+        ex = and_not(b12, c13);
+        let e_78 = cell_v0;
+        if none(ex) { break 'l3; }
+        let e_79 = cell_next(r, ex, &grid_7, e_78, leave_43);
+        cell_v0 = e_79;
+        let e_80 = t_v1;
+        t_v1 = max(e_80, end_48);
     }
-    ex = and(b3, alive);
+    ex = and(b4, alive);
     return sel(ex, path_a0.exit, ret);
 } }
 lanes! { fn chord_path(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, middle_a2: F, params_a3: Vec4<f32>, a_a4: &ShellPoint, b_a5: &ShellPoint, bend_a6: F, ends_a7: Vec2<F>, beyond_a8: Vec3<F>) -> Path {
@@ -3060,17 +3185,17 @@ lanes! { fn detail_none(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, 
 lanes! { fn detail_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered) -> Detail {
     let mut ex = within;
     let mut ret: Detail = zero_detail();
-    match r.surface_settings.choices[4].number {
+    match r.surface_settings.choices[5].number {
         0u32 => {
-            let e_12 = detail_none(r, pixel_a0, at_a1, r.surface_settings.choices[4].params);
+            let e_12 = detail_none(r, pixel_a0, at_a1, r.surface_settings.choices[5].params);
             return e_12;
         }
         1u32 => {
-            let e_18 = detail_footprint(r, ex, pixel_a0, at_a1, r.surface_settings.choices[4].params);
+            let e_18 = detail_footprint(r, ex, pixel_a0, at_a1, r.surface_settings.choices[5].params);
             return e_18;
         }
         _ => {
-            let e_24 = detail_fade(r, ex, pixel_a0, at_a1, r.surface_settings.choices[4].params);
+            let e_24 = detail_fade(r, ex, pixel_a0, at_a1, r.surface_settings.choices[5].params);
             return e_24;
         }
     }
@@ -3864,6 +3989,136 @@ lanes! { fn facing_four(r: &Resources<'_>, middle_a0: F, along_a1: F, across_a2:
     let y_6 = mul(across_a2, splat(1.7320508f32));
     return Vec4 { x: max_with(add(middle_a0, x_4), splat(0.0f32)), y: max_with(sub(middle_a0, x_4), splat(0.0f32)), z: max_with(add(middle_a0, y_6), splat(0.0f32)), w: max_with(sub(middle_a0, y_6), splat(0.0f32)) };
 } }
+lanes! { fn field_heights_height(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, height_a1: F, level_a2: U, params_a3: Vec4<f32>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_4 = height_at_ll(r, ex, uv_a0, level_a2);
+    return e_4;
+} }
+lanes! { fn field_volume_height(r: &Resources<'_>, uv_a0: Vec2<F>, height_a1: F, level_a2: U, params_a3: Vec4<f32>) -> F {
+    return height_a1;
+} }
+lanes! { fn field_height_stage(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, height_a1: F, level_a2: U) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    match r.surface_settings.choices[4].number {
+        0u32 => {
+            let e_13 = field_heights_height(r, ex, uv_a0, height_a1, level_a2, r.surface_settings.choices[4].params);
+            return e_13;
+        }
+        _ => {
+            let e_19 = field_volume_height(r, uv_a0, height_a1, level_a2, r.surface_settings.choices[4].params);
+            return e_19;
+        }
+    }
+} }
+lanes! { fn near_uv(r: &Resources<'_>, uv_a0: Vec2<F>) -> Vec2<F> {
+    if (r.surface_settings.wrap == 0u32) {
+        return Vec2 { x: sub(uv_a0.x, floor(uv_a0.x)), y: sub(uv_a0.y, floor(uv_a0.y)) };
+    }
+    if (r.surface_settings.wrap == 2u32) {
+        return Vec2 { x: sub(uv_a0.x, mul(splat(2.0f32), floor(mul(splat(0.5f32), uv_a0.x)))), y: sub(uv_a0.y, mul(splat(2.0f32), floor(mul(splat(0.5f32), uv_a0.y)))) };
+    }
+    return uv_a0;
+} }
+lanes! { fn from_hit(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let change_4 = climb(r, at_a0, Vec3 { x: light_a2.direction.x, y: light_a2.direction.y, z: light_a2.direction.z });
+    let uv_6 = near_uv(r, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y });
+    let e_8 = height_at_ll(r, ex, uv_6, at_a0.level);
+    let h_11 = Vec3 { x: e_8, y: change_4.z, z: splat(0.0f32) };
+    return Path { uv: uv_6, duv: Vec2 { x: change_4.x, y: change_4.y }, h: h_11, exit: splat(0.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), bend: splat(0.0f32), };
+} }
+lanes! { fn way_out(r: &Resources<'_>, within: M, path_a0: &Path, light_a1: &Toward) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut way_v0: F = splat(0f32);
+    let mut interval_v1: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    way_v0 = min(div(sub(splat(1.0f32), path_a0.h.x), path_a0.h.y), light_a1.distance);
+    if (r.surface_settings.wrap == 1u32) {
+        let e_21 = way_v0;
+        let e_24 = inside_unit(r, ex, path_a0.uv.x, path_a0.duv.x, Vec2 { x: splat(0.0f32), y: e_21 });
+        interval_v1 = e_24;
+        let e_30 = interval_v1;
+        let e_31 = inside_unit(r, ex, path_a0.uv.y, path_a0.duv.y, e_30);
+        interval_v1 = e_31;
+        let e_33 = interval_v1.y;
+        way_v0 = e_33;
+    }
+    let e_34 = way_v0;
+    return e_34;
+} }
+lanes! { fn light_ray_over_heights(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> LightRay {
+    let mut ex = within;
+    let mut ret: LightRay = zero_light_ray();
+    let mut both_v0: M = splat_m(false);
+    let way_3 = from_hit(r, ex, at_a0, hit_a1, light_a2);
+    let (b1, c2) = (ex, not(gt(way_3.h.y, splat(0.0f32))));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = LightRay { state: splat_u(1u32), path: way_3, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let exit_11 = way_out(r, ex, &way_3, light_a2);
+    let (b3, c4) = (ex, not(gt(exit_11, splat(0.0f32))));
+    ex = and(b3, c4);
+    if any(ex) {
+        ret = sel_light_ray(ex, &LightRay { state: splat_u(0u32), path: way_3, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b3, c4);
+    if none(ex) { return ret; }
+    let grid_17 = grid_of(r, &way_3);
+    let cell_19 = cell_of(r, Vec2 { x: grid_17.origin.x, y: grid_17.origin.y });
+    let leave_20 = cell_leave(r, &grid_17, cell_19);
+    let end_26 = max_with(min(min(leave_20.x, leave_20.y), exit_11), splat(0.0f32));
+    let e_29 = height_cell_ll(r, ex, Vec2 { x: i_of_small(cell_19.x), y: i_of_small(cell_19.y) }, way_3.level);
+    let c_31 = gap_to(r, &way_3, &grid_17, cell_19, e_29, splat(0.0f32));
+    both_v0 = or(lt(c_31.y, splat(0.0f32)), lt(add(c_31.y, mul(c_31.z, end_26)), splat(0.0f32)));
+    let e_45 = both_v0;
+    let (b5, c6) = (ex, e_45);
+    ex = and(b5, c6);
+    if any(ex) {
+        ret = sel_light_ray(ex, &LightRay { state: splat_u(1u32), path: way_3, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b5, c6);
+    if none(ex) { return ret; }
+    let (b7, c8) = (ex, ge(end_26, exit_11));
+    ex = and(b7, c8);
+    if any(ex) {
+        ret = sel_light_ray(ex, &LightRay { state: splat_u(0u32), path: way_3, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b7, c8);
+    if none(ex) { return ret; }
+    let start_51 = path_uv(r, &way_3, end_26);
+    let gap_56 = mul(end_26, add(c_31.y, mul(c_31.z, end_26)));
+    let e_58 = height_at_ll(r, ex, start_51, way_3.level);
+    let h_65 = Vec3 { x: add(add(e_58, gap_56), splat(9.536743e-7f32)), y: way_3.h.y, z: splat(0.0f32) };
+    let path_74 = Path { uv: start_51, duv: Vec2 { x: way_3.duv.x, y: way_3.duv.y }, h: h_65, exit: sub(exit_11, end_26), base: splat(0.0f32), metric: Vec4 { x: way_3.metric.x, y: way_3.metric.y, z: way_3.metric.z, w: way_3.metric.w }, ray: way_3.ray, level: way_3.level, start: end_26, share: splat(1.0f32), bend: splat(0.0f32), };
+    return sel_light_ray(ex, &LightRay { state: splat_u(2u32), path: path_74, }, &ret);
+} }
+lanes! { fn field_heights_light_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> LightRay {
+    let mut ex = within;
+    let mut ret: LightRay = zero_light_ray();
+    let e_4 = light_ray_over_heights(r, ex, at_a0, hit_a1, light_a2);
+    return e_4;
+} }
+lanes! { fn no_table(r: &Resources<'_>) -> SeenTable {
+    let none_3 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
+    return SeenTable { mean: Vec3 { x: splat(none_3.x), y: splat(none_3.y), z: splat(none_3.z) }, squares: Vec3 { x: splat(none_3.x), y: splat(none_3.y), z: splat(none_3.z) }, products: Vec3 { x: splat(none_3.x), y: splat(none_3.y), z: splat(none_3.z) }, };
+} }
+lanes! { fn one_seen(r: &Resources<'_>, normal_a0: Vec3<F>) -> SeenNormals {
+    let nothing_3 = Vec2 { x: 0.0f32, y: 0.0f32 };
+    let none_7 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
+    let parts_12 = Vec4 { x: 0.0f32, y: 0.0f32, z: 0.0f32, w: 0.0f32 };
+    let table_13 = no_table(r);
+    return SeenNormals { normal: normal_a0, length: splat(1.0f32), differ: splat_u(0u32), middle: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, along: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, across: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, slope: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, slope_along: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, slope_across: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, upright: splat(1.0f32), middle_seen: splat(0.0f32), others_seen: Vec4 { x: splat(parts_12.x), y: splat(parts_12.y), z: splat(parts_12.z), w: splat(parts_12.w) }, table_part: splat(0.0f32), table: table_13, };
+} }
 lanes! { fn normal_at_lsl(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1: i32, level_a2: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
@@ -4013,6 +4268,374 @@ lanes! { fn finest_normal(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: 
     }
     let e_13 = normal_from_height(r, ex, at_a0, uv_a1);
     return e_13;
+} }
+lanes! { fn means_of_one(r: &Resources<'_>, n_a0: Vec3<F>) -> Normals {
+    let upright_3 = max_with(n_a0.z, splat(0.05f32));
+    let slope_10 = Vec2 { x: div(neg(n_a0.x), upright_3), y: div(neg(n_a0.y), upright_3) };
+    let square_12 = Vec2 { x: mul(mul(slope_10.x, slope_10.x), upright_3), y: mul(mul(slope_10.y, slope_10.y), upright_3) };
+    return Normals { first: Vec4 { x: n_a0.x, y: n_a0.y, z: n_a0.z, w: slope_10.x }, second: Vec4 { x: square_12.x, y: mul(mul(slope_10.x, slope_10.y), upright_3), z: square_12.y, w: slope_10.y }, };
+} }
+lanes! { fn to_tangent_space(r: &Resources<'_>, at_a0: &Entered, v_a1: Vec3<F>) -> Vec3<F> {
+    let length1 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
+    let along_u_3 = Vec3 { x: div(at_a0.tangent.x, length1), y: div(at_a0.tangent.y, length1), z: div(at_a0.tangent.z, length1) };
+    let length2 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
+    let along_v_5 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
+    return Vec3 { x: add(add(add(mul(along_u_3.x, v_a1.x), mul(along_u_3.y, v_a1.y)), mul(along_u_3.z, v_a1.z)), splat(0.0f32)), y: neg(add(add(add(mul(along_v_5.x, v_a1.x), mul(along_v_5.y, v_a1.y)), mul(along_v_5.z, v_a1.z)), splat(0.0f32))), z: add(add(add(mul(at_a0.normal.x, v_a1.x), mul(at_a0.normal.y, v_a1.y)), mul(at_a0.normal.z, v_a1.z)), splat(0.0f32)) };
+} }
+lanes! { fn normals_of_level(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, level_a2: U) -> Normals {
+    let mut ex = within;
+    let mut ret: Normals = zero_normals();
+    let (b1, c2) = (ex, eq_u(level_a2, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_5 = finest_normal(r, ex, at_a0, uv_a1);
+        let e_6 = to_tangent_space(r, at_a0, e_5);
+        let e_7 = means_of_one(r, e_6);
+        ret = e_7;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if (r.surface_settings.has_normal == 1u32) {
+        if none(ex) { return ret; }
+        let e_14 = normal_at_lsl(r, ex, uv_a1, 0i32, level_a2);
+        let e_16 = normal_at_lsl(r, ex, uv_a1, 1i32, level_a2);
+        return sel_normals(ex, &Normals { first: e_14, second: e_16, }, &ret);
+    }
+    let length3 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
+    let e_23 = Vec3 { x: div(at_a0.tangent.x, length3), y: div(at_a0.tangent.y, length3), z: div(at_a0.tangent.z, length3) };
+    let x_30 = div(mul(splat(r.surface_settings.normal_tile_m.x), add(add(add(mul(e_23.x, at_a0.tangent.x), mul(e_23.y, at_a0.tangent.y)), mul(e_23.z, at_a0.tangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)), splat(0.0f32)));
+    let length4 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
+    let e_33 = Vec3 { x: div(at_a0.bitangent.x, length4), y: div(at_a0.bitangent.y, length4), z: div(at_a0.bitangent.z, length4) };
+    let y_40 = div(mul(splat(r.surface_settings.normal_tile_m.y), add(add(add(mul(e_33.x, at_a0.bitangent.x), mul(e_33.y, at_a0.bitangent.y)), mul(e_33.z, at_a0.bitangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)), splat(0.0f32)));
+    if none(ex) { return ret; }
+    let first_44 = normal_at_lsl(r, ex, uv_a1, 0i32, sub_u(level_a2, splat_u(1u32)));
+    let second_48 = normal_at_lsl(r, ex, uv_a1, 1i32, sub_u(level_a2, splat_u(1u32)));
+    let flatter_54 = Vec3 { x: mul(first_44.x, x_30), y: mul(first_44.y, y_40), z: first_44.z };
+    let longer_60 = sqrt(div(add(add(add(mul(first_44.x, first_44.x), mul(first_44.y, first_44.y)), mul(first_44.z, first_44.z)), splat(0.0f32)), add(add(add(mul(flatter_54.x, flatter_54.x), mul(flatter_54.y, flatter_54.y)), mul(flatter_54.z, flatter_54.z)), splat(0.0f32))));
+    let squares_71 = Vec3 { x: mul(mul(mul(second_48.x, x_30), x_30), longer_60), y: mul(mul(mul(second_48.y, x_30), y_40), longer_60), z: mul(mul(mul(second_48.z, y_40), y_40), longer_60) };
+    return sel_normals(ex, &Normals { first: Vec4 { x: mul(flatter_54.x, longer_60), y: mul(flatter_54.y, longer_60), z: mul(flatter_54.z, longer_60), w: mul(first_44.w, x_30) }, second: Vec4 { x: squares_71.x, y: squares_71.y, z: squares_71.z, w: mul(second_48.w, y_40) }, }, &ret);
+} }
+lanes! { fn mean_of_five(r: &Resources<'_>, middle_a0: F, four_a1: F) -> F {
+    return add(mul(middle_a0, splat(0.33333334f32)), mul(four_a1, splat(0.16666667f32)));
+} }
+lanes! { fn sum_of_four(r: &Resources<'_>, four_a0: Vec4<F>) -> F {
+    return add(add(four_a0.x, four_a0.y), add(four_a0.z, four_a0.w));
+} }
+lanes! { fn seen_normals(r: &Resources<'_>, at_a0: &Entered, normals_a1: &Normals, view_a2: Vec3<F>) -> SeenNormals {
+    let slope_7 = Vec2 { x: normals_a1.first.w, y: normals_a1.second.w };
+    let upright_10 = max_with(normals_a1.first.z, splat(0.05f32));
+    let x_12 = div(normals_a1.first.x, upright_10);
+    let y_14 = div(normals_a1.first.y, upright_10);
+    let a_23 = max_with(sqrt(max_with(sub(div(normals_a1.second.x, upright_10), mul(x_12, x_12)), splat(0.0f32))), splat(0.0001f32));
+    let b_28 = div(sub(div(normals_a1.second.y, upright_10), mul(x_12, y_14)), a_23);
+    let spread_34 = max_with(sub(div(normals_a1.second.z, upright_10), mul(y_14, y_14)), splat(0.0f32));
+    let d_41 = max_with(sqrt(max_with(sub(spread_34, mul(b_28, b_28)), splat(0.0f32))), splat(0.0001f32));
+    let with_x_50 = Vec3 { x: sub(neg(normals_a1.second.x), mul(normals_a1.first.x, slope_7.x)), y: sub(neg(normals_a1.second.y), mul(normals_a1.first.y, slope_7.x)), z: sub(neg(normals_a1.first.x), mul(normals_a1.first.z, slope_7.x)) };
+    let with_y_59 = Vec3 { x: sub(neg(normals_a1.second.y), mul(normals_a1.first.x, slope_7.y)), y: sub(neg(normals_a1.second.z), mul(normals_a1.first.y, slope_7.y)), z: sub(neg(normals_a1.first.y), mul(normals_a1.first.z, slope_7.y)) };
+    let most_64 = min_with(sqrt(add(mul(a_23, a_23), spread_34)), splat(1.0f32));
+    let e_67 = max(a_23, div(sqrt(add(add(mul(with_x_50.x, with_x_50.x), mul(with_x_50.y, with_x_50.y)), mul(with_x_50.z, with_x_50.z))), most_64));
+    let along_69 = Vec3 { x: div(with_x_50.x, e_67), y: div(with_x_50.y, e_67), z: div(with_x_50.z, e_67) };
+    let rest_71 = Vec3 { x: sub(with_y_59.x, mul(along_69.x, b_28)), y: sub(with_y_59.y, mul(along_69.y, b_28)), z: sub(with_y_59.z, mul(along_69.z, b_28)) };
+    let e_74 = max(d_41, div(sqrt(add(add(mul(rest_71.x, rest_71.x), mul(rest_71.y, rest_71.y)), mul(rest_71.z, rest_71.z))), most_64));
+    let across_76 = Vec3 { x: div(rest_71.x, e_74), y: div(rest_71.y, e_74), z: div(rest_71.z, e_74) };
+    let v_77 = to_tangent_space(r, at_a0, view_a2);
+    let middle_81 = sub(v_77.z, add(add(mul(v_77.x, slope_7.x), mul(v_77.y, slope_7.y)), splat(0.0f32)));
+    let four_91 = facing_four(r, middle_81, neg(add(mul(v_77.x, a_23), mul(v_77.y, b_28))), neg(mul(v_77.y, d_41)));
+    let one_93 = max_with(middle_81, splat(0.0f32));
+    let e_94 = sum_of_four(r, four_91);
+    let e_95 = mean_of_five(r, one_93, e_94);
+    let all_97 = max_with(e_95, splat(0.001f32));
+    let e_101 = div(sub(four_91.x, four_91.y), all_97);
+    let e_106 = div(sub(four_91.z, four_91.w), all_97);
+    let aside_108 = Vec3 { x: add(mul(along_69.x, e_101), mul(across_76.x, e_106)), y: add(mul(along_69.y, e_101), mul(across_76.y, e_106)), z: add(mul(along_69.z, e_101), mul(across_76.z, e_106)) };
+    let mean_113 = from_tangent_space(r, at_a0, Vec3 { x: add(normals_a1.first.x, mul(aside_108.x, splat(0.28867513f32))), y: add(normals_a1.first.y, mul(aside_108.y, splat(0.28867513f32))), z: add(normals_a1.first.z, mul(aside_108.z, splat(0.28867513f32))) });
+    let length1 = sqrt(add(add(mul(mean_113.x, mean_113.x), mul(mean_113.y, mean_113.y)), mul(mean_113.z, mean_113.z)));
+    let e_114 = Vec3 { x: div(mean_113.x, length1), y: div(mean_113.y, length1), z: div(mean_113.z, length1) };
+    let e_133 = no_table(r);
+    return SeenNormals { normal: e_114, length: min_with(sqrt(add(add(mul(mean_113.x, mean_113.x), mul(mean_113.y, mean_113.y)), mul(mean_113.z, mean_113.z))), splat(1.0f32)), differ: splat_u(1u32), middle: Vec3 { x: normals_a1.first.x, y: normals_a1.first.y, z: normals_a1.first.z }, along: along_69, across: across_76, slope: slope_7, slope_along: Vec2 { x: a_23, y: b_28 }, slope_across: Vec2 { x: splat(0.0f32), y: d_41 }, upright: mul(max_with(v_77.z, splat(0.0f32)), max_with(v_77.z, splat(0.0f32))), middle_seen: div(one_93, all_97), others_seen: Vec4 { x: div(four_91.x, all_97), y: div(four_91.y, all_97), z: div(four_91.z, all_97), w: div(four_91.w, all_97) }, table_part: splat(0.0f32), table: e_133, };
+} }
+lanes! { fn table_part(r: &Resources<'_>, at_a0: &Entered) -> F {
+    if (r.surface_settings.has_normal == 1u32) {
+        return splat(0.0f32);
+    }
+    return mul(at_a0.fade, min_with(max_with(sub(mul(at_a0.footprint, splat(0.25f32)), splat(1.0f32)), splat(0.0f32)), splat(1.0f32)));
+} }
+lanes! { fn has_table(r: &Resources<'_>, levels_a0: &Levels) -> M {
+    return ge_u(levels_a0.fine, splat_u(r.surface_settings.maps[0].first_level));
+} }
+lanes! { fn with_table(r: &Resources<'_>, at_a0: &Entered, seen_a1: &SeenNormals, table_a2: &SeenTable, part_a3: F) -> SeenNormals {
+    let mut blended_v0: SeenNormals = zero_seen_normals();
+    blended_v0 = *seen_a1;
+    let before_7 = Vec3 { x: mul(seen_a1.normal.x, seen_a1.length), y: mul(seen_a1.normal.y, seen_a1.length), z: mul(seen_a1.normal.z, seen_a1.length) };
+    let e_9 = from_tangent_space(r, at_a0, Vec3 { x: table_a2.mean.x, y: table_a2.mean.y, z: table_a2.mean.z });
+    let mean_12 = Vec3 { x: add(before_7.x, mul(sub(e_9.x, before_7.x), part_a3)), y: add(before_7.y, mul(sub(e_9.y, before_7.y), part_a3)), z: add(before_7.z, mul(sub(e_9.z, before_7.z), part_a3)) };
+    let length1 = sqrt(add(add(mul(mean_12.x, mean_12.x), mul(mean_12.y, mean_12.y)), mul(mean_12.z, mean_12.z)));
+    let e_14 = Vec3 { x: div(mean_12.x, length1), y: div(mean_12.y, length1), z: div(mean_12.z, length1) };
+    blended_v0.normal = e_14;
+    blended_v0.length = min_with(sqrt(add(add(mul(mean_12.x, mean_12.x), mul(mean_12.y, mean_12.y)), mul(mean_12.z, mean_12.z))), splat(1.0f32));
+    blended_v0.table_part = part_a3;
+    blended_v0.table = *table_a2;
+    let e_21 = blended_v0;
+    return e_21;
+} }
+lanes! { fn seen_between(r: &Resources<'_>, a_a0: &SeenTexel, b_a1: &SeenTexel, part_a2: F) -> SeenTexel {
+    return SeenTexel { first: Vec4 { x: add(a_a0.first.x, mul(sub(b_a1.first.x, a_a0.first.x), part_a2)), y: add(a_a0.first.y, mul(sub(b_a1.first.y, a_a0.first.y), part_a2)), z: add(a_a0.first.z, mul(sub(b_a1.first.z, a_a0.first.z), part_a2)), w: add(a_a0.first.w, mul(sub(b_a1.first.w, a_a0.first.w), part_a2)) }, second: Vec4 { x: add(a_a0.second.x, mul(sub(b_a1.second.x, a_a0.second.x), part_a2)), y: add(a_a0.second.y, mul(sub(b_a1.second.y, a_a0.second.y), part_a2)), z: add(a_a0.second.z, mul(sub(b_a1.second.z, a_a0.second.z), part_a2)), w: add(a_a0.second.w, mul(sub(b_a1.second.w, a_a0.second.w), part_a2)) }, };
+} }
+lanes! { fn seen_texel(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, azimuth_a1: I, elevation_a2: I, level_a3: U) -> SeenTexel {
+    let mut ex = within;
+    let mut ret: SeenTexel = zero_seen_texel();
+    let layer_8 = mul_i(splat_i(2i32), add_i(mul_i(azimuth_a1, splat_i(4i32)), elevation_a2));
+    let e_9 = detail_texel_between(r, ex, uv_a0, layer_8, level_a3);
+    let e_12 = detail_texel_between(r, ex, uv_a0, add_i(layer_8, splat_i(1i32)), level_a3);
+    return SeenTexel { first: e_9, second: e_12, };
+} }
+lanes! { fn seen_in_levels(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, azimuth_a1: I, elevation_a2: I, levels_a3: &Levels) -> SeenTexel {
+    let mut ex = within;
+    let mut ret: SeenTexel = zero_seen_texel();
+    let fine_5 = seen_texel(r, ex, uv_a0, azimuth_a1, elevation_a2, levels_a3.fine);
+    let (b1, c2) = (ex, gt(levels_a3.part, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_12 = seen_texel(r, ex, uv_a0, azimuth_a1, elevation_a2, add_u(levels_a3.fine, splat_u(1u32)));
+        let e_14 = seen_between(r, &fine_5, &e_12, levels_a3.part);
+        ret = e_14;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    return sel_seen_texel(ex, &fine_5, &ret);
+} }
+lanes! { fn table_of(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, view_a2: Vec3<F>, levels_a3: &Levels) -> SeenTable {
+    let mut ex = within;
+    let mut ret: SeenTable = zero_seen_table();
+    let change_4 = climb(r, at_a0, view_a2);
+    let toward_17 = Vec3 { x: mul(change_4.x, splat(r.surface_settings.maps[0].tile_m.x)), y: mul(change_4.y, splat(r.surface_settings.maps[0].tile_m.y)), z: mul(change_4.z, splat(r.surface_settings.scale_m)) };
+    let up_20 = div(toward_17.z, sqrt(add(add(mul(toward_17.x, toward_17.x), mul(toward_17.y, toward_17.y)), mul(toward_17.z, toward_17.z))));
+    let elevation_27 = min_with(max_with(sub(mul(up_20, splat(4.0f32)), splat(1.0f32)), splat(0.0f32)), splat(3.0f32));
+    let e_29 = turn_of(r, ex, Vec2 { x: toward_17.x, y: toward_17.y });
+    let azimuth_31 = mul(e_29, splat(8.0f32));
+    let a0_35 = rem_i(i_of_f(floor(azimuth_31)), splat_i(8i32));
+    let a1_39 = rem_i(add_i(a0_35, splat_i(1i32)), splat_i(8i32));
+    let e0_41 = i_of_f(floor(elevation_27));
+    let e1_45 = min_i(add_i(e0_41, splat_i(1i32)), splat_i(3i32));
+    let across_47 = sub(azimuth_31, floor(azimuth_31));
+    let e_48 = seen_in_levels(r, ex, uv_a1, a0_35, e0_41, levels_a3);
+    let e_49 = seen_in_levels(r, ex, uv_a1, a1_39, e0_41, levels_a3);
+    let low_50 = seen_between(r, &e_48, &e_49, across_47);
+    let e_51 = seen_in_levels(r, ex, uv_a1, a0_35, e1_45, levels_a3);
+    let e_52 = seen_in_levels(r, ex, uv_a1, a1_39, e1_45, levels_a3);
+    let high_53 = seen_between(r, &e_51, &e_52, across_47);
+    let seen_56 = seen_between(r, &low_50, &high_53, sub(elevation_27, floor(elevation_27)));
+    let length1 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
+    let e_59 = Vec3 { x: div(at_a0.tangent.x, length1), y: div(at_a0.tangent.y, length1), z: div(at_a0.tangent.z, length1) };
+    let x_66 = div(mul(splat(r.surface_settings.maps[0].tile_m.x), add(add(add(mul(e_59.x, at_a0.tangent.x), mul(e_59.y, at_a0.tangent.y)), mul(e_59.z, at_a0.tangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)), splat(0.0f32)));
+    let length2 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
+    let e_69 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
+    let y_76 = div(mul(splat(r.surface_settings.maps[0].tile_m.y), add(add(add(mul(e_69.x, at_a0.bitangent.x), mul(e_69.y, at_a0.bitangent.y)), mul(e_69.z, at_a0.bitangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)), splat(0.0f32)));
+    let flatter_84 = Vec3 { x: mul(seen_56.first.x, x_66), y: mul(seen_56.first.y, y_76), z: seen_56.first.z };
+    let squared_87 = div(add(add(add(mul(seen_56.first.x, seen_56.first.x), mul(seen_56.first.y, seen_56.first.y)), mul(seen_56.first.z, seen_56.first.z)), splat(0.0f32)), add(add(add(mul(flatter_84.x, flatter_84.x), mul(flatter_84.y, flatter_84.y)), mul(flatter_84.z, flatter_84.z)), splat(0.0f32)));
+    let upright_96 = max_with(sub(sub(splat(1.0f32), seen_56.first.w), seen_56.second.y), splat(0.0f32));
+    let e_97 = sqrt(squared_87);
+    return SeenTable { mean: Vec3 { x: mul(flatter_84.x, e_97), y: mul(flatter_84.y, e_97), z: mul(flatter_84.z, e_97) }, squares: Vec3 { x: mul(mul(mul(seen_56.first.w, x_66), x_66), squared_87), y: mul(mul(mul(seen_56.second.y, y_76), y_76), squared_87), z: mul(upright_96, squared_87) }, products: Vec3 { x: mul(mul(mul(seen_56.second.x, x_66), y_76), squared_87), y: mul(mul(seen_56.second.z, x_66), squared_87), z: mul(mul(seen_56.second.w, y_76), squared_87) }, };
+} }
+lanes! { fn mesostructure_normals(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, view_a2: Vec3<F>) -> SeenNormals {
+    let mut ex = within;
+    let mut ret: SeenNormals = zero_seen_normals();
+    let mut both_v0: M = splat_m(false);
+    let mut first_v1: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let mut second_v2: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    if (r.surface_settings.has_vertex_normals == 1u32) {
+        let e_9 = one_seen(r, Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z });
+        return e_9;
+    }
+    let upright_11 = add(add(add(mul(at_a0.normal.x, view_a2.x), mul(at_a0.normal.y, view_a2.y)), mul(at_a0.normal.z, view_a2.z)), splat(0.0f32));
+    let shown_13 = max_with(upright_11, splat(0.5f32));
+    let width_18 = add(shown_13, mul(sub(splat(1.0f32), shown_13), at_a0.fade));
+    let texels_24 = mul(mul(at_a0.footprint, splat(r.surface_settings.normal_texels)), width_18);
+    let levels_28 = levels_of(r, ex, texels_24, r.surface_settings.normal_levels);
+    both_v0 = and(eq_u(levels_28.fine, splat_u(0u32)), not(gt(levels_28.part, splat(0.0f32))));
+    let e_39 = both_v0;
+    let (b1, c2) = (ex, e_39);
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_40 = finest_normal(r, ex, at_a0, uv_a1);
+        let e_41 = one_seen(r, e_40);
+        ret = e_41;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let fine_43 = normals_of_level(r, ex, at_a0, uv_a1, levels_28.fine);
+    first_v1 = Vec4 { x: fine_43.first.x, y: fine_43.first.y, z: fine_43.first.z, w: fine_43.first.w };
+    second_v2 = Vec4 { x: fine_43.second.x, y: fine_43.second.y, z: fine_43.second.z, w: fine_43.second.w };
+    let (b3, c4) = (ex, gt(levels_28.part, splat(0.0f32)));
+    ex = and(b3, c4);
+    if any(ex) {
+        let coarse_54 = normals_of_level(r, ex, at_a0, uv_a1, add_u(levels_28.fine, splat_u(1u32)));
+        let e_55 = first_v1;
+        let e_57 = first_v1;
+        let (m5, y6) = (ex, Vec4 { x: add(e_55.x, mul(sub(coarse_54.first.x, e_57.x), levels_28.part)), y: add(e_55.y, mul(sub(coarse_54.first.y, e_57.y), levels_28.part)), z: add(e_55.z, mul(sub(coarse_54.first.z, e_57.z), levels_28.part)), w: add(e_55.w, mul(sub(coarse_54.first.w, e_57.w), levels_28.part)) });
+        first_v1 = Vec4 { x: sel(m5, y6.x, first_v1.x), y: sel(m5, y6.y, first_v1.y), z: sel(m5, y6.z, first_v1.z), w: sel(m5, y6.w, first_v1.w) };
+        let e_62 = second_v2;
+        let e_64 = second_v2;
+        let (m7, y8) = (ex, Vec4 { x: add(e_62.x, mul(sub(coarse_54.second.x, e_64.x), levels_28.part)), y: add(e_62.y, mul(sub(coarse_54.second.y, e_64.y), levels_28.part)), z: add(e_62.z, mul(sub(coarse_54.second.z, e_64.z), levels_28.part)), w: add(e_62.w, mul(sub(coarse_54.second.w, e_64.w), levels_28.part)) });
+        second_v2 = Vec4 { x: sel(m7, y8.x, second_v2.x), y: sel(m7, y8.y, second_v2.y), z: sel(m7, y8.z, second_v2.z), w: sel(m7, y8.w, second_v2.w) };
+    }
+    ex = b3;
+    let e_69 = first_v1;
+    let e_70 = second_v2;
+    let seen_72 = seen_normals(r, at_a0, &Normals { first: e_69, second: e_70, }, view_a2);
+    let part_73 = table_part(r, at_a0);
+    let (b9, c10) = (ex, gt(part_73, splat(0.0f32)));
+    ex = and(b9, c10);
+    if any(ex) {
+        let of_table_80 = levels_of(r, ex, at_a0.footprint, r.surface_settings.height_levels);
+        let e_81 = has_table(r, &of_table_80);
+        let (b11, c12) = (ex, e_81);
+        ex = and(b11, c12);
+        if any(ex) {
+            let e_82 = table_of(r, ex, at_a0, uv_a1, view_a2, &of_table_80);
+            let e_83 = with_table(r, at_a0, &seen_72, &e_82, part_73);
+            ret = sel_seen_normals(ex, &e_83, &ret);
+            ex = no_lane();
+        }
+        ex = and_not(b11, c12);
+    }
+    let x13 = ex;
+    ex = and_not(b9, c10);
+    ex = or(ex, x13);
+    return sel_seen_normals(ex, &seen_72, &ret);
+} }
+lanes! { fn field_heights_normals(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> SeenNormals {
+    let mut ex = within;
+    let mut ret: SeenNormals = zero_seen_normals();
+    let e_5 = mesostructure_normals(r, ex, at_a0, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, view_a2);
+    return e_5;
+} }
+lanes! { fn field_slopes(r: &Resources<'_>, within: M, place_a0: Vec3<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let i_4 = Vec3 { x: 0.5f32, y: 0.0f32, z: 0.0f32 };
+    let j_8 = Vec3 { x: 0.0f32, y: 0.5f32, z: 0.0f32 };
+    let k_12 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.5f32 };
+    let e_14 = field_at_voxel(r, ex, Vec3 { x: add(place_a0.x, splat(i_4.x)), y: add(place_a0.y, splat(i_4.y)), z: add(place_a0.z, splat(i_4.z)) });
+    let e_16 = field_at_voxel(r, ex, Vec3 { x: sub(place_a0.x, splat(i_4.x)), y: sub(place_a0.y, splat(i_4.y)), z: sub(place_a0.z, splat(i_4.z)) });
+    let along_i_17 = sub(e_14, e_16);
+    let e_19 = field_at_voxel(r, ex, Vec3 { x: add(place_a0.x, splat(j_8.x)), y: add(place_a0.y, splat(j_8.y)), z: add(place_a0.z, splat(j_8.z)) });
+    let e_21 = field_at_voxel(r, ex, Vec3 { x: sub(place_a0.x, splat(j_8.x)), y: sub(place_a0.y, splat(j_8.y)), z: sub(place_a0.z, splat(j_8.z)) });
+    let along_j_22 = sub(e_19, e_21);
+    let e_24 = field_at_voxel(r, ex, Vec3 { x: add(place_a0.x, splat(k_12.x)), y: add(place_a0.y, splat(k_12.y)), z: add(place_a0.z, splat(k_12.z)) });
+    let e_26 = field_at_voxel(r, ex, Vec3 { x: sub(place_a0.x, splat(k_12.x)), y: sub(place_a0.y, splat(k_12.y)), z: sub(place_a0.z, splat(k_12.z)) });
+    let along_k_27 = sub(e_24, e_26);
+    return Vec3 { x: div(along_i_17, splat(1.0f32)), y: div(along_j_22, splat(1.0f32)), z: div(along_k_27, splat(1.0f32)) };
+} }
+lanes! { fn light_ray_out_of_volume(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> LightRay {
+    let mut ex = within;
+    let mut ret: LightRay = zero_light_ray();
+    let mut outside_v0: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let change_4 = climb(r, at_a0, Vec3 { x: light_a2.direction.x, y: light_a2.direction.y, z: light_a2.direction.z });
+    let e_6 = near_uv(r, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y });
+    let place_9 = voxel_place(r, Vec3 { x: e_6.x, y: e_6.y, z: hit_a1.height });
+    let slopes_10 = field_slopes(r, ex, place_9);
+    let steepness_11 = sqrt(add(add(mul(slopes_10.x, slopes_10.x), mul(slopes_10.y, slopes_10.y)), mul(slopes_10.z, slopes_10.z)));
+    outside_v0 = place_9;
+    let c1 = gt(steepness_11, splat(0.0f32));
+    let e_16 = div(splat(0.125f32), steepness_11);
+    let (m2, y3) = (c1, Vec3 { x: sub(place_9.x, mul(slopes_10.x, e_16)), y: sub(place_9.y, mul(slopes_10.y, e_16)), z: sub(place_9.z, mul(slopes_10.z, e_16)) });
+    outside_v0 = Vec3 { x: sel(m2, y3.x, outside_v0.x), y: sel(m2, y3.y, outside_v0.y), z: sel(m2, y3.z, outside_v0.z) };
+    let e_19 = outside_v0;
+    let e_25 = r.volume_size();
+    let begin_26 = Vec3 { x: div(add(e_19.x, splat(0.5f32)), splat(e_25.x)), y: div(add(e_19.y, splat(0.5f32)), splat(e_25.y)), z: div(add(e_19.z, splat(0.5f32)), splat(e_25.z)) };
+    let h_30 = Vec3 { x: begin_26.z, y: change_4.z, z: splat(0.0f32) };
+    let way_41 = Path { uv: Vec2 { x: begin_26.x, y: begin_26.y }, duv: Vec2 { x: change_4.x, y: change_4.y }, h: h_30, exit: splat(0.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), bend: splat(0.0f32), };
+    let (b4, c5) = (ex, not(gt(change_4.z, splat(0.0f32))));
+    ex = and(b4, c5);
+    if any(ex) {
+        ret = LightRay { state: splat_u(1u32), path: way_41, };
+        ex = no_lane();
+    }
+    ex = and_not(b4, c5);
+    if none(ex) { return ret; }
+    let exit_48 = way_out(r, ex, &way_41, light_a2);
+    let (b6, c7) = (ex, not(gt(exit_48, splat(0.0f32))));
+    ex = and(b6, c7);
+    if any(ex) {
+        ret = sel_light_ray(ex, &LightRay { state: splat_u(0u32), path: way_41, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b6, c7);
+    let path_63 = Path { uv: Vec2 { x: begin_26.x, y: begin_26.y }, duv: Vec2 { x: change_4.x, y: change_4.y }, h: h_30, exit: exit_48, base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), bend: splat(0.0f32), };
+    return sel_light_ray(ex, &LightRay { state: splat_u(2u32), path: path_63, }, &ret);
+} }
+lanes! { fn field_volume_light_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> LightRay {
+    let mut ex = within;
+    let mut ret: LightRay = zero_light_ray();
+    let e_4 = light_ray_out_of_volume(r, ex, at_a0, hit_a1, light_a2);
+    return e_4;
+} }
+lanes! { fn field_light_ray_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> LightRay {
+    let mut ex = within;
+    let mut ret: LightRay = zero_light_ray();
+    match r.surface_settings.choices[4].number {
+        0u32 => {
+            let e_13 = field_heights_light_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[4].params);
+            return e_13;
+        }
+        _ => {
+            let e_19 = field_volume_light_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[4].params);
+            return e_19;
+        }
+    }
+} }
+lanes! { fn normal_of_field(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    let place_5 = voxel_place(r, Vec3 { x: hit_a1.uv.x, y: hit_a1.uv.y, z: hit_a1.height });
+    let e_6 = field_at_voxel(r, ex, place_5);
+    let c1 = gt(e_6, splat(0.51f32));
+    ret = Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z };
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let e_10 = field_slopes(r, ex, place_5);
+    let e_11 = r.volume_size();
+    let slopes_12 = Vec3 { x: mul(e_10.x, splat(e_11.x)), y: mul(e_10.y, splat(e_11.y)), z: mul(e_10.z, splat(e_11.z)) };
+    let area_20 = sub(mul(at_a0.metric.x, at_a0.metric.z), mul(at_a0.metric.y, at_a0.metric.y));
+    let along_u_29 = Vec3 { x: div(sub(mul(at_a0.tangent.x, at_a0.metric.z), mul(at_a0.bitangent.x, at_a0.metric.y)), area_20), y: div(sub(mul(at_a0.tangent.y, at_a0.metric.z), mul(at_a0.bitangent.y, at_a0.metric.y)), area_20), z: div(sub(mul(at_a0.tangent.z, at_a0.metric.z), mul(at_a0.bitangent.z, at_a0.metric.y)), area_20) };
+    let along_v_38 = Vec3 { x: div(sub(mul(at_a0.bitangent.x, at_a0.metric.x), mul(at_a0.tangent.x, at_a0.metric.y)), area_20), y: div(sub(mul(at_a0.bitangent.y, at_a0.metric.x), mul(at_a0.tangent.y, at_a0.metric.y)), area_20), z: div(sub(mul(at_a0.bitangent.z, at_a0.metric.x), mul(at_a0.tangent.z, at_a0.metric.y)), area_20) };
+    let e_44 = div(slopes_12.z, splat(r.surface_settings.scale_m));
+    let rise_45 = Vec3 { x: mul(at_a0.normal.x, e_44), y: mul(at_a0.normal.y, e_44), z: mul(at_a0.normal.z, e_44) };
+    let rising_51 = Vec3 { x: add(add(mul(along_u_29.x, slopes_12.x), mul(along_v_38.x, slopes_12.y)), rise_45.x), y: add(add(mul(along_u_29.y, slopes_12.x), mul(along_v_38.y, slopes_12.y)), rise_45.y), z: add(add(mul(along_u_29.z, slopes_12.x), mul(along_v_38.z, slopes_12.y)), rise_45.z) };
+    let steepness_52 = sqrt(add(add(mul(rising_51.x, rising_51.x), mul(rising_51.y, rising_51.y)), mul(rising_51.z, rising_51.z)));
+    both_v0 = and(gt(steepness_52, splat(0.0f32)), lt(steepness_52, splat(3e38f32)));
+    let e_60 = both_v0;
+    let c2 = e_60;
+    let e_62 = div(splat((-1.0f32)), steepness_52);
+    let y3 = Vec3 { x: mul(rising_51.x, e_62), y: mul(rising_51.y, e_62), z: mul(rising_51.z, e_62) };
+    ret = Vec3 { x: sel(and(ex, c2), y3.x, ret.x), y: sel(and(ex, c2), y3.y, ret.y), z: sel(and(ex, c2), y3.z, ret.z) };
+    ex = and_not(ex, c2);
+    let y4 = Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z };
+    return Vec3 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y), z: sel(ex, y4.z, ret.z) };
+} }
+lanes! { fn field_volume_normals(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> SeenNormals {
+    let mut ex = within;
+    let mut ret: SeenNormals = zero_seen_normals();
+    let e_4 = normal_of_field(r, ex, at_a0, hit_a1);
+    let e_5 = one_seen(r, e_4);
+    return e_5;
+} }
+lanes! { fn field_normals_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>) -> SeenNormals {
+    let mut ex = within;
+    let mut ret: SeenNormals = zero_seen_normals();
+    match r.surface_settings.choices[4].number {
+        0u32 => {
+            let e_13 = field_heights_normals(r, ex, at_a0, hit_a1, view_a2, r.surface_settings.choices[4].params);
+            return e_13;
+        }
+        _ => {
+            let e_19 = field_volume_normals(r, ex, at_a0, hit_a1, view_a2, r.surface_settings.choices[4].params);
+            return e_19;
+        }
+    }
 } }
 lanes! { fn surface_plane_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     let mut ex = within;
@@ -4860,60 +5483,69 @@ stage! { fn surface_prism_polish(r: &Resources<'_>, within: M, pixel_a0: &PixelI
     let mut t_v0: F = splat(0f32);
     let mut point_v1: ShellPoint = zero_shell_point();
     let mut step_v2: u32 = 0u32;
-    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let along_6 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
-    let middle_7 = middle_of(r, pixel_a0, along_6);
-    let prism_8 = prism_of(r, pixel_a0, along_6, middle_7, params_a4);
-    let wanted_10 = path_gap(r, ex, path_a2, hit_a3.t);
-    let grid_11 = grid_of(r, path_a2);
-    let texels_13 = Vec2 { x: abs(grid_11.step.x), y: abs(grid_11.step.y) };
-    let most_26 = div(splat((2.0f32 * params_a4.x)), max(max(texels_13.x, texels_13.y), div(abs(path_a2.h.y), splat(0.0625f32))));
+    let e_6 = field_is_ground_stage(r, path_a2.level);
+    let (b1, c2) = (ex, not(e_6));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = *hit_a3;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let length3 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_9 = Vec3 { x: div(pixel_a0.direction.x, length3), y: div(pixel_a0.direction.y, length3), z: div(pixel_a0.direction.z, length3) };
+    if none(ex) { return ret; }
+    let middle_10 = middle_of(r, pixel_a0, along_9);
+    let prism_11 = prism_of(r, pixel_a0, along_9, middle_10, params_a4);
+    let wanted_13 = path_gap(r, ex, path_a2, hit_a3.t);
+    let grid_14 = grid_of(r, path_a2);
+    let texels_16 = Vec2 { x: abs(grid_14.step.x), y: abs(grid_14.step.y) };
+    let most_29 = div(splat((2.0f32 * params_a4.x)), max(max(texels_16.x, texels_16.y), div(abs(path_a2.h.y), splat(0.0625f32))));
     t_v0 = hit_a3.t;
-    let e_30 = t_v0;
-    let e_34 = t_v0;
-    let e_35 = path_height(r, path_a2, e_34);
-    let e_32 = sub(add(path_a2.start, e_30), middle_7);
-    let e_36 = point_of_way(r, ex, pixel_a0, &prism_8, Vec3 { x: mul(along_6.x, e_32), y: mul(along_6.y, e_32), z: mul(along_6.z, e_32) }, e_35);
-    point_v1 = e_36;
-    'l2: loop {
-        let e_40 = step_v2;
-        if (e_40 < 3u32) {
-        } else {
-            break 'l2;
-        }
+    let e_33 = t_v0;
+    let e_37 = t_v0;
+    let e_38 = path_height(r, path_a2, e_37);
+    let e_35 = sub(add(path_a2.start, e_33), middle_10);
+    let e_39 = point_of_way(r, ex, pixel_a0, &prism_11, Vec3 { x: mul(along_9.x, e_35), y: mul(along_9.y, e_35), z: mul(along_9.z, e_35) }, e_38);
+    point_v1 = e_39;
+    'l4: loop {
         let e_43 = step_v2;
-        step_v2 = e_43.wrapping_add(1u32);
-        let e_47 = point_v1.height;
-        let e_49 = point_v1.weights;
-        let e_50 = uv_of(r, pixel_a0, e_49);
-        let e_52 = height_at_ll(r, ex, e_50, path_a2.level);
-        let gap_54 = sub(sub(e_47, e_52), wanted_10);
-        let e_57 = t_v0;
-        let e_60 = cell_of(r, Vec2 { x: add(grid_11.origin.x, mul(grid_11.step.x, e_57)), y: add(grid_11.origin.y, mul(grid_11.step.y, e_57)) });
-        let e_61 = t_v0;
-        let e_62 = cell_gap_llll(r, ex, path_a2, &grid_11, e_60, e_61);
-        let c3 = lt(e_62.y, splat(0.0f32));
-        let e_66 = t_v0;
-        t_v0 = sel(c3, min(max(sub(e_66, div(gap_54, e_62.y)), sub(hit_a3.t, most_26)), add(hit_a3.t, most_26)), t_v0);
-        let e_75 = t_v0;
-        let e_77 = sub(add(path_a2.start, e_75), middle_7);
-        let place_78 = Vec3 { x: mul(along_6.x, e_77), y: mul(along_6.y, e_77), z: mul(along_6.z, e_77) };
-        if (pixel_a0.shell.order >= 64u32) {
-            let e_83 = t_v0;
-            let e_84 = path_height(r, path_a2, e_83);
-            let e_85 = shell_point_near(r, ex, &prism_8, place_78, e_84);
-            point_v1 = e_85;
+        if (e_43 < 3u32) {
         } else {
-            let e_86 = point_v1;
-            let e_87 = shell_point_from(r, ex, &prism_8, place_78, &e_86);
-            point_v1 = e_87;
+            break 'l4;
+        }
+        let e_46 = step_v2;
+        step_v2 = e_46.wrapping_add(1u32);
+        let e_50 = point_v1.height;
+        let e_52 = point_v1.weights;
+        let e_53 = uv_of(r, pixel_a0, e_52);
+        let e_55 = height_at_ll(r, ex, e_53, path_a2.level);
+        let gap_57 = sub(sub(e_50, e_55), wanted_13);
+        let e_60 = t_v0;
+        let e_63 = cell_of(r, Vec2 { x: add(grid_14.origin.x, mul(grid_14.step.x, e_60)), y: add(grid_14.origin.y, mul(grid_14.step.y, e_60)) });
+        let e_64 = t_v0;
+        let e_65 = cell_gap_llll(r, ex, path_a2, &grid_14, e_63, e_64);
+        let c5 = lt(e_65.y, splat(0.0f32));
+        let e_69 = t_v0;
+        t_v0 = sel(c5, min(max(sub(e_69, div(gap_57, e_65.y)), sub(hit_a3.t, most_29)), add(hit_a3.t, most_29)), t_v0);
+        let e_78 = t_v0;
+        let e_80 = sub(add(path_a2.start, e_78), middle_10);
+        let place_81 = Vec3 { x: mul(along_9.x, e_80), y: mul(along_9.y, e_80), z: mul(along_9.z, e_80) };
+        if (pixel_a0.shell.order >= 64u32) {
+            let e_86 = t_v0;
+            let e_87 = path_height(r, path_a2, e_86);
+            let e_88 = shell_point_near(r, ex, &prism_11, place_81, e_87);
+            point_v1 = e_88;
+        } else {
+            let e_89 = point_v1;
+            let e_90 = shell_point_from(r, ex, &prism_11, place_81, &e_89);
+            point_v1 = e_90;
         }
     }
-    let e_91 = point_v1.weights;
-    let e_92 = uv_of(r, pixel_a0, e_91);
-    let e_94 = point_v1.height;
-    let e_95 = t_v0;
-    return Hit { found: splat_u(1u32), exhausted: hit_a3.exhausted, uv: e_92, height: e_94, t: e_95, cost: Vec3 { x: hit_a3.cost.x, y: hit_a3.cost.y, z: hit_a3.cost.z }, };
+    let e_94 = point_v1.weights;
+    let e_95 = uv_of(r, pixel_a0, e_94);
+    let e_97 = point_v1.height;
+    let e_98 = t_v0;
+    return sel_hit(ex, &Hit { found: splat_u(1u32), exhausted: hit_a3.exhausted, uv: e_95, height: e_97, t: e_98, cost: Vec3 { x: hit_a3.cost.x, y: hit_a3.cost.y, z: hit_a3.cost.z }, }, &ret);
 } }
 lanes! { fn surface_quadric_perpendicular_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     return *hit_a3;
@@ -5058,96 +5690,6 @@ stage! { pub(super) fn hit_on_segment(r: &Resources<'_>, within: M, pixel_a0: &P
     let e_20 = first_v0;
     return e_20;
 } }
-lanes! { fn near_uv(r: &Resources<'_>, uv_a0: Vec2<F>) -> Vec2<F> {
-    if (r.surface_settings.wrap == 0u32) {
-        return Vec2 { x: sub(uv_a0.x, floor(uv_a0.x)), y: sub(uv_a0.y, floor(uv_a0.y)) };
-    }
-    if (r.surface_settings.wrap == 2u32) {
-        return Vec2 { x: sub(uv_a0.x, mul(splat(2.0f32), floor(mul(splat(0.5f32), uv_a0.x)))), y: sub(uv_a0.y, mul(splat(2.0f32), floor(mul(splat(0.5f32), uv_a0.y)))) };
-    }
-    return uv_a0;
-} }
-lanes! { fn from_hit(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> Path {
-    let mut ex = within;
-    let mut ret: Path = zero_path();
-    let change_4 = climb(r, at_a0, Vec3 { x: light_a2.direction.x, y: light_a2.direction.y, z: light_a2.direction.z });
-    let uv_6 = near_uv(r, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y });
-    let e_8 = height_at_ll(r, ex, uv_6, at_a0.level);
-    let h_11 = Vec3 { x: e_8, y: change_4.z, z: splat(0.0f32) };
-    return Path { uv: uv_6, duv: Vec2 { x: change_4.x, y: change_4.y }, h: h_11, exit: splat(0.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), bend: splat(0.0f32), };
-} }
-lanes! { fn way_out(r: &Resources<'_>, within: M, path_a0: &Path, light_a1: &Toward) -> F {
-    let mut ex = within;
-    let mut ret: F = splat(0f32);
-    let mut way_v0: F = splat(0f32);
-    let mut interval_v1: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
-    way_v0 = min(div(sub(splat(1.0f32), path_a0.h.x), path_a0.h.y), light_a1.distance);
-    if (r.surface_settings.wrap == 1u32) {
-        let e_21 = way_v0;
-        let e_24 = inside_unit(r, ex, path_a0.uv.x, path_a0.duv.x, Vec2 { x: splat(0.0f32), y: e_21 });
-        interval_v1 = e_24;
-        let e_30 = interval_v1;
-        let e_31 = inside_unit(r, ex, path_a0.uv.y, path_a0.duv.y, e_30);
-        interval_v1 = e_31;
-        let e_33 = interval_v1.y;
-        way_v0 = e_33;
-    }
-    let e_34 = way_v0;
-    return e_34;
-} }
-lanes! { fn light_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> LightRay {
-    let mut ex = within;
-    let mut ret: LightRay = zero_light_ray();
-    let mut both_v0: M = splat_m(false);
-    let way_3 = from_hit(r, ex, at_a0, hit_a1, light_a2);
-    let (b1, c2) = (ex, not(gt(way_3.h.y, splat(0.0f32))));
-    ex = and(b1, c2);
-    if any(ex) {
-        ret = LightRay { state: splat_u(1u32), path: way_3, };
-        ex = no_lane();
-    }
-    ex = and_not(b1, c2);
-    if none(ex) { return ret; }
-    let exit_11 = way_out(r, ex, &way_3, light_a2);
-    let (b3, c4) = (ex, not(gt(exit_11, splat(0.0f32))));
-    ex = and(b3, c4);
-    if any(ex) {
-        ret = sel_light_ray(ex, &LightRay { state: splat_u(0u32), path: way_3, }, &ret);
-        ex = no_lane();
-    }
-    ex = and_not(b3, c4);
-    if none(ex) { return ret; }
-    let grid_17 = grid_of(r, &way_3);
-    let cell_19 = cell_of(r, Vec2 { x: grid_17.origin.x, y: grid_17.origin.y });
-    let leave_20 = cell_leave(r, &grid_17, cell_19);
-    let end_26 = max_with(min(min(leave_20.x, leave_20.y), exit_11), splat(0.0f32));
-    let e_29 = height_cell_ll(r, ex, Vec2 { x: i_of_small(cell_19.x), y: i_of_small(cell_19.y) }, way_3.level);
-    let c_31 = gap_to(r, &way_3, &grid_17, cell_19, e_29, splat(0.0f32));
-    both_v0 = or(lt(c_31.y, splat(0.0f32)), lt(add(c_31.y, mul(c_31.z, end_26)), splat(0.0f32)));
-    let e_45 = both_v0;
-    let (b5, c6) = (ex, e_45);
-    ex = and(b5, c6);
-    if any(ex) {
-        ret = sel_light_ray(ex, &LightRay { state: splat_u(1u32), path: way_3, }, &ret);
-        ex = no_lane();
-    }
-    ex = and_not(b5, c6);
-    if none(ex) { return ret; }
-    let (b7, c8) = (ex, ge(end_26, exit_11));
-    ex = and(b7, c8);
-    if any(ex) {
-        ret = sel_light_ray(ex, &LightRay { state: splat_u(0u32), path: way_3, }, &ret);
-        ex = no_lane();
-    }
-    ex = and_not(b7, c8);
-    if none(ex) { return ret; }
-    let start_51 = path_uv(r, &way_3, end_26);
-    let gap_56 = mul(end_26, add(c_31.y, mul(c_31.z, end_26)));
-    let e_58 = height_at_ll(r, ex, start_51, way_3.level);
-    let h_65 = Vec3 { x: add(add(e_58, gap_56), splat(9.536743e-7f32)), y: way_3.h.y, z: splat(0.0f32) };
-    let path_74 = Path { uv: start_51, duv: Vec2 { x: way_3.duv.x, y: way_3.duv.y }, h: h_65, exit: sub(exit_11, end_26), base: splat(0.0f32), metric: Vec4 { x: way_3.metric.x, y: way_3.metric.y, z: way_3.metric.z, w: way_3.metric.w }, ray: way_3.ray, level: way_3.level, start: end_26, share: splat(1.0f32), bend: splat(0.0f32), };
-    return sel_light_ray(ex, &LightRay { state: splat_u(2u32), path: path_74, }, &ret);
-} }
 lanes! { fn quarter_sine(r: &Resources<'_>, turn_a0: F) -> F {
     let x_2 = mul(turn_a0, splat(6.2831855f32));
     let s_3 = mul(x_2, x_2);
@@ -5166,253 +5708,6 @@ lanes! { fn turned(r: &Resources<'_>, turn_a0: F) -> Vec2<F> {
 } }
 lanes! { fn unit_of(r: &Resources<'_>, bits_a0: U) -> F {
     return div(f_of_u(shr_u(bits_a0, i_of_u(splat_u(8u32)))), splat(16777216.0f32));
-} }
-lanes! { fn has_table(r: &Resources<'_>, levels_a0: &Levels) -> M {
-    return ge_u(levels_a0.fine, splat_u(r.surface_settings.maps[0].first_level));
-} }
-lanes! { fn mean_of_five(r: &Resources<'_>, middle_a0: F, four_a1: F) -> F {
-    return add(mul(middle_a0, splat(0.33333334f32)), mul(four_a1, splat(0.16666667f32)));
-} }
-lanes! { fn means_of_one(r: &Resources<'_>, n_a0: Vec3<F>) -> Normals {
-    let upright_3 = max_with(n_a0.z, splat(0.05f32));
-    let slope_10 = Vec2 { x: div(neg(n_a0.x), upright_3), y: div(neg(n_a0.y), upright_3) };
-    let square_12 = Vec2 { x: mul(mul(slope_10.x, slope_10.x), upright_3), y: mul(mul(slope_10.y, slope_10.y), upright_3) };
-    return Normals { first: Vec4 { x: n_a0.x, y: n_a0.y, z: n_a0.z, w: slope_10.x }, second: Vec4 { x: square_12.x, y: mul(mul(slope_10.x, slope_10.y), upright_3), z: square_12.y, w: slope_10.y }, };
-} }
-lanes! { fn no_table(r: &Resources<'_>) -> SeenTable {
-    let none_3 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
-    return SeenTable { mean: Vec3 { x: splat(none_3.x), y: splat(none_3.y), z: splat(none_3.z) }, squares: Vec3 { x: splat(none_3.x), y: splat(none_3.y), z: splat(none_3.z) }, products: Vec3 { x: splat(none_3.x), y: splat(none_3.y), z: splat(none_3.z) }, };
-} }
-lanes! { fn one_seen(r: &Resources<'_>, normal_a0: Vec3<F>) -> SeenNormals {
-    let nothing_3 = Vec2 { x: 0.0f32, y: 0.0f32 };
-    let none_7 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
-    let parts_12 = Vec4 { x: 0.0f32, y: 0.0f32, z: 0.0f32, w: 0.0f32 };
-    let table_13 = no_table(r);
-    return SeenNormals { normal: normal_a0, length: splat(1.0f32), differ: splat_u(0u32), middle: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, along: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, across: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, slope: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, slope_along: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, slope_across: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, upright: splat(1.0f32), middle_seen: splat(0.0f32), others_seen: Vec4 { x: splat(parts_12.x), y: splat(parts_12.y), z: splat(parts_12.z), w: splat(parts_12.w) }, table_part: splat(0.0f32), table: table_13, };
-} }
-lanes! { fn to_tangent_space(r: &Resources<'_>, at_a0: &Entered, v_a1: Vec3<F>) -> Vec3<F> {
-    let length1 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
-    let along_u_3 = Vec3 { x: div(at_a0.tangent.x, length1), y: div(at_a0.tangent.y, length1), z: div(at_a0.tangent.z, length1) };
-    let length2 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
-    let along_v_5 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
-    return Vec3 { x: add(add(add(mul(along_u_3.x, v_a1.x), mul(along_u_3.y, v_a1.y)), mul(along_u_3.z, v_a1.z)), splat(0.0f32)), y: neg(add(add(add(mul(along_v_5.x, v_a1.x), mul(along_v_5.y, v_a1.y)), mul(along_v_5.z, v_a1.z)), splat(0.0f32))), z: add(add(add(mul(at_a0.normal.x, v_a1.x), mul(at_a0.normal.y, v_a1.y)), mul(at_a0.normal.z, v_a1.z)), splat(0.0f32)) };
-} }
-lanes! { fn normals_of_level(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, level_a2: U) -> Normals {
-    let mut ex = within;
-    let mut ret: Normals = zero_normals();
-    let (b1, c2) = (ex, eq_u(level_a2, splat_u(0u32)));
-    ex = and(b1, c2);
-    if any(ex) {
-        let e_5 = finest_normal(r, ex, at_a0, uv_a1);
-        let e_6 = to_tangent_space(r, at_a0, e_5);
-        let e_7 = means_of_one(r, e_6);
-        ret = e_7;
-        ex = no_lane();
-    }
-    ex = and_not(b1, c2);
-    if (r.surface_settings.has_normal == 1u32) {
-        if none(ex) { return ret; }
-        let e_14 = normal_at_lsl(r, ex, uv_a1, 0i32, level_a2);
-        let e_16 = normal_at_lsl(r, ex, uv_a1, 1i32, level_a2);
-        return sel_normals(ex, &Normals { first: e_14, second: e_16, }, &ret);
-    }
-    let length3 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
-    let e_23 = Vec3 { x: div(at_a0.tangent.x, length3), y: div(at_a0.tangent.y, length3), z: div(at_a0.tangent.z, length3) };
-    let x_30 = div(mul(splat(r.surface_settings.normal_tile_m.x), add(add(add(mul(e_23.x, at_a0.tangent.x), mul(e_23.y, at_a0.tangent.y)), mul(e_23.z, at_a0.tangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)), splat(0.0f32)));
-    let length4 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
-    let e_33 = Vec3 { x: div(at_a0.bitangent.x, length4), y: div(at_a0.bitangent.y, length4), z: div(at_a0.bitangent.z, length4) };
-    let y_40 = div(mul(splat(r.surface_settings.normal_tile_m.y), add(add(add(mul(e_33.x, at_a0.bitangent.x), mul(e_33.y, at_a0.bitangent.y)), mul(e_33.z, at_a0.bitangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)), splat(0.0f32)));
-    if none(ex) { return ret; }
-    let first_44 = normal_at_lsl(r, ex, uv_a1, 0i32, sub_u(level_a2, splat_u(1u32)));
-    let second_48 = normal_at_lsl(r, ex, uv_a1, 1i32, sub_u(level_a2, splat_u(1u32)));
-    let flatter_54 = Vec3 { x: mul(first_44.x, x_30), y: mul(first_44.y, y_40), z: first_44.z };
-    let longer_60 = sqrt(div(add(add(add(mul(first_44.x, first_44.x), mul(first_44.y, first_44.y)), mul(first_44.z, first_44.z)), splat(0.0f32)), add(add(add(mul(flatter_54.x, flatter_54.x), mul(flatter_54.y, flatter_54.y)), mul(flatter_54.z, flatter_54.z)), splat(0.0f32))));
-    let squares_71 = Vec3 { x: mul(mul(mul(second_48.x, x_30), x_30), longer_60), y: mul(mul(mul(second_48.y, x_30), y_40), longer_60), z: mul(mul(mul(second_48.z, y_40), y_40), longer_60) };
-    return sel_normals(ex, &Normals { first: Vec4 { x: mul(flatter_54.x, longer_60), y: mul(flatter_54.y, longer_60), z: mul(flatter_54.z, longer_60), w: mul(first_44.w, x_30) }, second: Vec4 { x: squares_71.x, y: squares_71.y, z: squares_71.z, w: mul(second_48.w, y_40) }, }, &ret);
-} }
-lanes! { fn sum_of_four(r: &Resources<'_>, four_a0: Vec4<F>) -> F {
-    return add(add(four_a0.x, four_a0.y), add(four_a0.z, four_a0.w));
-} }
-lanes! { fn seen_normals(r: &Resources<'_>, at_a0: &Entered, normals_a1: &Normals, view_a2: Vec3<F>) -> SeenNormals {
-    let slope_7 = Vec2 { x: normals_a1.first.w, y: normals_a1.second.w };
-    let upright_10 = max_with(normals_a1.first.z, splat(0.05f32));
-    let x_12 = div(normals_a1.first.x, upright_10);
-    let y_14 = div(normals_a1.first.y, upright_10);
-    let a_23 = max_with(sqrt(max_with(sub(div(normals_a1.second.x, upright_10), mul(x_12, x_12)), splat(0.0f32))), splat(0.0001f32));
-    let b_28 = div(sub(div(normals_a1.second.y, upright_10), mul(x_12, y_14)), a_23);
-    let spread_34 = max_with(sub(div(normals_a1.second.z, upright_10), mul(y_14, y_14)), splat(0.0f32));
-    let d_41 = max_with(sqrt(max_with(sub(spread_34, mul(b_28, b_28)), splat(0.0f32))), splat(0.0001f32));
-    let with_x_50 = Vec3 { x: sub(neg(normals_a1.second.x), mul(normals_a1.first.x, slope_7.x)), y: sub(neg(normals_a1.second.y), mul(normals_a1.first.y, slope_7.x)), z: sub(neg(normals_a1.first.x), mul(normals_a1.first.z, slope_7.x)) };
-    let with_y_59 = Vec3 { x: sub(neg(normals_a1.second.y), mul(normals_a1.first.x, slope_7.y)), y: sub(neg(normals_a1.second.z), mul(normals_a1.first.y, slope_7.y)), z: sub(neg(normals_a1.first.y), mul(normals_a1.first.z, slope_7.y)) };
-    let most_64 = min_with(sqrt(add(mul(a_23, a_23), spread_34)), splat(1.0f32));
-    let e_67 = max(a_23, div(sqrt(add(add(mul(with_x_50.x, with_x_50.x), mul(with_x_50.y, with_x_50.y)), mul(with_x_50.z, with_x_50.z))), most_64));
-    let along_69 = Vec3 { x: div(with_x_50.x, e_67), y: div(with_x_50.y, e_67), z: div(with_x_50.z, e_67) };
-    let rest_71 = Vec3 { x: sub(with_y_59.x, mul(along_69.x, b_28)), y: sub(with_y_59.y, mul(along_69.y, b_28)), z: sub(with_y_59.z, mul(along_69.z, b_28)) };
-    let e_74 = max(d_41, div(sqrt(add(add(mul(rest_71.x, rest_71.x), mul(rest_71.y, rest_71.y)), mul(rest_71.z, rest_71.z))), most_64));
-    let across_76 = Vec3 { x: div(rest_71.x, e_74), y: div(rest_71.y, e_74), z: div(rest_71.z, e_74) };
-    let v_77 = to_tangent_space(r, at_a0, view_a2);
-    let middle_81 = sub(v_77.z, add(add(mul(v_77.x, slope_7.x), mul(v_77.y, slope_7.y)), splat(0.0f32)));
-    let four_91 = facing_four(r, middle_81, neg(add(mul(v_77.x, a_23), mul(v_77.y, b_28))), neg(mul(v_77.y, d_41)));
-    let one_93 = max_with(middle_81, splat(0.0f32));
-    let e_94 = sum_of_four(r, four_91);
-    let e_95 = mean_of_five(r, one_93, e_94);
-    let all_97 = max_with(e_95, splat(0.001f32));
-    let e_101 = div(sub(four_91.x, four_91.y), all_97);
-    let e_106 = div(sub(four_91.z, four_91.w), all_97);
-    let aside_108 = Vec3 { x: add(mul(along_69.x, e_101), mul(across_76.x, e_106)), y: add(mul(along_69.y, e_101), mul(across_76.y, e_106)), z: add(mul(along_69.z, e_101), mul(across_76.z, e_106)) };
-    let mean_113 = from_tangent_space(r, at_a0, Vec3 { x: add(normals_a1.first.x, mul(aside_108.x, splat(0.28867513f32))), y: add(normals_a1.first.y, mul(aside_108.y, splat(0.28867513f32))), z: add(normals_a1.first.z, mul(aside_108.z, splat(0.28867513f32))) });
-    let length1 = sqrt(add(add(mul(mean_113.x, mean_113.x), mul(mean_113.y, mean_113.y)), mul(mean_113.z, mean_113.z)));
-    let e_114 = Vec3 { x: div(mean_113.x, length1), y: div(mean_113.y, length1), z: div(mean_113.z, length1) };
-    let e_133 = no_table(r);
-    return SeenNormals { normal: e_114, length: min_with(sqrt(add(add(mul(mean_113.x, mean_113.x), mul(mean_113.y, mean_113.y)), mul(mean_113.z, mean_113.z))), splat(1.0f32)), differ: splat_u(1u32), middle: Vec3 { x: normals_a1.first.x, y: normals_a1.first.y, z: normals_a1.first.z }, along: along_69, across: across_76, slope: slope_7, slope_along: Vec2 { x: a_23, y: b_28 }, slope_across: Vec2 { x: splat(0.0f32), y: d_41 }, upright: mul(max_with(v_77.z, splat(0.0f32)), max_with(v_77.z, splat(0.0f32))), middle_seen: div(one_93, all_97), others_seen: Vec4 { x: div(four_91.x, all_97), y: div(four_91.y, all_97), z: div(four_91.z, all_97), w: div(four_91.w, all_97) }, table_part: splat(0.0f32), table: e_133, };
-} }
-lanes! { fn table_part(r: &Resources<'_>, at_a0: &Entered) -> F {
-    if (r.surface_settings.has_normal == 1u32) {
-        return splat(0.0f32);
-    }
-    return mul(at_a0.fade, min_with(max_with(sub(mul(at_a0.footprint, splat(0.25f32)), splat(1.0f32)), splat(0.0f32)), splat(1.0f32)));
-} }
-lanes! { fn with_table(r: &Resources<'_>, at_a0: &Entered, seen_a1: &SeenNormals, table_a2: &SeenTable, part_a3: F) -> SeenNormals {
-    let mut blended_v0: SeenNormals = zero_seen_normals();
-    blended_v0 = *seen_a1;
-    let before_7 = Vec3 { x: mul(seen_a1.normal.x, seen_a1.length), y: mul(seen_a1.normal.y, seen_a1.length), z: mul(seen_a1.normal.z, seen_a1.length) };
-    let e_9 = from_tangent_space(r, at_a0, Vec3 { x: table_a2.mean.x, y: table_a2.mean.y, z: table_a2.mean.z });
-    let mean_12 = Vec3 { x: add(before_7.x, mul(sub(e_9.x, before_7.x), part_a3)), y: add(before_7.y, mul(sub(e_9.y, before_7.y), part_a3)), z: add(before_7.z, mul(sub(e_9.z, before_7.z), part_a3)) };
-    let length1 = sqrt(add(add(mul(mean_12.x, mean_12.x), mul(mean_12.y, mean_12.y)), mul(mean_12.z, mean_12.z)));
-    let e_14 = Vec3 { x: div(mean_12.x, length1), y: div(mean_12.y, length1), z: div(mean_12.z, length1) };
-    blended_v0.normal = e_14;
-    blended_v0.length = min_with(sqrt(add(add(mul(mean_12.x, mean_12.x), mul(mean_12.y, mean_12.y)), mul(mean_12.z, mean_12.z))), splat(1.0f32));
-    blended_v0.table_part = part_a3;
-    blended_v0.table = *table_a2;
-    let e_21 = blended_v0;
-    return e_21;
-} }
-lanes! { fn seen_between(r: &Resources<'_>, a_a0: &SeenTexel, b_a1: &SeenTexel, part_a2: F) -> SeenTexel {
-    return SeenTexel { first: Vec4 { x: add(a_a0.first.x, mul(sub(b_a1.first.x, a_a0.first.x), part_a2)), y: add(a_a0.first.y, mul(sub(b_a1.first.y, a_a0.first.y), part_a2)), z: add(a_a0.first.z, mul(sub(b_a1.first.z, a_a0.first.z), part_a2)), w: add(a_a0.first.w, mul(sub(b_a1.first.w, a_a0.first.w), part_a2)) }, second: Vec4 { x: add(a_a0.second.x, mul(sub(b_a1.second.x, a_a0.second.x), part_a2)), y: add(a_a0.second.y, mul(sub(b_a1.second.y, a_a0.second.y), part_a2)), z: add(a_a0.second.z, mul(sub(b_a1.second.z, a_a0.second.z), part_a2)), w: add(a_a0.second.w, mul(sub(b_a1.second.w, a_a0.second.w), part_a2)) }, };
-} }
-lanes! { fn seen_texel(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, azimuth_a1: I, elevation_a2: I, level_a3: U) -> SeenTexel {
-    let mut ex = within;
-    let mut ret: SeenTexel = zero_seen_texel();
-    let layer_8 = mul_i(splat_i(2i32), add_i(mul_i(azimuth_a1, splat_i(4i32)), elevation_a2));
-    let e_9 = detail_texel_between(r, ex, uv_a0, layer_8, level_a3);
-    let e_12 = detail_texel_between(r, ex, uv_a0, add_i(layer_8, splat_i(1i32)), level_a3);
-    return SeenTexel { first: e_9, second: e_12, };
-} }
-lanes! { fn seen_in_levels(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, azimuth_a1: I, elevation_a2: I, levels_a3: &Levels) -> SeenTexel {
-    let mut ex = within;
-    let mut ret: SeenTexel = zero_seen_texel();
-    let fine_5 = seen_texel(r, ex, uv_a0, azimuth_a1, elevation_a2, levels_a3.fine);
-    let (b1, c2) = (ex, gt(levels_a3.part, splat(0.0f32)));
-    ex = and(b1, c2);
-    if any(ex) {
-        let e_12 = seen_texel(r, ex, uv_a0, azimuth_a1, elevation_a2, add_u(levels_a3.fine, splat_u(1u32)));
-        let e_14 = seen_between(r, &fine_5, &e_12, levels_a3.part);
-        ret = e_14;
-        ex = no_lane();
-    }
-    ex = and_not(b1, c2);
-    return sel_seen_texel(ex, &fine_5, &ret);
-} }
-lanes! { fn table_of(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, view_a2: Vec3<F>, levels_a3: &Levels) -> SeenTable {
-    let mut ex = within;
-    let mut ret: SeenTable = zero_seen_table();
-    let change_4 = climb(r, at_a0, view_a2);
-    let toward_17 = Vec3 { x: mul(change_4.x, splat(r.surface_settings.maps[0].tile_m.x)), y: mul(change_4.y, splat(r.surface_settings.maps[0].tile_m.y)), z: mul(change_4.z, splat(r.surface_settings.scale_m)) };
-    let up_20 = div(toward_17.z, sqrt(add(add(mul(toward_17.x, toward_17.x), mul(toward_17.y, toward_17.y)), mul(toward_17.z, toward_17.z))));
-    let elevation_27 = min_with(max_with(sub(mul(up_20, splat(4.0f32)), splat(1.0f32)), splat(0.0f32)), splat(3.0f32));
-    let e_29 = turn_of(r, ex, Vec2 { x: toward_17.x, y: toward_17.y });
-    let azimuth_31 = mul(e_29, splat(8.0f32));
-    let a0_35 = rem_i(i_of_f(floor(azimuth_31)), splat_i(8i32));
-    let a1_39 = rem_i(add_i(a0_35, splat_i(1i32)), splat_i(8i32));
-    let e0_41 = i_of_f(floor(elevation_27));
-    let e1_45 = min_i(add_i(e0_41, splat_i(1i32)), splat_i(3i32));
-    let across_47 = sub(azimuth_31, floor(azimuth_31));
-    let e_48 = seen_in_levels(r, ex, uv_a1, a0_35, e0_41, levels_a3);
-    let e_49 = seen_in_levels(r, ex, uv_a1, a1_39, e0_41, levels_a3);
-    let low_50 = seen_between(r, &e_48, &e_49, across_47);
-    let e_51 = seen_in_levels(r, ex, uv_a1, a0_35, e1_45, levels_a3);
-    let e_52 = seen_in_levels(r, ex, uv_a1, a1_39, e1_45, levels_a3);
-    let high_53 = seen_between(r, &e_51, &e_52, across_47);
-    let seen_56 = seen_between(r, &low_50, &high_53, sub(elevation_27, floor(elevation_27)));
-    let length1 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
-    let e_59 = Vec3 { x: div(at_a0.tangent.x, length1), y: div(at_a0.tangent.y, length1), z: div(at_a0.tangent.z, length1) };
-    let x_66 = div(mul(splat(r.surface_settings.maps[0].tile_m.x), add(add(add(mul(e_59.x, at_a0.tangent.x), mul(e_59.y, at_a0.tangent.y)), mul(e_59.z, at_a0.tangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)), splat(0.0f32)));
-    let length2 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
-    let e_69 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
-    let y_76 = div(mul(splat(r.surface_settings.maps[0].tile_m.y), add(add(add(mul(e_69.x, at_a0.bitangent.x), mul(e_69.y, at_a0.bitangent.y)), mul(e_69.z, at_a0.bitangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)), splat(0.0f32)));
-    let flatter_84 = Vec3 { x: mul(seen_56.first.x, x_66), y: mul(seen_56.first.y, y_76), z: seen_56.first.z };
-    let squared_87 = div(add(add(add(mul(seen_56.first.x, seen_56.first.x), mul(seen_56.first.y, seen_56.first.y)), mul(seen_56.first.z, seen_56.first.z)), splat(0.0f32)), add(add(add(mul(flatter_84.x, flatter_84.x), mul(flatter_84.y, flatter_84.y)), mul(flatter_84.z, flatter_84.z)), splat(0.0f32)));
-    let upright_96 = max_with(sub(sub(splat(1.0f32), seen_56.first.w), seen_56.second.y), splat(0.0f32));
-    let e_97 = sqrt(squared_87);
-    return SeenTable { mean: Vec3 { x: mul(flatter_84.x, e_97), y: mul(flatter_84.y, e_97), z: mul(flatter_84.z, e_97) }, squares: Vec3 { x: mul(mul(mul(seen_56.first.w, x_66), x_66), squared_87), y: mul(mul(mul(seen_56.second.y, y_76), y_76), squared_87), z: mul(upright_96, squared_87) }, products: Vec3 { x: mul(mul(mul(seen_56.second.x, x_66), y_76), squared_87), y: mul(mul(seen_56.second.z, x_66), squared_87), z: mul(mul(seen_56.second.w, y_76), squared_87) }, };
-} }
-lanes! { fn mesostructure_normals(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, view_a2: Vec3<F>) -> SeenNormals {
-    let mut ex = within;
-    let mut ret: SeenNormals = zero_seen_normals();
-    let mut both_v0: M = splat_m(false);
-    let mut first_v1: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let mut second_v2: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    if (r.surface_settings.has_vertex_normals == 1u32) {
-        let e_9 = one_seen(r, Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z });
-        return e_9;
-    }
-    let upright_11 = add(add(add(mul(at_a0.normal.x, view_a2.x), mul(at_a0.normal.y, view_a2.y)), mul(at_a0.normal.z, view_a2.z)), splat(0.0f32));
-    let shown_13 = max_with(upright_11, splat(0.5f32));
-    let width_18 = add(shown_13, mul(sub(splat(1.0f32), shown_13), at_a0.fade));
-    let texels_24 = mul(mul(at_a0.footprint, splat(r.surface_settings.normal_texels)), width_18);
-    let levels_28 = levels_of(r, ex, texels_24, r.surface_settings.normal_levels);
-    both_v0 = and(eq_u(levels_28.fine, splat_u(0u32)), not(gt(levels_28.part, splat(0.0f32))));
-    let e_39 = both_v0;
-    let (b1, c2) = (ex, e_39);
-    ex = and(b1, c2);
-    if any(ex) {
-        let e_40 = finest_normal(r, ex, at_a0, uv_a1);
-        let e_41 = one_seen(r, e_40);
-        ret = e_41;
-        ex = no_lane();
-    }
-    ex = and_not(b1, c2);
-    if none(ex) { return ret; }
-    let fine_43 = normals_of_level(r, ex, at_a0, uv_a1, levels_28.fine);
-    first_v1 = Vec4 { x: fine_43.first.x, y: fine_43.first.y, z: fine_43.first.z, w: fine_43.first.w };
-    second_v2 = Vec4 { x: fine_43.second.x, y: fine_43.second.y, z: fine_43.second.z, w: fine_43.second.w };
-    let (b3, c4) = (ex, gt(levels_28.part, splat(0.0f32)));
-    ex = and(b3, c4);
-    if any(ex) {
-        let coarse_54 = normals_of_level(r, ex, at_a0, uv_a1, add_u(levels_28.fine, splat_u(1u32)));
-        let e_55 = first_v1;
-        let e_57 = first_v1;
-        let (m5, y6) = (ex, Vec4 { x: add(e_55.x, mul(sub(coarse_54.first.x, e_57.x), levels_28.part)), y: add(e_55.y, mul(sub(coarse_54.first.y, e_57.y), levels_28.part)), z: add(e_55.z, mul(sub(coarse_54.first.z, e_57.z), levels_28.part)), w: add(e_55.w, mul(sub(coarse_54.first.w, e_57.w), levels_28.part)) });
-        first_v1 = Vec4 { x: sel(m5, y6.x, first_v1.x), y: sel(m5, y6.y, first_v1.y), z: sel(m5, y6.z, first_v1.z), w: sel(m5, y6.w, first_v1.w) };
-        let e_62 = second_v2;
-        let e_64 = second_v2;
-        let (m7, y8) = (ex, Vec4 { x: add(e_62.x, mul(sub(coarse_54.second.x, e_64.x), levels_28.part)), y: add(e_62.y, mul(sub(coarse_54.second.y, e_64.y), levels_28.part)), z: add(e_62.z, mul(sub(coarse_54.second.z, e_64.z), levels_28.part)), w: add(e_62.w, mul(sub(coarse_54.second.w, e_64.w), levels_28.part)) });
-        second_v2 = Vec4 { x: sel(m7, y8.x, second_v2.x), y: sel(m7, y8.y, second_v2.y), z: sel(m7, y8.z, second_v2.z), w: sel(m7, y8.w, second_v2.w) };
-    }
-    ex = b3;
-    let e_69 = first_v1;
-    let e_70 = second_v2;
-    let seen_72 = seen_normals(r, at_a0, &Normals { first: e_69, second: e_70, }, view_a2);
-    let part_73 = table_part(r, at_a0);
-    let (b9, c10) = (ex, gt(part_73, splat(0.0f32)));
-    ex = and(b9, c10);
-    if any(ex) {
-        let of_table_80 = levels_of(r, ex, at_a0.footprint, r.surface_settings.height_levels);
-        let e_81 = has_table(r, &of_table_80);
-        let (b11, c12) = (ex, e_81);
-        ex = and(b11, c12);
-        if any(ex) {
-            let e_82 = table_of(r, ex, at_a0, uv_a1, view_a2, &of_table_80);
-            let e_83 = with_table(r, at_a0, &seen_72, &e_82, part_73);
-            ret = sel_seen_normals(ex, &e_83, &ret);
-            ex = no_lane();
-        }
-        ex = and_not(b11, c12);
-    }
-    let x13 = ex;
-    ex = and_not(b9, c10);
-    ex = or(ex, x13);
-    return sel_seen_normals(ex, &seen_72, &ret);
 } }
 stage! { fn shadow_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> F {
     if none(within) { return splat(0f32); }
@@ -5660,41 +5955,41 @@ lanes! { fn shadow_scene(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, light
 lanes! { fn shadow_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
-    match r.surface_settings.choices[8].number {
+    match r.surface_settings.choices[9].number {
         0u32 => {
-            let e_13 = shadow_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
+            let e_13 = shadow_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[9].params);
             return e_13;
         }
         1u32 => {
-            let e_19 = shadow_none(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
+            let e_19 = shadow_none(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[9].params);
             return e_19;
         }
         2u32 => {
-            let e_25 = shadow_entry(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
+            let e_25 = shadow_entry(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[9].params);
             return e_25;
         }
         3u32 => {
-            let e_31 = shadow_soft(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
+            let e_31 = shadow_soft(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[9].params);
             return e_31;
         }
         4u32 => {
-            let e_37 = shadow_heuristic(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
+            let e_37 = shadow_heuristic(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[9].params);
             return e_37;
         }
         5u32 => {
-            let e_43 = shadow_horizon(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
+            let e_43 = shadow_horizon(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[9].params);
             return e_43;
         }
         6u32 => {
-            let e_49 = shadow_visibility(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
+            let e_49 = shadow_visibility(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[9].params);
             return e_49;
         }
         7u32 => {
-            let e_55 = shadow_map(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
+            let e_55 = shadow_map(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[9].params);
             return e_55;
         }
         _ => {
-            let e_61 = shadow_scene(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
+            let e_61 = shadow_scene(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[9].params);
             return e_61;
         }
     }
@@ -5829,24 +6124,24 @@ lanes! { fn occlusion_roughness_metalness(r: &Resources<'_>, within: M, uv_a0: V
 stage! { pub(super) fn pixel_eye(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
     return Vec3 { x: add(add(splat(r.frame.eye.x), mul(splat(r.frame.eye_right.x), pixel_a0.x)), mul(splat(r.frame.eye_down.x), pixel_a0.y)), y: add(add(splat(r.frame.eye.y), mul(splat(r.frame.eye_right.y), pixel_a0.x)), mul(splat(r.frame.eye_down.y), pixel_a0.y)), z: add(add(splat(r.frame.eye.z), mul(splat(r.frame.eye_right.z), pixel_a0.x)), mul(splat(r.frame.eye_down.z), pixel_a0.y)) };
 } }
-lanes! { fn placed_over(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Entered {
+lanes! { fn placed_over(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
     let mut placed_v0: Entered = zero_entered();
-    let aside_3 = Vec2 { x: sub(uv_a1.x, at_a0.uv.x), y: sub(uv_a1.y, at_a0.uv.y) };
-    let e_11 = height_at_ll(r, ex, uv_a1, at_a0.level);
-    let height_13 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), e_11));
+    let aside_4 = Vec2 { x: sub(hit_a1.uv.x, at_a0.uv.x), y: sub(hit_a1.uv.y, at_a0.uv.y) };
+    let level_7 = field_height_stage(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, hit_a1.height, at_a0.level);
+    let height_15 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), level_7));
     placed_v0 = *at_a0;
-    placed_v0.point = Vec3 { x: add(add(add(at_a0.point.x, mul(at_a0.tangent.x, aside_3.x)), mul(at_a0.bitangent.x, aside_3.y)), mul(at_a0.normal.x, height_13)), y: add(add(add(at_a0.point.y, mul(at_a0.tangent.y, aside_3.x)), mul(at_a0.bitangent.y, aside_3.y)), mul(at_a0.normal.y, height_13)), z: add(add(add(at_a0.point.z, mul(at_a0.tangent.z, aside_3.x)), mul(at_a0.bitangent.z, aside_3.y)), mul(at_a0.normal.z, height_13)) };
-    placed_v0.uv = uv_a1;
-    let e_29 = placed_v0;
-    return e_29;
+    placed_v0.point = Vec3 { x: add(add(add(at_a0.point.x, mul(at_a0.tangent.x, aside_4.x)), mul(at_a0.bitangent.x, aside_4.y)), mul(at_a0.normal.x, height_15)), y: add(add(add(at_a0.point.y, mul(at_a0.tangent.y, aside_4.x)), mul(at_a0.bitangent.y, aside_4.y)), mul(at_a0.normal.y, height_15)), z: add(add(add(at_a0.point.z, mul(at_a0.tangent.z, aside_4.x)), mul(at_a0.bitangent.z, aside_4.y)), mul(at_a0.normal.z, height_15)) };
+    placed_v0.uv = Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y };
+    let e_31 = placed_v0;
+    return e_31;
 } }
 lanes! { fn surface_plane_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
-    let e_6 = placed_over(r, ex, at_a1, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
-    return e_6;
+    let e_5 = placed_over(r, ex, at_a1, hit_a3);
+    return e_5;
 } }
 lanes! { fn placed_at(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, weights_a2: Vec3<F>, point_a3: Vec3<F>, uv_a4: Vec2<F>) -> Entered {
     let mut placed_v0: Entered = zero_entered();
@@ -5929,19 +6224,19 @@ lanes! { fn surface_quadric_vertical_place(r: &Resources<'_>, within: M, pixel_a
     let mut ret: Entered = zero_entered();
     let mut placed_v0: Entered = zero_entered();
     let aside_7 = Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) };
-    let e_16 = height_at_ll(r, ex, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, at_a1.level);
-    let height_18 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), e_16));
-    let e_19 = r.base_height();
-    let e_23 = r.traced_scale_m();
-    let e_27 = quadric_at(r, Vec3 { x: at_a1.of_surface.x, y: at_a1.of_surface.y, z: at_a1.of_surface.z }, aside_7);
-    let lifted_28 = add(mul(sub(splat(e_19), at_a1.of_surface.w), splat(e_23)), e_27);
-    let e_29 = quadric_frame(r, ex, at_a1, aside_7);
-    placed_v0 = e_29;
-    let e_42 = add(height_18, lifted_28);
-    placed_v0.point = Vec3 { x: add(add(add(at_a1.point.x, mul(at_a1.tangent.x, aside_7.x)), mul(at_a1.bitangent.x, aside_7.y)), mul(at_a1.normal.x, e_42)), y: add(add(add(at_a1.point.y, mul(at_a1.tangent.y, aside_7.x)), mul(at_a1.bitangent.y, aside_7.y)), mul(at_a1.normal.y, e_42)), z: add(add(add(at_a1.point.z, mul(at_a1.tangent.z, aside_7.x)), mul(at_a1.bitangent.z, aside_7.y)), mul(at_a1.normal.z, e_42)) };
+    let level_11 = field_height_stage(r, ex, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, hit_a3.height, at_a1.level);
+    let height_19 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), level_11));
+    let e_20 = r.base_height();
+    let e_24 = r.traced_scale_m();
+    let e_28 = quadric_at(r, Vec3 { x: at_a1.of_surface.x, y: at_a1.of_surface.y, z: at_a1.of_surface.z }, aside_7);
+    let lifted_29 = add(mul(sub(splat(e_20), at_a1.of_surface.w), splat(e_24)), e_28);
+    let e_30 = quadric_frame(r, ex, at_a1, aside_7);
+    placed_v0 = e_30;
+    let e_43 = add(height_19, lifted_29);
+    placed_v0.point = Vec3 { x: add(add(add(at_a1.point.x, mul(at_a1.tangent.x, aside_7.x)), mul(at_a1.bitangent.x, aside_7.y)), mul(at_a1.normal.x, e_43)), y: add(add(add(at_a1.point.y, mul(at_a1.tangent.y, aside_7.x)), mul(at_a1.bitangent.y, aside_7.y)), mul(at_a1.normal.y, e_43)), z: add(add(add(at_a1.point.z, mul(at_a1.tangent.z, aside_7.x)), mul(at_a1.bitangent.z, aside_7.y)), mul(at_a1.normal.z, e_43)) };
     placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
-    let e_47 = placed_v0;
-    return e_47;
+    let e_48 = placed_v0;
+    return e_48;
 } }
 stage! { fn surface_tetrahedra_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
     let mut ex = within;
@@ -5988,8 +6283,8 @@ lanes! { fn surface_facets_place(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &
 lanes! { fn surface_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
-    let e_6 = placed_over(r, ex, at_a1, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
-    return e_6;
+    let e_5 = placed_over(r, ex, at_a1, hit_a3);
+    return e_5;
 } }
 lanes! { fn placed_in_image(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
     let mut ex = within;
@@ -6162,7 +6457,7 @@ stage! { pub(super) fn ray_to_light(r: &Resources<'_>, within: M, at_a0: &Entere
     let mut ex = within;
     let mut ret: LightRay = zero_light_ray();
     let e_5 = point_of_light(r, at_a0, hit_a1, number_a2, k_a3, count_a4);
-    let e_6 = light_ray(r, ex, at_a0, hit_a1, &e_5);
+    let e_6 = field_light_ray_stage(r, ex, at_a0, hit_a1, &e_5);
     return e_6;
 } }
 lanes! { fn shade_blinn_phong_material(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, mean_a3: F, view_a4: Vec3<F>, color_a5: Vec3<F>, params_a6: Vec4<f32>) -> Material {
@@ -6224,13 +6519,13 @@ lanes! { fn shade_metallic_roughness_material(r: &Resources<'_>, within: M, at_a
 lanes! { fn shade_material_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, mean_a3: F, view_a4: Vec3<F>, color_a5: Vec3<F>) -> Material {
     let mut ex = within;
     let mut ret: Material = zero_material();
-    match r.surface_settings.choices[7].number {
+    match r.surface_settings.choices[8].number {
         0u32 => {
-            let e_16 = shade_blinn_phong_material(r, at_a0, hit_a1, normal_a2, mean_a3, view_a4, color_a5, r.surface_settings.choices[7].params);
+            let e_16 = shade_blinn_phong_material(r, at_a0, hit_a1, normal_a2, mean_a3, view_a4, color_a5, r.surface_settings.choices[8].params);
             return e_16;
         }
         _ => {
-            let e_22 = shade_metallic_roughness_material(r, ex, at_a0, hit_a1, normal_a2, mean_a3, view_a4, color_a5, r.surface_settings.choices[7].params);
+            let e_22 = shade_metallic_roughness_material(r, ex, at_a0, hit_a1, normal_a2, mean_a3, view_a4, color_a5, r.surface_settings.choices[8].params);
             return e_22;
         }
     }
@@ -6376,13 +6671,13 @@ lanes! { fn shade_metallic_roughness_light(r: &Resources<'_>, within: M, materia
 lanes! { fn shade_light_stage(r: &Resources<'_>, within: M, material_a0: &Material, normal_a1: Vec3<F>, mean_a2: F, cosine_a3: F, view_a4: Vec3<F>, toward_a5: Vec3<F>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    match r.surface_settings.choices[7].number {
+    match r.surface_settings.choices[8].number {
         0u32 => {
-            let e_16 = shade_blinn_phong_light(r, ex, material_a0, normal_a1, mean_a2, cosine_a3, view_a4, toward_a5, r.surface_settings.choices[7].params);
+            let e_16 = shade_blinn_phong_light(r, ex, material_a0, normal_a1, mean_a2, cosine_a3, view_a4, toward_a5, r.surface_settings.choices[8].params);
             return e_16;
         }
         _ => {
-            let e_22 = shade_metallic_roughness_light(r, ex, material_a0, normal_a1, mean_a2, cosine_a3, view_a4, toward_a5, r.surface_settings.choices[7].params);
+            let e_22 = shade_metallic_roughness_light(r, ex, material_a0, normal_a1, mean_a2, cosine_a3, view_a4, toward_a5, r.surface_settings.choices[8].params);
             return e_22;
         }
     }
@@ -6433,18 +6728,18 @@ stage! { pub(super) fn shade_hit(r: &Resources<'_>, within: M, origin_a0: Vec3<F
     }
     ex = and_not(b1, c2);
     if none(ex) { return ret; }
-    let height_44 = height_at_ll(r, ex, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, at_a1.level);
-    let e_46 = Vec3 { x: sub(origin_a0.x, at_a1.point.x), y: sub(origin_a0.y, at_a1.point.y), z: sub(origin_a0.z, at_a1.point.z) };
-    let length3 = sqrt(add(add(mul(e_46.x, e_46.x), mul(e_46.y, e_46.y)), mul(e_46.z, e_46.z)));
-    let view_47 = Vec3 { x: div(e_46.x, length3), y: div(e_46.y, length3), z: div(e_46.z, length3) };
-    let seen_49 = mesostructure_normals(r, ex, at_a1, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, view_47);
-    let e_50 = object_color_stage(r, ex, at_a1, hit_a2, view_47);
-    let color_51 = reflected_light(r, ex, at_a1, hit_a2, &seen_49, view_47, e_50, visible_a3);
+    let height_45 = field_height_stage(r, ex, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, hit_a2.height, at_a1.level);
+    let e_47 = Vec3 { x: sub(origin_a0.x, at_a1.point.x), y: sub(origin_a0.y, at_a1.point.y), z: sub(origin_a0.z, at_a1.point.z) };
+    let length3 = sqrt(add(add(mul(e_47.x, e_47.x), mul(e_47.y, e_47.y)), mul(e_47.z, e_47.z)));
+    let view_48 = Vec3 { x: div(e_47.x, length3), y: div(e_47.y, length3), z: div(e_47.z, length3) };
+    let seen_49 = field_normals_stage(r, ex, at_a1, hit_a2, view_48);
+    let e_50 = object_color_stage(r, ex, at_a1, hit_a2, view_48);
+    let color_51 = reflected_light(r, ex, at_a1, hit_a2, &seen_49, view_48, e_50, visible_a3);
     let depth_58 = add(add(add(mul(sub(at_a1.point.x, origin_a0.x), splat(r.frame.forward.x)), mul(sub(at_a1.point.y, origin_a0.y), splat(r.frame.forward.y))), mul(sub(at_a1.point.z, origin_a0.z), splat(r.frame.forward.z))), splat(0.0f32));
     let e_61 = height_size(r, splat_u(0u32));
     let cell_67 = cell_of(r, Vec2 { x: sub(mul(hit_a2.uv.x, e_61.x), splat(0.5f32)), y: sub(mul(hit_a2.uv.y, e_61.y), splat(0.5f32)) });
     let e_87 = z_of(r, at_a1.depth);
-    return sel_pixel_out(ex, &PixelOut { color: Vec4 { x: color_51.x, y: color_51.y, z: color_51.z, w: splat(1.0f32) }, hit: splat_u(1u32), exhausted: hit_a2.exhausted, uv: Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, height: height_44, position: Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z }, normal: Vec3 { x: seen_49.normal.x, y: seen_49.normal.y, z: seen_49.normal.z }, depth: depth_58, t: hit_a2.t, cell: Vec2 { x: i_of_small(cell_67.x), y: i_of_small(cell_67.y) }, reads: hit_a2.cost.x, steps: hit_a2.cost.y, bytes: hit_a2.cost.z, lit: visible_a3[0].x, level: at_a1.level, z: e_87, surface: splat_u(r.surface_settings.number), }, &ret);
+    return sel_pixel_out(ex, &PixelOut { color: Vec4 { x: color_51.x, y: color_51.y, z: color_51.z, w: splat(1.0f32) }, hit: splat_u(1u32), exhausted: hit_a2.exhausted, uv: Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, height: height_45, position: Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z }, normal: Vec3 { x: seen_49.normal.x, y: seen_49.normal.y, z: seen_49.normal.z }, depth: depth_58, t: hit_a2.t, cell: Vec2 { x: i_of_small(cell_67.x), y: i_of_small(cell_67.y) }, reads: hit_a2.cost.x, steps: hit_a2.cost.y, bytes: hit_a2.cost.z, lit: visible_a3[0].x, level: at_a1.level, z: e_87, surface: splat_u(r.surface_settings.number), }, &ret);
 } }
 stage! { pub(super) fn visible_light(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, number_a2: u32) -> F {
     let mut ex = within;

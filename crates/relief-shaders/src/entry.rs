@@ -7,6 +7,7 @@
 use relief_core::FoundState;
 use relief_core::registry::{Guarantees, MAX_PARAMS, MapInput, Param, Publication, UnknownName, Weakened};
 
+use crate::field::Solids;
 use crate::geometry::GeometryRole;
 use crate::object::ObjectRole;
 use crate::shadow::ShadowRole;
@@ -55,6 +56,8 @@ pub enum Role {
     NearSurface,
     /// An object: the solid that its images show.
     Object(ObjectRole),
+    /// A field that is a volume, and no heights.
+    Volume,
     /// A level of detail in which relief is flatter with distance.
     Flattened,
     /// A search or a refinement: the paths that it serves.
@@ -78,14 +81,21 @@ pub struct TracingRole {
     pub serves_images: bool,
     /// Whether it reads heights at sample points alone, and assumes nothing between them.
     pub only_samples: bool,
+    /// The solids that it finds.
+    pub solids: Solids,
     /// Whether it finds a hit between a slice that is drawn and the one before it.
     pub joins_slices: bool,
 }
 
 impl TracingRole {
     /// A search or a refinement for paths over a relief alone.
-    pub const PLAIN: Self =
-        Self { is_reference: false, serves_images: false, only_samples: false, joins_slices: false };
+    pub const PLAIN: Self = Self {
+        is_reference: false,
+        serves_images: false,
+        only_samples: false,
+        solids: Solids::Heights,
+        joins_slices: false,
+    };
 }
 
 /// A variant of another stage that is chosen together with one.
@@ -175,16 +185,21 @@ impl Entry {
         }
     }
 
+    /// Whether it is a volume as a field.
+    pub const fn is_volume(&self) -> bool {
+        matches!(self.role, Role::Volume)
+    }
+
     /// Whether it is a level of detail in which relief is flatter with distance.
     pub const fn flattens(&self) -> bool {
         matches!(self.role, Role::Flattened)
     }
 
-    /// Returns the paths that it serves as a search or a refinement: by default those over a
-    /// relief.
+    /// Returns the paths that it serves as a search or a refinement: by default paths over heights.
     pub const fn tracing(&self) -> TracingRole {
         match self.role {
             Role::Tracing(tracing) => tracing,
+            Role::Idle => TracingRole { solids: Solids::Both, ..TracingRole::PLAIN },
             _ => TracingRole::PLAIN,
         }
     }

@@ -1,7 +1,7 @@
 //! Per-pixel displacement mapping as shaders: stages, each variant written once in WESL, linked to plain WGSL
 //! for GPUs and translated to Rust for CPUs.
 //!
-//! * [`STAGES`] is the table of the stages; [`geometry`], [`surface`], [`detail`], [`search`], [`refine`],
+//! * [`STAGES`] is the table of the stages; [`geometry`], [`surface`], [`field`], [`detail`], [`search`], [`refine`],
 //!   [`shade`], [`shadow`], [`ambient`], [`mod@slice`] and [`object`] list their variants, one file each
 //!   beside its shader.
 //! * [`METHODS`] names pairs of search and refinement; [`procedure`] has formulas that fill height maps.
@@ -23,6 +23,7 @@ pub mod bindings;
 pub mod cpu;
 pub mod detail;
 mod entry;
+pub mod field;
 pub mod geometry;
 #[path = "../generated/declarations.rs"]
 #[rustfmt::skip]
@@ -53,8 +54,8 @@ pub use methods::{Family, METHODS, Method, method};
 pub use selection::{Choice, Selection, SelectionError};
 pub use slots::MapSlot;
 pub use stages::{
-    AMBIENT, Call, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, SLICES, STAGES,
-    SURFACE, Stage, stage, stage_of_setting,
+    AMBIENT, Call, DETAIL, FIELD, GEOMETRY, OBJECT, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, SLICES,
+    STAGES, SURFACE, Stage, stage, stage_of_setting,
 };
 pub use variants::Variants;
 

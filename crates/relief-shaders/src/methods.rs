@@ -5,7 +5,7 @@ use relief_core::registry::{Publication, UnknownName};
 
 use crate::object::BLENDED_COLORS;
 use crate::slice::SliceDirection;
-use crate::stages::{GEOMETRY, STAGES, entry_place};
+use crate::stages::{GEOMETRY, SEARCH, STAGES, entry_place};
 use crate::{DEPTH_OBJECTS, SURVEY, object, slice};
 
 /// A published pair of search and refinement, or a geometry without a search: displaced triangles,
@@ -37,6 +37,8 @@ pub enum Family {
     Slices,
     /// Objects of images with depth.
     Object,
+    /// Rays into a volume on a base.
+    Volume,
 }
 
 impl Family {
@@ -46,18 +48,23 @@ impl Family {
             Family::Ray => "ray",
             Family::Slices => "slices",
             Family::Object => "object",
+            Family::Volume => "volume",
         }
     }
 }
 
 impl Method {
-    /// Whether it shows height maps on meshes, and not objects of images.
+    /// Whether it shows height maps on meshes, and neither objects of images nor volumes.
     pub fn is_of_reliefs(&self) -> bool {
-        self.family() != Family::Object
+        matches!(self.family(), Family::Ray | Family::Slices)
     }
 
     /// Returns the family that it belongs to.
     pub fn family(&self) -> Family {
+        let search = STAGES[SEARCH].first(|entry| entry.name == self.search);
+        if search.is_some_and(|(_, entry)| !entry.tracing().solids.has_heights()) {
+            return Family::Volume;
+        }
         let geometry = STAGES[GEOMETRY].first(|entry| entry.name == self.geometry);
         geometry.map_or(Family::Ray, |(_, entry)| entry.geometry().family)
     }
@@ -224,6 +231,14 @@ pub static METHODS: &[Method] = &[
         DEFAULTS,
         "4.4.3",
         "relaxed cone stepping: over wider cones to a bracket, then binary search",
+    ),
+    survey(
+        "voxels",
+        "voxels",
+        "trilinear",
+        DEFAULTS,
+        "5.2",
+        "the first hit with a volume: grass, mail and cloth, voxel by voxel",
     ),
     Method {
         name: "relaxed",

@@ -128,6 +128,9 @@ impl Selection {
         if place == GEOMETRY {
             *self = self.with_companions_of_geometry()?;
         }
+        if place == SEARCH {
+            *self = self.with_field_of_search();
+        }
         if place == SEARCH || place == SHADOW {
             *self = self.with_search_for_shadows();
         }

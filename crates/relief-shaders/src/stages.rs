@@ -5,7 +5,7 @@ use relief_core::registry::RayClass;
 
 use crate::entry::Entry;
 use crate::slots::MapSlot;
-use crate::{ambient, detail, geometry, object, refine, search, shade, shadow, slice, surface};
+use crate::{ambient, detail, field, geometry, object, refine, search, shade, shadow, slice, surface};
 
 /// A stage: a list of variants that do the same task in different ways.
 ///
@@ -57,7 +57,7 @@ const fn only(inputs: &'static [(&'static str, &'static str)], returns: &'static
 }
 
 /// All stages, in the order in which a pixel goes through them.
-pub static STAGES: [Stage; 11] = [
+pub static STAGES: [Stage; 12] = [
     Stage {
         key: "geometry",
         folder: "geometry",
@@ -123,6 +123,36 @@ pub static STAGES: [Stage; 11] = [
                 name: "color",
                 inputs: &[("at", "Entered"), ("hit", "Hit"), ("view", "vec3f")],
                 returns: "vec3f",
+            },
+        ],
+        slot: None,
+        rays: &[],
+    },
+    Stage {
+        key: "field",
+        folder: "field",
+        title: "field",
+        plural: "fields",
+        entries: field::ENTRIES,
+        chosen_as: Some("kind"),
+        calls: &[
+            Call { name: "gap", inputs: &[("path", "Path"), ("t", "f32")], returns: "f32" },
+            Call { name: "cost", inputs: &[("level", "u32")], returns: "vec3u" },
+            Call { name: "is_ground", inputs: &[("level", "u32")], returns: "bool" },
+            Call {
+                name: "height",
+                inputs: &[("uv", "vec2f"), ("height", "f32"), ("level", "u32")],
+                returns: "f32",
+            },
+            Call {
+                name: "normals",
+                inputs: &[("at", "Entered"), ("hit", "Hit"), ("view", "vec3f")],
+                returns: "SeenNormals",
+            },
+            Call {
+                name: "light_ray",
+                inputs: &[("at", "Entered"), ("hit", "Hit"), ("light", "Toward")],
+                returns: "LightRay",
             },
         ],
         slot: None,
@@ -257,6 +287,9 @@ pub const SLICES: usize = place("slices");
 
 /// Place of the stage `object` in [`STAGES`].
 pub const OBJECT: usize = place("object");
+
+/// Place of the stage `field` in [`STAGES`].
+pub const FIELD: usize = place("field");
 
 /// Place of the stage `detail` in [`STAGES`].
 pub const DETAIL: usize = place("detail");

@@ -8,6 +8,12 @@ use crate::stages::STAGES;
 #[derive(Clone, Debug)]
 pub struct Variants(Vec<&'static Entry>);
 
+impl PartialEq for Variants {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.iter().map(|entry| entry.name).eq(other.0.iter().map(|entry| entry.name))
+    }
+}
+
 impl Variants {
     /// Returns the variants of the stage at `place` in [`STAGES`] for which `is_named` holds.
     ///

@@ -32,6 +32,10 @@
 //!
 #![cfg_attr(all(feature = "render", not(doctest)), doc = concat!("```\n", include_str!("../examples/render.rs"), "```"))]
 //!
+//! # Render a volume on a mesh
+//!
+#![cfg_attr(all(feature = "render", not(doctest)), doc = concat!("```\n", include_str!("../examples/volume.rs"), "```"))]
+//!
 //! # Bake the maps of a material
 //!
 #![cfg_attr(all(feature = "bake", feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/material.rs"), "```"))]

@@ -11,6 +11,7 @@ pub mod probes;
 pub mod rays;
 pub mod search;
 pub mod smooth_base;
+pub mod volumes;
 
 /// Number of adversarial rays that a test sends through each map in each wrap. Tests that cost more a ray take a
 /// fraction of it. All test times scale with it: 25,000 makes 1.2 million rays over [`maps::ALL`] in the

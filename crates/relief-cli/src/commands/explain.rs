@@ -242,6 +242,9 @@ impl Arguments {
         if surface.object().is_some() {
             return Err(Failure::usage("a depth object: only methods over height maps are drawn"));
         }
+        if surface.volume().is_some() {
+            return Err(Failure::usage("a volume: only methods over height maps are drawn"));
+        }
         let selection = surface.selection();
         if selection.geometry().is_some() {
             return Err(Failure::Usage(format!(

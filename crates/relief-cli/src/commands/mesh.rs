@@ -389,6 +389,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             "the surface is a depth object, which has no height map on a mesh: give a height map",
         ));
     }
+    if surface.volume().is_some() {
+        return Err(Failure::usage("the surface is a volume, which is no height map: give a height map"));
+    }
     drop(scene);
     let surface = metres.applied(arguments, surface)?;
     if !arguments.json {

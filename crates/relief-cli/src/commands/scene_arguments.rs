@@ -92,6 +92,9 @@ pub struct SceneArguments {
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     height: Option<PathBuf>,
+    /// Volume to render instead of a height map: a KTX2 file of `relief volume`
+    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", conflicts_with_all = ["height", "object"])]
+    volume: Option<PathBuf>,
     /// Depth object to render instead of a height map on a mesh: an object.toml of `relief capture`
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", conflicts_with = "height")]
     object: Option<PathBuf>,
@@ -312,8 +315,9 @@ impl SceneArguments {
                 let scene = if is_input(path) { scene_of_input(path) } else { read_scene(path) };
                 return Ok(scene.map_err(of_scene)?.overridden_by(self.flags()));
             }
-            FileKind::Object => self.object.is_some() || self.height.is_some(),
-            FileKind::HeightMap => self.object.is_some() || self.height.is_some(),
+            FileKind::Object | FileKind::HeightMap | FileKind::Volume => {
+                self.object.is_some() || self.height.is_some() || self.volume.is_some()
+            }
             FileKind::Mesh => self.object.is_some() || self.placement.mesh.is_some(),
             FileKind::Textures => self.object.is_some() || self.material.names_textures(),
         };
@@ -326,6 +330,7 @@ impl SceneArguments {
         }
         let mut spec = self.flags();
         match kind {
+            FileKind::Volume => spec.surface.volume = Some(path.clone()),
             FileKind::Object => spec.surface.object = Some(FileKind::object_at(path)),
             FileKind::Textures => spec.surface.textures = Some(path.clone()),
             FileKind::Mesh => spec.surface.mesh = Some(MeshChoice::File(path.clone())),
@@ -336,8 +341,8 @@ impl SceneArguments {
 
     /// Returns the files that may be standard input.
     pub fn files(&mut self) -> Vec<&mut PathBuf> {
-        let Self { scene, height, color, ramp, normal, material, environment, .. } = self;
-        let files = [scene, height, color, normal, environment].into_iter().flatten();
+        let Self { scene, height, volume, color, ramp, normal, material, environment, .. } = self;
+        let files = [scene, height, volume, color, normal, environment].into_iter().flatten();
         let ramp = ramp.iter_mut().filter_map(|ramp| match ramp {
             RampChoice::File(path) => Some(path),
             RampChoice::Builtin(_) => None,
@@ -361,7 +366,10 @@ impl SceneArguments {
             (Some(scene), ..) => scene.display().to_string(),
             (None, Some(height), _) => format!("--height {}", height.display()),
             (None, None, Some(object)) => format!("--object {}", object.display()),
-            (None, None, None) => "--height MAP".to_owned(),
+            (None, None, None) => match &self.volume {
+                Some(volume) => format!("--volume {}", volume.display()),
+                None => "--height MAP".to_owned(),
+            },
         }
     }
 
@@ -381,6 +389,7 @@ impl SceneArguments {
         let given = |flag: bool| flag.then_some(true);
         let surface = SurfaceSpec {
             height: self.height.clone(),
+            volume: self.volume.clone(),
             object: self.object.clone(),
             holes: given(self.holes),
             creases: given(self.creases),

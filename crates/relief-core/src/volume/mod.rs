@@ -2,11 +2,13 @@
 
 mod field;
 mod layout;
+mod trace;
 
 use crate::{HeightMap, HeightMapError, Wrap};
 
 pub use field::VolumeCell;
 pub use layout::SliceLayout;
+pub use trace::VolumeHit;
 
 /// Most slices of a volume.
 pub const MAX_SLICES: u32 = 4096;

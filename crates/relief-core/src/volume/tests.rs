@@ -1,4 +1,5 @@
 use super::*;
+use crate::Path;
 use crate::rng::Rng;
 
 fn noise(size: [u32; 3], wrap: Wrap) -> Volume {
@@ -75,4 +76,40 @@ fn bad_volumes_are_refused() {
     assert_eq!(high, Some(VolumeError::OutOfRange { voxel: [1, 0, 1], value: 1.5 }));
     values[7] = f32::NAN;
     assert!(matches!(Volume::new([3, 2, 2], &values, Wrap::Clamp), Err(VolumeError::OutOfRange { .. })));
+}
+
+/// A path through the noise, straight or bent, that begins at the top.
+fn path(rng: &mut Rng, bend: f64) -> Path {
+    let mut at = || rng.between(-1.5, 1.5);
+    let (from, to) = ([at(), at(), 1.0], [at(), at(), 0.0]);
+    let mut path = Path::between(from, to);
+    path.h = [1.0, -1.0 - bend, bend];
+    path
+}
+
+#[test]
+fn the_first_hit_is_the_first_place_that_many_samples_find() {
+    let mut rng = Rng::new(3);
+    let mut hits = 0;
+    for wrap in Wrap::ALL {
+        let volume = noise([7, 5, 6], wrap);
+        for k in 0..300 {
+            let path = path(&mut rng, [0.0, 0.8, -2.5][k % 3]);
+            let steps = 20_000;
+            let gap = |t: f64| Volume::SURFACE - volume.value_at(path.at(t));
+            let first = (0..=steps).map(|k| f64::from(k) / f64::from(steps)).find(|t| gap(*t) <= 0.0);
+            match (volume.first_hit(&path), first) {
+                (Some(hit), Some(first)) => {
+                    hits += 1;
+                    assert!(hit.t <= first && gap(hit.t).abs() < 1e-9 || hit.t == 0.0, "{hit:?} {first}");
+                    // Between samples there may be a thin part that they pass.
+                    assert!(first - hit.t < 2.0 / f64::from(steps) || gap(hit.t).abs() < 1e-9);
+                }
+                (Some(hit), None) => assert!(gap(hit.t).abs() < 1e-9),
+                (None, Some(first)) => panic!("missed {first}"),
+                (None, None) => {}
+            }
+        }
+    }
+    assert!(hits > 500, "{hits} hits");
 }

@@ -325,6 +325,11 @@ fn surface_settings(
         Some(maps) => u32::from(maps.has_surface()) + 2 * u32::from(maps.has_emission()),
         None => 0,
     };
+    let tracing = SurfaceSettings::tracing(height, surface.selection(), maps);
+    let tracing = match surface.volume() {
+        Some(volume) => tracing.with_volume(volume.layout()),
+        None => tracing,
+    };
     SurfaceSettings {
         images,
         solids,
@@ -358,8 +363,7 @@ fn surface_settings(
         has_creases: u32::from(surface.has_creases()),
         transmission: material.transmission(),
         ior: material.ior(),
-        ..SurfaceSettings::tracing(height, surface.selection(), maps)
-            .with_least_shell(height, extent_m(surface.mesh()) * LEAST_SHELL)
+        ..tracing.with_least_shell(height, extent_m(surface.mesh()) * LEAST_SHELL)
     }
 }
 

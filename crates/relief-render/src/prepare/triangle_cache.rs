@@ -41,6 +41,8 @@ struct ShellSource {
     levels: u32,
     /// Whether both sides of the mesh are visible.
     both: bool,
+    /// Whether the map holds the slices of a volume.
+    is_volume: bool,
 }
 
 impl ShellSource {
@@ -49,6 +51,7 @@ impl ShellSource {
             && Arc::ptr_eq(&self.map, &other.map)
             && self.shell_m == other.shell_m
             && (self.lifted, self.levels, self.both) == (other.lifted, other.levels, other.both)
+            && self.is_volume == other.is_volume
     }
 }
 
@@ -129,7 +132,8 @@ impl TriangleCache {
         }
         let (mesh, map) = (Arc::clone(mesh), Arc::clone(surface.height_map()));
         let (lifted, levels) = (selection.has_smooth_base(), selection.levels_of(&map));
-        let of = ShellSource { mesh, map, shell_m, lifted, levels, both: surface.two_sided() };
+        let (both, is_volume) = (surface.two_sided(), selection.has_volume());
+        let of = ShellSource { mesh, map, shell_m, lifted, levels, both, is_volume };
         let mut known = self.shells.iter().chain(&before.shells);
         let made = known.find(|(known, _)| known.is(&of)).map(|(_, made)| Arc::clone(made));
         let made = made.unwrap_or_else(|| shells(&of));
@@ -167,14 +171,16 @@ fn boxed(mesh: &Mesh, [bottom, top]: [f32; 2]) -> Arc<Triangles> {
 
 /// Returns the triangles of a mesh with their shells.
 fn shells(of: &ShellSource) -> Arc<Triangles> {
-    let ShellSource { mesh, map, shell_m, lifted, levels, both } = of;
+    let ShellSource { mesh, map, shell_m, lifted, levels, both, is_volume } = of;
     let (welded, lifts) = (mesh.welded(), lifted.then(|| mesh.lifts()));
-    let heights = HeightsUnder::new(map, *levels);
+    // A volume may be solid at any height.
+    let heights = (!is_volume).then(|| HeightsUnder::new(map, *levels));
     let numbered = (0u32..).zip(mesh.triangles());
     let shells = numbered.map(|(number, corners)| {
         let places = Shell::places_of(corners.map(|corner| welded[corner as usize]));
         let lift = lifts.as_ref().map_or([0.0; 3], |lifts| lifts[number as usize]);
-        let under = heights.under(mesh.corners(number).map(|corner| corner.uv.as_dvec2()));
+        let corners = || mesh.corners(number).map(|corner| corner.uv.as_dvec2());
+        let under = heights.as_ref().map_or([0.0, 1.0], |heights| heights.under(corners()));
         let shell = Shell::between(under, places, places.map(|place| lift[place as usize]));
         let ([lowest, highest], [down, up]) = (shell.offsets_m(*shell_m), mesh.fold_range(number));
         let is_between = |offset: f32| down < f64::from(offset) && f64::from(offset) < up;

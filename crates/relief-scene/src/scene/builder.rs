@@ -28,6 +28,9 @@ pub(super) static AMBIENT_ENVIRONMENT: LazyLock<String> =
 pub(super) const DEFAULT_METHOD: &str = "exact";
 /// Default method of depth objects.
 pub(super) const DEFAULT_METHOD_OF_OBJECTS: &str = "depth-object";
+
+/// Default method of volumes.
+pub(super) const DEFAULT_METHOD_OF_VOLUMES: &str = "voxels";
 /// Default width and height in pixels.
 pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
 
@@ -356,6 +359,14 @@ impl SceneBuilder {
                     .check(surface.selection())
                     .map_err(|error| ValueProblem::from(error).of("object"))?,
                 (None, None) => {}
+            }
+            match (surface.volume(), surface.selection().has_volume()) {
+                (None, true) => return Err(ValueProblem::NoVolume.of("method")),
+                (Some(_), false) => return Err(ValueProblem::Volume.of("method")),
+                _ => {}
+            }
+            if surface.volume().is_some() && surface.normal_map().is_some() {
+                return Err(ValueProblem::NormalsOfVolume.of("normal"));
             }
             if !surface.selection().has_normals_of_relief() {
                 if surface.normal_map().is_some() {

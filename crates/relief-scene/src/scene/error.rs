@@ -8,7 +8,7 @@ use crate::material::MaterialError;
 use crate::material_maps::MaterialMapError;
 use relief_core::camera::CameraError;
 use relief_core::mesh::MeshError;
-use relief_core::{ByteSize, HeightMapError};
+use relief_core::{ByteSize, HeightMapError, VolumeError};
 use relief_io::{ReadError, TextureSetError};
 use relief_maps::MapsError;
 use relief_object::ObjectFileError;
@@ -101,6 +101,9 @@ pub enum SceneError {
     /// A base mesh cannot be read.
     #[error(transparent)]
     Mesh(ReadError),
+    /// A volume cannot be read.
+    #[error(transparent)]
+    Volume(ReadError),
     /// An object cannot be read.
     #[error(transparent)]
     Object(#[from] ObjectFileError),
@@ -287,6 +290,17 @@ pub enum ValueProblem {
     /// A method for height maps is chosen for a depth object.
     #[error("the method shows height maps, and the surface is a depth object: choose 'depth-object'")]
     Object,
+    /// A method for volumes is chosen for a height map.
+    #[error(
+        "the method shows volumes, and the surface has a height map: give a volume, or choose another method"
+    )]
+    NoVolume,
+    /// A method for height maps is chosen for a volume.
+    #[error("the method shows height maps, and the surface has a volume: choose 'voxels'")]
+    Volume,
+    /// A normal map is given for a volume.
+    #[error("is for height maps, and the surface has a volume, whose field gives the normals: leave it out")]
+    NormalsOfVolume,
     /// The object cannot be shown.
     #[error(transparent)]
     ObjectOf(#[from] ObjectProblem),
@@ -305,6 +319,9 @@ pub enum ValueProblem {
     /// The displacement is invalid.
     #[error(transparent)]
     HeightMap(#[from] HeightMapError),
+    /// The volume is invalid.
+    #[error(transparent)]
+    VolumeValues(#[from] VolumeError),
     /// The method, search, refinement or a setting is not available.
     #[error(transparent)]
     Selection(#[from] Box<SelectionError>),

@@ -1,6 +1,7 @@
 //! Cameras fitted to the visible part of a scene, which lies in the middle of the picture.
 
 use glam::DVec3;
+use relief_core::mesh::Vertex;
 use relief_core::object::{EMPTY_HEIGHT, ImageObject};
 use relief_shaders::Selection;
 use relief_shaders::object::Solid;
@@ -174,6 +175,15 @@ fn points_of_surface(surface: &Surface) -> Vec<DVec3> {
     } else {
         !paths.shown.is_of_images() && selection.geometry().is_some()
     };
+    if lies_beside && surface.volume().is_some() {
+        // A volume may be solid at any height.
+        let map = surface.height_map();
+        let heights = [map.bias_m(), map.bias_m() + map.scale_m()];
+        let vertices = mesh.vertices().iter();
+        let at =
+            |vertex: &Vertex, height: f64| vertex.position.as_dvec3() + vertex.normal.as_dvec3() * height;
+        return vertices.flat_map(|vertex| heights.map(|height| at(vertex, height))).collect();
+    }
     if lies_beside {
         let has_backs = paths.proposal == Proposal::Shells && surface.two_sided();
         return points_of_relief(mesh, surface.height_map(), has_backs);

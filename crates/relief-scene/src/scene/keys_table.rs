@@ -94,6 +94,7 @@ pub fn keys() -> Vec<Key> {
             "",
             "file of the height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or raw",
         ),
+        surface("volume", Form::Text, "", "file of a volume, KTX2, in place of a height map"),
         surface("textures", Form::Text, "", "folder of a material's maps, recognised by their names"),
         surface("udim", Form::Whole, "", "UDIM tile whose maps are taken, from 1001 on"),
         surface("object", Form::Text, "", "file of a depth object, object.toml, in place of height and mesh"),
@@ -388,6 +389,7 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
     let path = |path: &Option<std::path::PathBuf>| Some(quoted(&path.as_ref()?.to_string_lossy()));
     match key {
         "height" => path(&spec.height),
+        "volume" => path(&spec.volume),
         "object" => path(&spec.object),
         "textures" => path(&spec.textures),
         "udim" => spec.udim.map(|tile| tile.to_string()),

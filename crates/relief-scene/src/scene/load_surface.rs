@@ -1,6 +1,8 @@
 //! Loading of surfaces: defaults, checks and files.
 
-use super::builder::{AMBIENT_ENVIRONMENT, DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, of_selection};
+use super::builder::{
+    AMBIENT_ENVIRONMENT, DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, DEFAULT_METHOD_OF_VOLUMES, of_selection,
+};
 use super::depth::depth_remark;
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::file_material::FileMaterials;
@@ -15,8 +17,10 @@ use crate::material::{Material, ShadingModel};
 use glam::{Vec2, Vec3};
 use relief_core::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use relief_core::object::ImageObject;
-use relief_core::{HeightMap, Wrap};
-use relief_io::{Convention, Fill, HeightOptions, HeightRange, MeshColors, MeshMaterial, Remark, omissions};
+use relief_core::{HeightMap, Volume, Wrap};
+use relief_io::{
+    Convention, Fill, HeightOptions, HeightRange, MeshColors, MeshMaterial, Remark, VolumeFile, omissions,
+};
 use relief_object::{ObjectFile, ObjectOptions};
 use relief_shaders::surface::{Proposal, Shown};
 use relief_shaders::{
@@ -110,6 +114,9 @@ impl SurfaceSpec {
     pub(super) fn parts(&self, samples: u32, context: &SceneContext) -> Result<Parts, ValueError> {
         if let Some(key) = self.key_of_relief().filter(|_| self.object.is_some()) {
             return Err(ValueProblem::Excludes("object").of(key));
+        }
+        if let Some(key) = self.key_of_heights().filter(|_| self.volume.is_some()) {
+            return Err(ValueProblem::Excludes("volume").of(key));
         }
         self.scale.map_or(Ok(()), check_scale)?;
         check_metres("bias", self.bias.as_slice())?;
@@ -245,7 +252,12 @@ impl SurfaceSpec {
         if self.object.is_none() {
             let problem = |problem: relief_core::HeightMapError| ValueProblem::from(problem).of("height");
             let flat = HeightMap::new(1, 1, vec![0.0], self.wrap.unwrap_or_default()).map_err(problem)?;
-            return self.with_heights(parts, flat);
+            let surface = self.with_heights(parts, flat)?;
+            if self.volume.is_none() {
+                return Ok(surface);
+            }
+            let volume = Volume::new([1; 3], &[0.0], self.wrap.unwrap_or_default());
+            return Ok(surface.with_volume(volume.map_err(|error| ValueProblem::from(error).of("volume"))?));
         }
         let problem = |problem: ObjectProblem| ValueProblem::from(problem).of("object");
         let object = self.placed_object(&SceneObject::stand_in().map_err(problem)?)?;
@@ -339,7 +351,7 @@ impl SurfaceSpec {
                 error => error,
             });
         }
-        if self.height.is_none() && !self.is_mesh_alone() {
+        if self.height.is_none() && self.volume.is_none() && !self.is_mesh_alone() {
             return Err(SceneError::NoHeightMap(number));
         }
         let of_number = |error: ValueError| error.of_surface(number);
@@ -386,9 +398,14 @@ impl SurfaceSpec {
             wrap: self.wrap.or(wrap_of_block),
             max_bytes: maps.left(),
         };
-        let map = match &self.height {
-            Some(path) => maps.height(path, options)?,
-            None => level_map(of_file.as_ref().and_then(|(_, colors, _)| wrap_of_normals(colors)))?,
+        let volume = match &self.volume {
+            Some(path) => Some(maps.volume(path, self.wrap, &parts.selection)?),
+            None => None,
+        };
+        let map = match (&self.height, &volume) {
+            (Some(path), _) => maps.height(path, options)?,
+            (None, Some(volume)) => ground_of(volume).map_err(|error| of_number(error))?,
+            (None, None) => level_map(of_file.as_ref().and_then(|(_, colors, _)| wrap_of_normals(colors)))?,
         };
         let splits = parts.selection.geometry().is_none();
         let has_own_color = self.has_own_color();
@@ -440,6 +457,12 @@ impl SurfaceSpec {
         if let Some(path) = &self.height {
             maps.remark(path, depth_remark(surface.height_map(), surface.metric()).into_iter().collect());
         }
+        if let Some(VolumeFile { volume, .. }) = volume {
+            let (scale_m, bias_m) = (surface.height_map().scale_m(), surface.height_map().bias_m());
+            let volume = volume.with_displacement(scale_m, bias_m);
+            let volume = volume.map_err(|error| of_number(ValueProblem::from(error).of("scale")))?;
+            surface = surface.with_volume(volume);
+        }
         if let Some(path) = &self.color {
             surface = surface.with_color(maps.color(path)?);
         }
@@ -472,7 +495,8 @@ impl SurfaceSpec {
 
     /// Returns whether the mesh of a file is shown without a height map.
     pub(super) fn is_mesh_alone(&self) -> bool {
-        self.height.is_none() && self.object.is_none() && matches!(self.mesh, Some(MeshChoice::File(_)))
+        let has_relief = self.height.is_some() || self.volume.is_some() || self.object.is_some();
+        !has_relief && matches!(self.mesh, Some(MeshChoice::File(_)))
     }
 
     /// Returns the number of tiles along `u` and `v`.
@@ -547,6 +571,7 @@ impl SurfaceSpec {
             (method, None, None) => {
                 let default = match self.object {
                     Some(_) => DEFAULT_METHOD_OF_OBJECTS,
+                    None if self.volume.is_some() => DEFAULT_METHOD_OF_VOLUMES,
                     None if self.is_mesh_alone() => METHOD_OF_MESHES,
                     None => DEFAULT_METHOD,
                 };
@@ -650,4 +675,18 @@ pub(super) fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
     let (tile, span) = map.stated_lengths()?;
     let [u, v] = mesh.tile_m();
     Some(span * (u / tile[0] * (v / tile[1])).sqrt())
+}
+
+/// Returns a level map that has the columns, rows, wrap, tile and displacement of a volume.
+fn ground_of(file: &VolumeFile) -> Result<HeightMap, ValueError> {
+    let VolumeFile { volume, tile_m, .. } = file;
+    let [width, height, _] = volume.size();
+    let ground = || {
+        let map = HeightMap::new(width, height, vec![0.0; width as usize * height as usize], volume.wrap())?;
+        let Some([u, v]) = tile_m else { return Ok(map) };
+        let (scale_m, bias_m) = (volume.atlas().scale_m(), volume.atlas().bias_m());
+        map.with_texel_size_m([u / f64::from(width), v / f64::from(height)])?
+            .with_stated_displacement_m([bias_m, bias_m + scale_m])
+    };
+    ground().map_err(|error: relief_core::HeightMapError| ValueProblem::from(error).of("volume"))
 }

@@ -9,8 +9,8 @@ use relief_core::mesh::{Mesh, UvProjection};
 use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{
     ColorTable, Curve, GreenSign, HeightFile, HeightOptions, MaterialTextures, MeshColors, MeshMaterial,
-    MeshOptions, NormalMap, Picture, ReadError, ReadNote, ReadProblem, Remark, Up, omissions,
-    read_color_table,
+    MeshOptions, NormalMap, Picture, ReadError, ReadNote, ReadProblem, Remark, Up, VolumeFile, VolumeOptions,
+    omissions, read_color_table,
 };
 use relief_shaders::Selection;
 use std::path::{Path, PathBuf};
@@ -96,6 +96,19 @@ impl Maps {
         self.notes.extend(notes);
         self.heights.push((path.to_owned(), options, map.clone()));
         Ok(map)
+    }
+
+    /// Reads the volume of a file, and counts its memory. `wrap` stands for the file's.
+    pub(super) fn volume(
+        &mut self,
+        path: &Path,
+        wrap: Option<Wrap>,
+        selection: &Selection,
+    ) -> Result<VolumeFile, SceneError> {
+        let options = VolumeOptions { wrap, max_bytes: self.left };
+        let file = relief_io::read_volume(path, &options).map_err(SceneError::Volume)?;
+        self.take(path, file.volume.atlas(), selection)?;
+        Ok(file)
     }
 
     /// Reads the colour picture of a file.

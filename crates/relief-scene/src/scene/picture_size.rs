@@ -127,7 +127,7 @@ impl SceneSpec {
         let [surface] = &surfaces[..] else {
             return of_size(MapSizeProblem::Several(surfaces.len()).into());
         };
-        if surface.object.is_some() || surface.is_mesh_alone() {
+        if surface.object.is_some() || surface.volume.is_some() || surface.is_mesh_alone() {
             return of_size(MapSizeProblem::NoMap.into());
         }
         if !matches!(surface.mesh, None | Some(MeshChoice::Builtin(Builtin::Plane))) {

@@ -7,7 +7,7 @@ use super::surface_colors::{DrawnMaterial, SurfaceColors};
 use crate::material::Material;
 use crate::material_maps::MaterialMaps;
 use relief_core::mesh::Mesh;
-use relief_core::{HeightMap, Metric};
+use relief_core::{HeightMap, Metric, Volume};
 use relief_io::{MaterialValues, MeshColors, MeshMaterial, NormalMap, Picture};
 use relief_shaders::Selection;
 use std::sync::Arc;
@@ -32,6 +32,7 @@ pub struct Surface {
     has_holes: bool,
     has_creases: bool,
     object: Option<SceneObject>,
+    volume: Option<Arc<Volume>>,
     color_place: ColorPlace,
     cutoff: f32,
     colors: Option<Arc<SurfaceColors>>,
@@ -57,6 +58,7 @@ impl Surface {
             has_holes: false,
             has_creases: false,
             object: None,
+            volume: None,
             color_place: ColorPlace::default(),
             cutoff: 0.0,
             colors: None,
@@ -167,10 +169,22 @@ impl Surface {
         }
     }
 
-    /// Replaces the height map. The object is dropped.
+    /// Replaces the height map. The object or the volume is dropped.
     #[must_use]
     pub fn with_height_map(self, height_map: impl Into<Arc<HeightMap>>) -> Self {
-        Self { height_map: height_map.into(), object: None, ..self }
+        Self { height_map: height_map.into(), object: None, volume: None, ..self }
+    }
+
+    /// Replaces the height map by a volume, with the volume's scale and bias. [`Self::height_map`] then holds
+    /// its slices side by side. The object is dropped.
+    ///
+    /// The method must find volumes: `voxels`, or a pair of stages such as `linear` and `binary`.
+    #[must_use]
+    pub fn with_volume(self, volume: impl Into<Arc<Volume>>) -> Self {
+        let volume = volume.into();
+        let height_map = Arc::new(volume.atlas().clone());
+        let selection = self.selection.with_volume(true);
+        Self { height_map, volume: Some(volume), object: None, selection, ..self }
     }
 
     /// Sets a colour picture, which multiplies the material's diffuse colour. It has the height
@@ -291,6 +305,11 @@ impl Surface {
     /// Returns the depth object that the surface shows, if any.
     pub fn object(&self) -> Option<&SceneObject> {
         self.object.as_ref()
+    }
+
+    /// Returns the volume that the surface shows, if any.
+    pub fn volume(&self) -> Option<&Arc<Volume>> {
+        self.volume.as_ref()
     }
 
     /// Returns the base mesh in world space, with its tiles.

@@ -21,8 +21,11 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct SurfaceSpec {
-    /// File of the height map. Required, unless `object` or the file of a mesh is given.
+    /// File of the height map. Required, unless `volume`, `object` or the file of a mesh is given.
     pub height: Option<PathBuf>,
+    /// File of a volume, in place of a height map: grass, mail or cloth on the mesh. Scale, bias, tile and wrap
+    /// mean the same as for heights.
+    pub volume: Option<PathBuf>,
     /// Folder of textures: the maps of a material, recognised by their names (see
     /// [`find_textures`](relief_io::find_textures)). Maps that are given go before them. A map of
     /// colour, normals or material that is given as [`NO_MAP`](crate::NO_MAP), `none`, is dropped.
@@ -205,8 +208,8 @@ impl SurfaceSpec {
     ///
     /// Values that belong to a replaced value are dropped:
     ///
-    /// * Another `height` drops `channel`, `depth`, `range`, `elevation`, `nodata`, `unit`, `raw` and
-    ///   `fill`.
+    /// * `height` and `volume` replace each other. Another one drops `channel`, `depth`, `range`,
+    ///   `elevation`, `nodata`, `unit`, `raw` and `fill`.
     /// * `color` and `ramp` replace each other.
     /// * Another `normal` drops `green`; another `mesh` drops `project` and `mesh-up`.
     /// * Another method or stage drops its settings; another shadow drops its search.
@@ -215,14 +218,15 @@ impl SurfaceSpec {
     /// * `scale` without `bias` drops the old bias.
     #[must_use]
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
-        if over.height.is_some() {
+        if over.height.is_some() || over.volume.is_some() {
             (self.channel, self.depth, self.raw, self.fill) = (None, None, None, None);
             (self.range, self.nodata, self.unit) = (None, None, None);
             self.elevation = None;
+            (self.height, self.volume) = (None, None);
         }
         if over.object.is_some() {
             self.forget_relief();
-        } else if over.height.is_some() || over.mesh.is_some() {
+        } else if over.height.is_some() || over.volume.is_some() || over.mesh.is_some() {
             self.object = None;
         }
         if over.normal.is_some() {
@@ -248,6 +252,7 @@ impl SurfaceSpec {
         set.extend(over.set);
         SurfaceSpec {
             height: over.height.or(self.height),
+            volume: over.volume.or(self.volume),
             object: over.object.or(self.object),
             channel: over.channel.or(self.channel),
             depth: over.depth.or(self.depth),
@@ -312,6 +317,7 @@ impl SurfaceSpec {
         };
         [
             self.height.as_ref(),
+            self.volume.as_ref(),
             self.object.as_ref(),
             self.color.as_ref(),
             ramp,
@@ -344,6 +350,7 @@ impl SurfaceSpec {
         };
         [
             self.height.as_mut(),
+            self.volume.as_mut(),
             self.object.as_mut(),
             self.color.as_mut(),
             ramp,
@@ -380,10 +387,36 @@ impl SurfaceSpec {
         };
     }
 
+    /// Returns the first given key that only heights can have, and no volume.
+    pub(super) fn key_of_heights(&self) -> Option<&'static str> {
+        let given = [
+            ("height", self.height.is_some()),
+            ("channel", self.channel.is_some()),
+            ("depth", self.depth.is_some()),
+            ("range", self.range.is_some()),
+            ("elevation", self.elevation.is_some()),
+            ("nodata", self.nodata.is_some()),
+            ("unit", self.unit.is_some()),
+            ("raw", self.raw.is_some()),
+            ("fill", self.fill.is_some()),
+            ("holes", self.holes.is_some()),
+            ("textures", self.textures.is_some()),
+            ("udim", self.udim.is_some()),
+            ("ramp", self.ramp.is_some()),
+            ("normal", self.normal.is_some()),
+            ("green", self.green.is_some()),
+            ("creases", self.creases.is_some()),
+            ("walls", self.walls.is_some()),
+            ("base", self.base.is_some()),
+        ];
+        given.iter().find_map(|&(key, is_given)| is_given.then_some(key))
+    }
+
     /// Returns the first given key that only a relief can have.
     pub(super) fn key_of_relief(&self) -> Option<&'static str> {
         let given = [
             ("height", self.height.is_some()),
+            ("volume", self.volume.is_some()),
             ("channel", self.channel.is_some()),
             ("depth", self.depth.is_some()),
             ("range", self.range.is_some()),

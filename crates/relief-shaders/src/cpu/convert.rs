@@ -1,7 +1,7 @@
 //! Conversions between the shaders' structs and the core's.
 
 use relief_core::object::JumpCells;
-use relief_core::{BakedMap, Cost, HeightMap, MapFormat, PathMetric, RayUse};
+use relief_core::{BakedMap, Cost, HeightMap, MapFormat, PathMetric, RayUse, SliceLayout};
 
 use super::{
     Bound, Choice, ColorTexture, Frame, HeightTexture, Hit, HoleTexture, Light, LightView, MapSettings,
@@ -221,8 +221,17 @@ impl SurfaceSettings {
             solids: 0,
             cells: JumpCells::Bilinear as u32,
             jump: 0.0,
+            volume: [0; 4].into(),
             cutoff: 0.0,
         }
+    }
+
+    /// Returns the settings for a volume whose slices lie side by side in the height map.
+    #[must_use]
+    pub fn with_volume(self, layout: SliceLayout) -> Self {
+        let [width, height, slices] = layout.size();
+        let volume = [width, height, slices, layout.slices_in_a_row()].into();
+        Self { volume, height_size: [width, height].into(), ..self }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Rays through a method.
 
-use relief_core::{BakedMap, HeightMap, Hit, Lanes, Metric, Path};
+use relief_core::{BakedMap, HeightMap, Hit, Lanes, Metric, Path, Volume};
 
 use super::{BLOCK, Explanation, HitBlock, PathBlock};
 use super::{Bound, ColorTexture, Frame, HeightTexture, HoleTexture, Program, SurfaceSettings};
@@ -49,10 +49,26 @@ impl<'a> MethodTracer<'a> {
     /// Creates a tracer with maps that are known to fit. Nothing is checked, and wrong maps give
     /// wrong answers.
     pub fn over(heights: &'a HeightMap, selection: &Selection, maps: SlotMaps<'a>) -> Self {
+        Self::with_settings(heights, selection, SurfaceSettings::tracing(heights, selection, &maps), maps)
+    }
+
+    /// Creates a tracer of a method for a volume. The selection's field becomes a volume.
+    pub fn of_volume(volume: &'a Volume, selection: &Selection) -> Self {
+        let (selection, maps) = (selection.with_volume(true), SlotMaps::default());
+        let settings = SurfaceSettings::tracing(volume.atlas(), &selection, &maps);
+        Self::with_settings(volume.atlas(), &selection, settings.with_volume(volume.layout()), maps)
+    }
+
+    fn with_settings(
+        heights: &'a HeightMap,
+        selection: &Selection,
+        surface_settings: SurfaceSettings,
+        maps: SlotMaps<'a>,
+    ) -> Self {
         let levels = selection.levels_of(heights);
         let program = Program::new(&Bound {
             frame: Frame::none(),
-            surface_settings: SurfaceSettings::tracing(heights, selection, &maps),
+            surface_settings,
             height_map: HeightTexture::new(heights, levels),
             hole_map: HoleTexture::new(None),
             color_map: ColorTexture::BLANK,

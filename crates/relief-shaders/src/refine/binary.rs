@@ -2,7 +2,8 @@
 
 use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 
-use crate::entry::{Entry, Role};
+use crate::entry::{Entry, Role, TracingRole};
+use crate::field::Solids;
 
 /// Binary search: halves the interval.
 pub const ENTRY: Entry = Entry {
@@ -24,5 +25,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Converges to a crossing in the interval, which is the first when the interval holds one.",
-    role: Role::Plain,
+    role: Role::Tracing(TracingRole { solids: Solids::Both, ..TracingRole::PLAIN }),
 };

@@ -16,6 +16,7 @@ mod patch;
 mod secant;
 mod slope;
 mod slope_iterative;
+mod trilinear;
 mod true_secant;
 
 /// All refinements, in the order of their numbers in the shaders.
@@ -30,6 +31,7 @@ pub static ENTRIES: &[Entry] = &[
     true_secant::ENTRY,
     patch::ENTRY,
     half_texel::ENTRY,
+    trilinear::ENTRY,
 ];
 
 /// Inputs of a refinement that narrows an interval or corrects a point on the way.

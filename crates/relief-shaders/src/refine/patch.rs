@@ -1,8 +1,9 @@
 //! Registry entry of the refinement `patch`.
 
-use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
 
 use crate::entry::{Entry, Role, TracingRole};
+use crate::search::CELLS_LIMIT;
 
 /// The exact refinement: ray against bilinear patch in closed form, cell by cell.
 pub const ENTRY: Entry = Entry {
@@ -10,16 +11,7 @@ pub const ENTRY: Entry = Entry {
     summary: "solves ray against bilinear patch in closed form, cell by cell",
     publication: Publication { paper: super::SURVEY, section: "4.3.1" },
     maps: &[],
-    params: &[Param {
-        name: "limit",
-        summary: "most cells visited before the refinement gives up",
-        unit: "cells",
-        min: 1.0,
-        max: 16_777_216.0,
-        default: 1_048_576.0,
-        integer: true,
-        names: &[],
-    }],
+    params: &[CELLS_LIMIT],
     states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],

@@ -3,6 +3,7 @@
 use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 
 use crate::entry::{Entry, Role, TracingRole};
+use crate::field::Solids;
 
 /// False position: takes the surface between the two ends for a plane.
 pub const ENTRY: Entry = Entry {
@@ -24,5 +25,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Keeps a crossing enclosed; exact after one step where the gap is linear.",
-    role: Role::Tracing(TracingRole { joins_slices: true, ..TracingRole::PLAIN }),
+    role: Role::Tracing(TracingRole { joins_slices: true, solids: Solids::Both, ..TracingRole::PLAIN }),
 };

@@ -2,7 +2,8 @@
 
 use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 
-use crate::entry::{Entry, Role};
+use crate::entry::{Entry, Role, TracingRole};
+use crate::field::Solids;
 
 /// The secant method proper: always uses the last two guesses.
 pub const ENTRY: Entry = Entry {
@@ -25,5 +26,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "Converges faster than false position near a simple crossing and may leave the bracket; \
         guesses are kept in the search's interval.",
-    role: Role::Plain,
+    role: Role::Tracing(TracingRole { solids: Solids::Both, ..TracingRole::PLAIN }),
 };

@@ -1,7 +1,7 @@
 //! Registry entry of the search `cells`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
 
 use crate::entry::{Entry, Role, TracingRole};
 
@@ -11,16 +11,7 @@ pub const ENTRY: Entry = Entry {
     summary: "visits every dual cell along the path, in order",
     publication: Publication { paper: super::SURVEY, section: "4.3.1" },
     maps: &[],
-    params: &[Param {
-        name: "limit",
-        summary: "most cells visited before the search gives up",
-        unit: "cells",
-        min: 1.0,
-        max: 16_777_216.0,
-        default: 1_048_576.0,
-        integer: true,
-        names: &[],
-    }],
+    params: &[super::CELLS_LIMIT],
     states: &[FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],

@@ -4,6 +4,7 @@ use relief_core::FoundState;
 use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 
 use crate::entry::{Entry, Role, TracingRole};
+use crate::field::Solids;
 
 /// Equal steps until one is below the surface.
 pub const ENTRY: Entry = Entry {
@@ -38,5 +39,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "A bracket encloses a crossing, since the gap is read at both ends; a bump thinner than a step \
         is passed over.",
-    role: Role::Tracing(TracingRole { only_samples: true, ..TracingRole::PLAIN }),
+    role: Role::Tracing(TracingRole { only_samples: true, solids: Solids::Both, ..TracingRole::PLAIN }),
 };

@@ -20,6 +20,7 @@ mod pyramid_texels;
 mod relaxed_cone;
 mod relaxed_cone_resting;
 mod sphere;
+mod voxels;
 
 /// All searches, in the order of their numbers in the shaders.
 pub static ENTRIES: &[Entry] = &[
@@ -35,6 +36,7 @@ pub static ENTRIES: &[Entry] = &[
     cone_moved::ENTRY,
     relaxed_cone::ENTRY,
     relaxed_cone_resting::ENTRY,
+    voxels::ENTRY,
 ];
 
 /// The parameter of searches that end by themselves.
@@ -42,6 +44,18 @@ const LIMIT: Param = Param {
     name: "limit",
     summary: "most reads before the search gives up",
     unit: "",
+    min: 1.0,
+    max: 16_777_216.0,
+    default: 1_048_576.0,
+    integer: true,
+    names: &[],
+};
+
+/// The parameter of walks from cell to cell.
+pub(crate) const CELLS_LIMIT: Param = Param {
+    name: "limit",
+    summary: "most cells visited before it gives up",
+    unit: "cells",
     min: 1.0,
     max: 16_777_216.0,
     default: 1_048_576.0,

@@ -6,8 +6,9 @@ use super::{Selection, SelectionError};
 use crate::Variants;
 use crate::entry::Entry;
 use crate::object::Solid;
+use crate::shadow::ShadowRole;
 use crate::stages::{
-    DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Stage,
+    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Stage,
 };
 use crate::surface::{AskedImages, Paths, Shown};
 
@@ -28,8 +29,12 @@ impl Selection {
             }
         }
         self.check_pair()?;
+        self.check_volume()?;
         self.check_levels()?;
         self.check_surface()?;
+        if self.uses(SHADOW_SEARCH) {
+            self.check_solids(&[SHADOW_SEARCH])?;
+        }
         if self.uses(SHADOW_SEARCH) { self.check_taken(SHADOW_SEARCH, SHADOW) } else { Ok(()) }
     }
 
@@ -123,7 +128,56 @@ impl Selection {
     ///
     /// When it does not.
     pub fn check_pair(&self) -> Result<(), SelectionError> {
+        self.check_solids(&[SEARCH, REFINE])?;
         self.check_taken(SEARCH, REFINE)
+    }
+
+    /// Checks that the variants of these stages find the solids of the field.
+    fn check_solids(&self, places: &[usize]) -> Result<(), SelectionError> {
+        let finds = |entry: &Entry| {
+            let solids = entry.tracing().solids;
+            if self.has_volume() { solids.has_volumes() } else { solids.has_heights() }
+        };
+        match places.iter().find(|place| !finds(self.choices[**place].entry)) {
+            Some(&place) => Err(self.not_in_field(place, &finds)),
+            None => Ok(()),
+        }
+    }
+
+    /// Checks that all other stages can handle a volume, if one is shown.
+    fn check_volume(&self) -> Result<(), SelectionError> {
+        if !self.has_volume() {
+            return Ok(());
+        }
+        let is_base = |entry: &Entry| entry.geometry().shown == Shown::Relief && entry.is_idle();
+        let reads_no_heights = |entry: &Entry| entry.maps.is_empty();
+        let is_searched = |entry: &Entry| !entry.is_idle();
+        let shadows = |entry: &Entry| {
+            entry.maps.is_empty()
+                && !matches!(entry.shadow(), Some(ShadowRole::Discs | ShadowRole::FromEntry))
+        };
+        let rules: [(usize, &dyn Fn(&Entry) -> bool); 5] = [
+            (GEOMETRY, &is_base),
+            (DETAIL, &Entry::is_idle),
+            (SEARCH, &is_searched),
+            (SHADOW, &shadows),
+            (AMBIENT, &reads_no_heights),
+        ];
+        match rules.into_iter().find(|(place, serves)| !serves(self.choices[*place].entry)) {
+            Some((place, serves)) => Err(self.not_in_field(place, serves)),
+            None => Ok(()),
+        }
+    }
+
+    /// The error for a variant that cannot be used with the field; `serves` says which of its stage can.
+    fn not_in_field(&self, place: usize, serves: &dyn Fn(&Entry) -> bool) -> SelectionError {
+        SelectionError::Field {
+            stage: STAGES[place].title,
+            key: STAGES[place].key,
+            entry: self.choices[place].entry.name,
+            shown: if self.has_volume() { "a volume" } else { "heights" },
+            others: Variants::of(place, serves),
+        }
     }
 
     /// Checks that the variant of the stage `taker` takes the results of the search of the stage

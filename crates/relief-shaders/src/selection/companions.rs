@@ -2,9 +2,10 @@
 
 use super::{Choice, Selection, SelectionError};
 use crate::entry::{Companion, Entry, find};
+use crate::field::Solids;
 use crate::object::{ObjectCells, Solid};
 use crate::stages::{
-    GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, stage,
+    FIELD, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, stage,
 };
 use relief_core::registry::Guarantee;
 
@@ -32,10 +33,32 @@ impl Selection {
         self.choices[SHADOW_SEARCH] = self.choices[SEARCH];
         let promised = self.choices[SEARCH].promises().shadow;
         let is_taken = || self.check_taken(SHADOW_SEARCH, SHADOW).is_ok();
-        if promised == Guarantee::Impossible || (self.uses(SHADOW_SEARCH) && !is_taken()) {
+        if self.has_volume() {
+            if !self.search().tracing().solids.has_volumes() || self.search().is_idle() {
+                let of_volumes = |entry: &Entry| entry.tracing().solids == Solids::Volumes;
+                self.choices[SHADOW_SEARCH] = Choice::first(SHADOW_SEARCH, of_volumes);
+            }
+        } else if promised == Guarantee::Impossible || (self.uses(SHADOW_SEARCH) && !is_taken()) {
             self.choices[SHADOW_SEARCH] = Choice::first(SHADOW_SEARCH, |entry| entry.tracing().is_reference);
         }
         self
+    }
+
+    /// Chooses the field whose solids the search finds; keeps the chosen one if it finds both.
+    pub(super) fn with_field_of_search(mut self) -> Self {
+        let solids = self.search().tracing().solids;
+        if !(solids.has_volumes() && solids.has_heights()) {
+            self.choices[FIELD] = Choice::first(FIELD, |entry| entry.is_volume() == solids.has_volumes());
+        }
+        self
+    }
+
+    /// Returns the selection for a surface with a volume, or for one with heights. Search and refinement stay:
+    /// where they do not find its solids, [`check`](Self::check) says so.
+    #[must_use]
+    pub fn with_volume(mut self, has_volume: bool) -> Self {
+        self.choices[FIELD] = Choice::first(FIELD, |entry| entry.is_volume() == has_volume);
+        self.with_search_for_shadows()
     }
 
     /// Returns the selection without shadows.

@@ -84,6 +84,20 @@ pub enum SelectionError {
         /// The reason, with a remedy.
         reason: String,
     },
+    /// A variant does not find or show what is solid.
+    #[error("the {stage} '{entry}' cannot be used with {shown}: choose {}", others.or())]
+    Field {
+        /// The stage's title.
+        stage: &'static str,
+        /// The stage's key.
+        key: &'static str,
+        /// The variant chosen for it.
+        entry: &'static str,
+        /// What the surface shows.
+        shown: &'static str,
+        /// The variants that can be used.
+        others: Variants,
+    },
     /// A variant's baked map has only the finest level of detail.
     #[error(
         "the {stage} '{entry}' cannot be used with the detail '{detail}': the levels of its map are not \
@@ -123,6 +137,7 @@ impl SelectionError {
         match self {
             SelectionError::Impossible { key, .. } => vec![key],
             SelectionError::Surface { key, .. } => vec![key, STAGES[SURFACE].key],
+            SelectionError::Field { key, .. } => vec![key],
             SelectionError::OneLevel { key, .. } => vec![key, STAGES[DETAIL].key],
             SelectionError::Pair { giver, taker, .. } => vec![taker.0, giver.0],
             _ => Vec::new(),

@@ -10,7 +10,7 @@ use crate::geometry::Geometry;
 use crate::object::{ObjectCells, ObjectRole, Solid};
 use crate::shadow::ShadowRole;
 use crate::stages::{
-    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE,
+    AMBIENT, DETAIL, FIELD, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE,
 };
 use crate::surface::{AskedImages, Paths, Shown};
 
@@ -107,6 +107,11 @@ impl Selection {
     /// Whether normals are blended from several images.
     pub fn blends_normals(&self) -> bool {
         self.object_cells().is_some_and(|object| object.solid == Solid::Blend)
+    }
+
+    /// Whether a volume is shown, and no heights.
+    pub fn has_volume(&self) -> bool {
+        self.choices[FIELD].entry.is_volume()
     }
 
     /// Whether pixels have different levels of detail.

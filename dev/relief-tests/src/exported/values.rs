@@ -87,7 +87,7 @@ structs! {
         has_holes, has_creases, has_vertex_normals, has_shadows, scale_m, bias_m, shell_m, mean_height,
         transmission, ior, number, emission, material_size, material_levels, material_texels, roughness,
         metallic, has_material, environment_side, environment_levels, images, solids,
-        cells, jump, color_u, color_v, color_wrap_u, color_wrap_v, cutoff,
+        cells, jump, volume, color_u, color_v, color_wrap_u, color_wrap_v, cutoff,
     }
     Light { place, color, first_view, views }
     LightView { column, row, depth, corner, across, along, eye, near, texel_m, from_point, size }

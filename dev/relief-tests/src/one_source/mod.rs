@@ -63,7 +63,7 @@ impl Pair {
         for (s, search) in search::ENTRIES.iter().enumerate() {
             for (r, refine) in refine::ENTRIES.iter().enumerate() {
                 let pair = Selection::pair(search.name, refine.name).expect("listed names");
-                if pair.check_pair().is_err() {
+                if pair.check_pair().is_err() || pair.has_volume() {
                     continue;
                 }
                 let none = [shadow::ENTRIES.iter().find(|it| it.is_idle()).expect("no shadow"), search];

@@ -2,7 +2,7 @@
 
 use relief_core::mesh::torus;
 use relief_core::object::GridMapping;
-use relief_core::{Watch, Wrap};
+use relief_core::{Volume, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::gpu::{Gpu, block_on};
@@ -78,6 +78,15 @@ fn runs_within(limits: Limits, in_all: bool) {
         for (_, selection) in selections().into_iter().enumerate().filter(|(number, _)| is_its_turn(*number))
         {
             let surface = match selection.object_cells() {
+                None if selection.has_volume() => {
+                    let ball = |[u, v, h]: [f64; 3]| {
+                        0.5 + 8.0
+                            * (0.3 - [u, v, h].map(|x| (x - 0.5) * (x - 0.5)).iter().sum::<f64>().sqrt())
+                    };
+                    let volume = Volume::from_fn([16; 3], Wrap::Repeat, ball).expect("a volume");
+                    let volume = volume.with_displacement(0.05, -0.05).expect("lengths");
+                    Surface::new(torus(32, 16).expect("a mesh"), map.clone()).with_volume(volume)
+                }
                 None => Surface::new(torus(32, 16).expect("a mesh"), map.clone()),
                 Some(_) => {
                     let object = grid_of_spheres(GridMapping::Octahedral, 6, 32);

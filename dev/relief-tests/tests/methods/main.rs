@@ -16,3 +16,4 @@ mod procedures;
 mod quadric;
 mod search_over_a_map;
 mod survey;
+mod volumes;

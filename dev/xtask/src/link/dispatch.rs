@@ -41,7 +41,8 @@ fn label(number: usize, count: usize) -> String {
 fn module(place: usize, stage: &Stage) -> String {
     let mut text = String::from(
         "import package::shared::types::{PixelIn, Entered, Path, SearchResult, Hit, Toward};\n\
-         import package::shared::types::{Material, Mirrored};\n\
+         import package::shared::types::{LightRay, Material, Mirrored};\n\
+         import package::shared::seen_normals::SeenNormals;\n\
          import package::bindings::surface_settings;\n",
     );
     let mut functions = String::new();

@@ -1,0 +1,221 @@
+//! Volumes: the shaders' walk beside the judge's in `f64`, and what goes with a volume.
+
+use relief_core::camera::Camera;
+use relief_core::mesh::torus;
+use relief_core::rng::Rng;
+use relief_core::{HeightMap, Hit, Lanes, Path, Volume, Watch, Wrap};
+use relief_maps::Maps;
+use relief_render::render;
+use relief_scene::{BackendChoice, Scene, Surface};
+use relief_shaders::Selection;
+use relief_shaders::cpu::{MethodTracer, PixelOut};
+use relief_testing::volumes;
+use relief_tests::adapter::{Leeway, has_adapter};
+
+/// Rays over a volume in one wrap. Times scale with it.
+const RAYS: usize = 4_000;
+
+/// How far above the surface's value a passed place may be, and for how many voxels.
+const PASSED: f64 = 1e-4;
+const PASSED_VOXELS: f64 = 1e-3;
+
+/// How far from the surface's value a hit may be.
+const BESIDE: f64 = 1e-3;
+
+/// A path as the shaders receive it: from above or the side, straight or bent, some that turn.
+fn path(rng: &mut Rng) -> Path {
+    let mut at = |high: f64| [rng.between(-2.0, 2.0), rng.between(-2.0, 2.0), high];
+    let mut path = Path::between(at(1.0), at(0.0));
+    if rng.below(4) == 0 {
+        path = Path::between(
+            [path.uv[0], path.uv[1], rng.unit()],
+            [path.uv[0] + rng.unit(), path.uv[1], rng.unit()],
+        );
+    }
+    if rng.below(2) == 0 {
+        let bend = rng.between(-3.0, 3.0);
+        path.h = [path.h[0], path.h[1] - bend, bend];
+    }
+    Path::from(&relief_shaders::cpu::Path::from(&path))
+}
+
+fn paths(seed: u64, count: usize) -> Vec<Path> {
+    let mut rng = Rng::new(seed);
+    (0..count).map(|_| path(&mut rng)).collect()
+}
+
+/// The greatest value above the surface's on the way between two parameters, and the voxels of that way.
+fn passed(volume: &Volume, path: &Path, from: f64, to: f64) -> (f64, f64) {
+    let at = |part: f64| path.at(from + (to - from) * part);
+    let most = (0..=64).map(|k| volume.value_at(at(f64::from(k) / 64.0))).fold(0.0, f64::max);
+    let [a, b] = [at(0.0), at(1.0)];
+    let apart =
+        (0..3).map(|axis| ((a[axis] - b[axis]) * f64::from(volume.size()[axis])).powi(2)).sum::<f64>();
+    (most - Volume::SURFACE, apart.sqrt())
+}
+
+/// The rays that an answer is wrong for: passed the surface, or hit beside it.
+fn wrong(volume: &Volume, paths: &[Path], hits: &[Hit]) -> usize {
+    let is_wrong = |path: &Path, hit: &Hit| {
+        let judge = volume.first_hit(path);
+        let end = if hit.found { hit.t } else { path.exit };
+        let is_passed = judge.is_some_and(|judge| {
+            let (above, voxels) = passed(volume, path, judge.t, end);
+            end > judge.t && above > PASSED && voxels > PASSED_VOXELS
+        });
+        let value = volume.value_at(path.at(hit.t)) - Volume::SURFACE;
+        let begins_inside = hit.t == 0.0 && value > 0.0;
+        is_passed || (hit.found && value.abs() > BESIDE && !begins_inside)
+    };
+    paths.iter().zip(hits).filter(|(path, hit)| is_wrong(path, hit)).count()
+}
+
+fn hits(volume: &Volume, selection: &Selection, paths: &[Path], lanes: Lanes) -> Vec<Hit> {
+    let mut hits = vec![Hit::miss(Default::default()); paths.len()];
+    MethodTracer::of_volume(volume, selection).first_hits(paths, lanes, &mut hits);
+    hits
+}
+
+#[test]
+fn voxels_find_the_first_hit_of_the_judge() {
+    let selection = Selection::method("voxels").expect("a method");
+    for (number, named) in volumes::ALL.iter().enumerate() {
+        for wrap in Wrap::ALL {
+            let volume = named.build(wrap).expect("a volume");
+            let paths = paths(number as u64, RAYS);
+            let found = hits(&volume, &selection, &paths, Lanes::widest());
+            let hit = found.iter().filter(|hit| hit.found).count();
+            let wrong = wrong(&volume, &paths, &found);
+            println!("{} {wrap}: {hit} hits of {RAYS}, {wrong} wrong", named.name);
+            assert_eq!(wrong, 0, "{} {wrap}", named.name);
+            let expected = if named.name == "empty" { 0..1 } else { RAYS / 1000..RAYS + 1 };
+            assert!(expected.contains(&hit), "{} {wrap}: {hit} hits", named.name);
+            assert!(found.iter().all(|hit| !hit.exhausted), "{} {wrap}", named.name);
+        }
+    }
+}
+
+#[test]
+fn another_volume_is_noticed() {
+    let selection = Selection::method("voxels").expect("a method");
+    let volume = volumes::ALL[0].build(Wrap::Repeat).expect("a volume");
+    let paths = paths(1, RAYS);
+    let mut values = volume.values();
+    values[100] = 1.0 - values[100];
+    let changed = Volume::new(volume.size(), &values, Wrap::Repeat).expect("a volume");
+    let clamped = volume.clone().with_wrap(Wrap::Clamp);
+    for other in [changed, clamped] {
+        let found = hits(&other, &selection, &paths, Lanes::widest());
+        assert!(wrong(&volume, &paths, &found) > 10);
+    }
+}
+
+#[test]
+fn every_width_has_the_bits_of_one_by_one() {
+    let pairs = [("voxels", "trilinear"), ("voxels", "none"), ("linear", "binary"), ("linear", "secant")];
+    for (search, refine) in pairs.into_iter().chain([("linear", "true-secant"), ("linear", "trilinear")]) {
+        let selection = Selection::pair(search, refine).expect("listed names").with_volume(true);
+        assert_eq!(selection.check(), Ok(()), "{search} {refine}");
+        for named in volumes::ALL {
+            let volume = named.build(Wrap::Mirror).expect("a volume");
+            let paths = paths(5, 500);
+            let tracer = MethodTracer::of_volume(&volume, &selection);
+            let alone: Vec<Hit> = paths.iter().map(|path| tracer.first_hit(path)).collect();
+            for lanes in Lanes::available() {
+                let together = hits(&volume, &selection, &paths, lanes);
+                assert_eq!(alone, together, "{search} {refine} {} {lanes:?}", named.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn samples_of_linear_search_come_near() {
+    let mut selection = Selection::pair("linear", "binary").expect("listed names").with_volume(true);
+    selection.set("search.steps", 512.0).expect("a setting");
+    let volume = volumes::ALL[6].build(Wrap::Repeat).expect("a volume");
+    let paths: Vec<Path> = paths(8, RAYS).into_iter().filter(|path| path.h[2] == 0.0).collect();
+    let found = hits(&volume, &selection, &paths, Lanes::widest());
+    let near = paths.iter().zip(&found).filter(|(path, hit)| match volume.first_hit(path) {
+        Some(judge) => hit.found && (hit.t - judge.t).abs() < 0.01 * path.exit,
+        None => !hit.found,
+    });
+    let share = near.count() as f64 / paths.len() as f64;
+    assert!(share > 0.95, "{share}");
+}
+
+#[test]
+fn what_needs_heights_is_refused() {
+    let volume = Selection::method("voxels").expect("a method");
+    assert_eq!(volume.check(), Ok(()));
+    for (key, name) in [
+        ("refine", "patch"),
+        ("shadow", "horizon"),
+        ("shadow", "entry"),
+        ("ambient", "occlusion"),
+        ("detail", "footprint"),
+        ("geometry", "vertex"),
+    ] {
+        let mut selection = volume;
+        selection.choose(key, name).expect("a listed name");
+        assert!(selection.check().is_err(), "{key} {name}");
+    }
+    // A search of heights goes back to heights.
+    let mut heights = volume;
+    heights.choose("search", "cells").expect("a listed name");
+    assert!(!heights.has_volume() && heights.check().is_err());
+    for (key, name) in [("shadow", "soft"), ("shadow", "map"), ("shadow", "none"), ("ambient", "hemisphere")]
+    {
+        assert_eq!(volume.goes_with(key, name), Ok(true), "{key} {name}");
+    }
+    for surface in ["plane", "prism", "tetrahedra", "quadric-vertical"] {
+        assert_eq!(volume.goes_with("surface", surface), Ok(true), "{surface}");
+    }
+}
+
+/// The picture of a weave on a torus, with shadows.
+fn pixels(surface: &str, shadow: &str, backend: BackendChoice) -> Vec<PixelOut> {
+    let volume = volumes::ALL[6].build(Wrap::Repeat).expect("a volume");
+    let volume = volume.with_displacement(0.06, 0.0).expect("lengths");
+    let mut selection = Selection::method("voxels").expect("a method");
+    selection.choose("surface", surface).expect("a listed name");
+    selection.choose("shadow", shadow).expect("a listed name");
+    let mesh = torus(24, 12).expect("a mesh").tiled([6.0, 3.0].into()).expect("tiles");
+    let ground = HeightMap::new(1, 1, vec![0.0], Wrap::Repeat).expect("a map");
+    let shown = Surface::new(mesh, ground).with_volume(volume).with_selection(selection);
+    let camera = Camera::new([0.5, 0.9, 1.0].into(), [0.0; 3].into(), 40.0).expect("a camera");
+    let scene = Scene::builder(shown).camera(camera).size(96, 72).samples(1).backend(backend);
+    let scene = scene.build().expect("a proper scene");
+    render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
+}
+
+#[test]
+fn the_backends_show_the_same_on_every_surface() {
+    let mut before: Vec<PixelOut> = Vec::new();
+    for (surface, shadow) in
+        [("plane", "ray"), ("quadric-vertical", "soft"), ("tetrahedra", "map"), ("prism", "ray")]
+    {
+        let cpu = pixels(surface, shadow, BackendChoice::Cpu);
+        let covered = cpu.iter().filter(|pixel| pixel.hit == 1).count();
+        assert!(covered > 1000, "{surface}: {covered} pixels");
+        let holes = cpu.iter().filter(|pixel| pixel.hit == 1 && pixel.height < 0.2).count();
+        println!("{surface} {shadow}: {covered} pixels, {holes} low");
+        let alike = |other: &[PixelOut]| {
+            let same = |(a, b): &(&PixelOut, &PixelOut)| {
+                let bits = |pixel: &PixelOut| {
+                    [pixel.uv.x, pixel.uv.y, pixel.t, pixel.lit, pixel.normal.x].map(f32::to_bits)
+                };
+                a.hit == b.hit && bits(a) == bits(b)
+            };
+            cpu.iter().zip(other).filter(same).count() as f64 / cpu.len() as f64
+        };
+        assert!(before.is_empty() || alike(&before) < 0.9, "{surface} shows what another did");
+        // Programs of other surfaces compile for longer, and differ in their surfaces alone.
+        if has_adapter() && ["plane", "tetrahedra"].contains(&surface) {
+            let share = alike(&pixels(surface, shadow, BackendChoice::Gpu));
+            println!("{surface} {shadow}: {share:.5} alike");
+            assert!(share >= Leeway::of_any().share(0.999), "{surface} {shadow}: {share}");
+        }
+        before = cpu;
+    }
+}
