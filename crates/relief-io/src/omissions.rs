@@ -142,7 +142,7 @@ omissions! {
         "colours that are not opaque, except of texels without a value",
         "they are shown opaque";
     OUTSIDE_TABLE: "outside-table", "tables of colours",
-        "heights of which less than a tenth lies between the table's elevations",
+        "heights with less than a tenth of them between the table's elevations",
         "heights beyond them have the colours of its ends";
     IDLE_FACTOR: "idle-factor", "material maps",
         "a factor on a map that is 0 everywhere",

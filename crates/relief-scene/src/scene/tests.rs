@@ -137,6 +137,7 @@ fn every_key_is_read() {
     let settings = [("search.steps".to_owned(), 64.0), ("refine.steps".to_owned(), 6.0)];
     let surface = SurfaceSpec {
         object: None,
+        volume: None,
         ramp: None,
         walls: None,
         base: None,
