@@ -34,6 +34,7 @@ mod fill;
 mod fixed_point;
 pub mod from_meshes;
 pub mod from_normals;
+pub mod from_shading;
 mod horizon_sweep;
 mod input;
 pub mod kind;

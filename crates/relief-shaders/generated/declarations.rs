@@ -9656,8 +9656,8 @@ fn turning_point(way: VoxelPath) -> f32 {
         name: "meets_plane",
         sampling: None,
         uses: &["NEVER", "VoxelPath"],
-        text: r#"// The parameter at which the height is that of a plane between cells, on the way before the turning point or
-// on the way behind it; NEVER if it stays on one side.
+        text: r#"// The parameter at which the height reaches a plane between cells, on the way before the turning point or on
+// the way behind it; NEVER if it stays on one side.
 fn meets_plane(way: VoxelPath, plane: f32, rises: bool, has_turned: bool) -> f32 {
     let gap = plane - way.origin.z;
     let discriminant = way.step.z * way.step.z + 4.0 * way.bend * gap;

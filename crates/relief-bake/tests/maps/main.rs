@@ -6,6 +6,7 @@ mod dilation_erosion;
 mod distance;
 mod filter_levels;
 mod from_normals;
+mod from_shading;
 mod frustum;
 mod horizon;
 mod normal;

@@ -7,6 +7,7 @@ mod for_mesh;
 mod from_meshes;
 mod from_normals;
 mod from_photos;
+mod from_shading;
 mod from_view;
 mod lights;
 mod output;
@@ -40,6 +41,8 @@ enum Origin {
     FromNormals(Box<from_normals::Arguments>),
     /// Make a height map from photographs of one view under at least three known lights
     FromPhotos(Box<from_photos::Arguments>),
+    /// Guess a height map from the shading of one photograph under a known light
+    FromShading(Box<from_shading::Arguments>),
     /// Compute the heights that displace a simple mesh onto a detailed one
     FromMeshes(Box<from_meshes::Arguments>),
     /// Convert one image of a depth object into a height map
@@ -56,6 +59,7 @@ enum Origin {
 const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.png -o rock.exr\n  \
     relief height from-normals wall_dx.png --green down --wrap clamp --texel-size 0.002 -o wall.png\n  \
     relief height from-photos lights.toml -o coin.exr --normals normal.png --albedo albedo.png\n  \
+    relief height from-shading photo.png --light -1,1,1 -o photo.exr\n  \
     relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 -o rock.exr\n  \
     relief height from-view spot/object.toml --view 5 -o front.exr\n  \
     relief height procedure waves --frames 0..47 -o waves_%04d.png\n  \
@@ -166,6 +170,7 @@ impl Arguments {
         match &mut self.origin {
             Origin::FromNormals(arguments) => arguments.files(),
             Origin::FromPhotos(arguments) => arguments.files(),
+            Origin::FromShading(arguments) => arguments.files(),
             Origin::FromMeshes(arguments) => arguments.files(),
             Origin::FromView(arguments) => arguments.files(),
             Origin::Procedure(arguments) => arguments.files(),
@@ -179,6 +184,7 @@ impl Arguments {
         match &self.origin {
             Origin::FromNormals(arguments) => arguments.common.json,
             Origin::FromPhotos(arguments) => arguments.common.json,
+            Origin::FromShading(arguments) => arguments.json,
             Origin::FromMeshes(arguments) => arguments.json,
             Origin::FromView(arguments) => arguments.json,
             Origin::Procedure(arguments) => arguments.json,
@@ -193,6 +199,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.origin {
         Origin::FromNormals(arguments) => from_normals::run(arguments),
         Origin::FromPhotos(arguments) => from_photos::run(arguments),
+        Origin::FromShading(arguments) => from_shading::run(arguments),
         Origin::FromMeshes(arguments) => from_meshes::run(arguments),
         Origin::FromView(arguments) => from_view::run(arguments),
         Origin::Procedure(arguments) => procedure::run(arguments),

@@ -15,7 +15,7 @@ use image::{ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
 use relief_core::mesh::{sphere, square, torus};
 
 /// Commands with examples, as help is asked for.
-const COMMANDS: [&str; 24] = [
+const COMMANDS: [&str; 25] = [
     "render",
     "scene",
     "inspect",
@@ -23,6 +23,7 @@ const COMMANDS: [&str; 24] = [
     "height",
     "height from-normals",
     "height from-photos",
+    "height from-shading",
     "height from-meshes",
     "height from-view",
     "height procedure",
@@ -215,6 +216,7 @@ fn stand_ins() -> Folder {
         text += &format!("[[photo]]\nfile = \"photo{number}.png\"\nlight = [{right}, {up}, {out}]\n");
     }
     folder.write("lights.toml", text);
+    fs::copy(folder.path("photo0.png"), folder.path("photo.png")).expect("it was rendered");
     // Files that the project ships.
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     for shipped in ["data", "scenes"] {

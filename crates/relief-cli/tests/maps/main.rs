@@ -16,6 +16,7 @@ mod from_view;
 mod height;
 mod height_files;
 mod height_photos;
+mod height_shading;
 mod metres;
 mod normal_holes;
 mod volume;
