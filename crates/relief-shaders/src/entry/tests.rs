@@ -2,14 +2,14 @@ use std::path::Path;
 
 use super::*;
 use crate::stages::{
-    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE,
-    Stage, stage,
+    AMBIENT, DETAIL, FIELD, GEOMETRY, OBJECT, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, SLICES, STAGES,
+    SURFACE, Stage, stage,
 };
 use crate::surface::Shown;
 use crate::{METHODS, Selection, SelectionError};
 
 /// The stages that can be left out.
-const LEFT_OUT: [usize; 6] = [GEOMETRY, OBJECT, DETAIL, SEARCH, REFINE, SHADOW];
+const LEFT_OUT: [usize; 7] = [GEOMETRY, OBJECT, FIELD, DETAIL, SEARCH, REFINE, SHADOW];
 
 /// The faults in the roles of the entries in these stages.
 fn faults(stages: &[Stage]) -> Vec<String> {
@@ -76,6 +76,7 @@ fn fits(entry: &Entry, place: usize) -> bool {
         Role::Surface(_) => place == SURFACE,
         Role::NearSurface => place == SLICES,
         Role::Object(_) => place == OBJECT,
+        Role::Volume => place == FIELD,
         Role::Flattened => place == DETAIL,
         Role::Tracing(_) => [SEARCH, REFINE, SHADOW_SEARCH].contains(&place),
         Role::Shadow(_) => place == SHADOW,
