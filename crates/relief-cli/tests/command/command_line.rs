@@ -210,14 +210,16 @@ fn every_listed_name_renders() {
     let render_of = |of: &str, flags: &str| {
         json_of(&folder.relief(&format!("render {of} {SMALL} --json {flags}")).fine())
     };
-    let render = |flags: &str| render_of("--height map.png", flags);
+    folder.relief("volume sponge --size 16x16x16 -q -o sponge.ktx2").fine();
     for method in listed["methods"].as_array().expect("a list") {
         let name = method["name"].as_str().expect("a name");
-        let of = if method["family"] == "object" { "--object cube/object.toml" } else { "--height map.png" };
+        let (of, other) = match method["family"].as_str() {
+            Some("object") => ("--object cube/object.toml", "--height map.png"),
+            Some("volume") => ("--volume sponge.ktx2", "--height map.png"),
+            _ => ("--height map.png", "--object cube/object.toml"),
+        };
         let about = render_of(of, &format!("--method {name}"));
-        // An object is no relief, nor a relief an object.
-        let other =
-            if method["family"] == "object" { "--height map.png" } else { "--object cube/object.toml" };
+        // An object or a volume is no relief, nor a relief an object.
         let refused = folder.relief(&format!("render {other} {SMALL} --method {name}"));
         assert!(refused.code == Some(2) && refused.stderr.contains("method"), "{refused:?}");
         let surface = &about["surfaces"][0];
@@ -229,7 +231,8 @@ fn every_listed_name_renders() {
         let [search, refine] = ["search", "refine"].map(|key| pair[key].as_str().expect("a name"));
         let flags = format!("--search {search} --refine {refine}");
         let Some(reason) = pair["refused"].as_str() else {
-            let about = render(&flags);
+            let of = if search == "voxels" { "--volume sponge.ktx2" } else { "--height map.png" };
+            let about = render_of(of, &flags);
             assert!(about["covered"].as_u64() > Some(50), "{about}");
             continue;
         };

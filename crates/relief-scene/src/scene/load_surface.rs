@@ -404,7 +404,7 @@ impl SurfaceSpec {
         };
         let map = match (&self.height, &volume) {
             (Some(path), _) => maps.height(path, options)?,
-            (None, Some(volume)) => ground_of(volume).map_err(|error| of_number(error))?,
+            (None, Some(volume)) => ground_of(volume).map_err(of_number)?,
             (None, None) => level_map(of_file.as_ref().and_then(|(_, colors, _)| wrap_of_normals(colors)))?,
         };
         let splits = parts.selection.geometry().is_none();

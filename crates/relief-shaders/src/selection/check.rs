@@ -12,6 +12,9 @@ use crate::stages::{
 };
 use crate::surface::{AskedImages, Paths, Shown};
 
+/// A stage, and whether a variant of it serves.
+type Rule<'a> = (usize, &'a dyn Fn(&Entry) -> bool);
+
 impl Selection {
     /// Checks that every chosen variant can trace the rays of its stage, and goes with the others.
     ///
@@ -156,7 +159,7 @@ impl Selection {
             entry.maps.is_empty()
                 && !matches!(entry.shadow(), Some(ShadowRole::Discs | ShadowRole::FromEntry))
         };
-        let rules: [(usize, &dyn Fn(&Entry) -> bool); 5] = [
+        let rules: [Rule; 5] = [
             (GEOMETRY, &is_base),
             (DETAIL, &Entry::is_idle),
             (SEARCH, &is_searched),
