@@ -74,6 +74,8 @@ impl Selection {
         let geometry = self.choices[GEOMETRY].entry.geometry();
         self.choices[OBJECT] = Choice::first(OBJECT, Entry::is_idle);
         if !geometry.companions.is_empty() {
+            // Triangles and images are made of heights.
+            self.choices[FIELD] = Choice::first(FIELD, |entry| !entry.is_volume());
             return Ok(self.with_companions(geometry.companions)?.with_search_for_shadows());
         }
         if self.paths().shown != geometry.shown {
