@@ -294,7 +294,7 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif --error 2m --quantize 12 -o dem.glb       # a third smaller, in integers\n  \
     relief mesh dem.tif --error 2m --strips -o dem.glb            # a fifth smaller, as strips\n  \
     relief mesh dem.tif --error 5% --maps normal -o dem.glb       # few triangles, all of the shading\n  \
-    relief mesh Bricks090 --scale 2cm --error 5% --maps normal -o bricks.glb  # with a folder's material
+    relief mesh Bricks090 --scale 2cm --error 5% --maps normal -o bricks.glb  # with a folder's material\n  \
     relief mesh dem.tif --error 1m --lods 4 -o dem.glb            # and three coarser levels\n  \
     relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb  # one vertex per two pixels\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb  # on a textured mesh\n  \
