@@ -12518,8 +12518,8 @@ impl<'g> Resources<'g> {
                             } else {
                                 local_76 = rt::Scalar(false);
                             }
-                            let is_inside_3 = local_76;
-                            let status = FOUND_BRACKET.select(FOUND_STARTED_BELOW, is_inside_3);
+                            let begins_inside = local_76;
+                            let status = FOUND_BRACKET.select(FOUND_STARTED_BELOW, begins_inside);
                             let _e63 = t_28;
                             let _e64 = t_28;
                             let _e65 = t_28;

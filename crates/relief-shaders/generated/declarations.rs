@@ -9775,7 +9775,7 @@ fn next_voxel_cell(way: VoxelPath, cell: vec3f, leave: vec3f, rises: bool) -> ve
         module: "shared/voxel_walk",
         name: "walk_voxels",
         sampling: None,
-        uses: &["FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "NEVER", "NO_COST", "Path", "STEP", "SURFACE_VALUE", "SearchResult", "VOXELS_READ", "first_root_of_quartic", "gap_in_cell", "greatest_value", "is_inside", "next_voxel_cell", "rises_on", "turning_point", "voxel_cell", "voxel_leave", "voxel_path", "voxel_place_on"],
+        uses: &["FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "NEVER", "NO_COST", "Path", "STEP", "SURFACE_VALUE", "SearchResult", "VOXELS_READ", "first_root_of_quartic", "gap_in_cell", "greatest_value", "next_voxel_cell", "rises_on", "turning_point", "voxel_cell", "voxel_leave", "voxel_path", "voxel_place_on"],
         text: r#"// The first place on a path from one parameter to another where the field reaches the surface: a bracket in its
 // cell, whose far end is the root. Gives up after `limit` cells.
 fn walk_voxels(path: Path, from_t: f32, to_t: f32, limit: u32) -> SearchResult {
@@ -9796,8 +9796,8 @@ fn walk_voxels(path: Path, from_t: f32, to_t: f32, limit: u32) -> SearchResult {
             let gap = gap_in_cell(way, cell, corners, t, end - t);
             let root = first_root_of_quartic(gap);
             if (root < NEVER) {
-                let is_inside = gap.a < 0.0 && t == from_t;
-                let status = select(FOUND_BRACKET, FOUND_STARTED_BELOW, is_inside);
+                let begins_inside = gap.a < 0.0 && t == from_t;
+                let status = select(FOUND_BRACKET, FOUND_STARTED_BELOW, begins_inside);
                 return SearchResult(status, t, t + root * (end - t), gap.a, min(gap.a, 0.0), cost);
             }
         }

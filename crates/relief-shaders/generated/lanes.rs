@@ -1796,8 +1796,8 @@ stage! { fn walk_voxels(r: &Resources<'_>, within: M, path_a0: &Path, from_t_a1:
             if any(ex) {
                 let e_56 = t_v1;
                 both_v4 = and(lt(gap_47.a, splat(0.0f32)), eq(e_56, from_t_a1));
-                let is_inside_59 = both_v4;
-                let status_62 = sel_u(is_inside_59, splat_u(5u32), splat_u(3u32));
+                let begins_inside_59 = both_v4;
+                let status_62 = sel_u(begins_inside_59, splat_u(5u32), splat_u(3u32));
                 let e_63 = t_v1;
                 let e_64 = t_v1;
                 let e_65 = t_v1;
