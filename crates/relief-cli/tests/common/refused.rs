@@ -21,12 +21,15 @@ pub fn with_out() -> Folder {
 }
 
 /// Fails unless the command failed as it should: with the exit code, in a paragraph that has the
-/// words, without a trace.
+/// words, without a trace. Notes may stand before it, a line each: what they say of the input is
+/// often why it was refused.
 pub fn assert_refused(folder: &Folder, ran: &Ran, code: i32, words: &[&str]) {
     let Ran { line, stderr, stdout, .. } = ran;
     assert_eq!(ran.code, Some(code), "relief {line}: {stderr}");
     assert_eq!(stdout, "", "relief {line}");
-    assert!(stderr.starts_with("error: "), "relief {line}: {stderr}");
+    let is_note = |line: &&str| line.starts_with("note: ");
+    let first = stderr.lines().find(|line| !is_note(line)).unwrap_or_default();
+    assert!(first.starts_with("error: "), "relief {line}: {stderr}");
     assert!(!stderr.contains("panicked") && !stderr.contains("RUST_BACKTRACE"), "relief {line}: {stderr}");
     assert!(stderr.len() > 20, "relief {line}: {stderr}");
     // What clap refuses has its usage below; everything else is one paragraph.
