@@ -168,9 +168,15 @@ pub fn of_scene(error: &SceneError) -> Option<Advice> {
 
 /// Returns what lets a folder of textures be read.
 pub fn of_textures(error: &TextureSetError) -> Option<Advice> {
-    let is_of_tiles =
-        matches!(error, TextureSetError::ChooseTile { .. } | TextureSetError::UnknownTile { .. });
-    is_of_tiles.then_some(Advice { flag: "use --udim", key: "use the key udim" })
+    match error {
+        TextureSetError::ChooseTile { .. } | TextureSetError::UnknownTile { .. } => {
+            Some(Advice { flag: "use --udim", key: "use the key udim" })
+        }
+        TextureSetError::NoHeight { unnamed, .. } if !unnamed.is_empty() => {
+            Some(Advice { flag: "use --height FILE", key: "use the key height" })
+        }
+        _ => None,
+    }
 }
 
 /// Returns what lets a scene be rendered.

@@ -228,6 +228,9 @@ impl Arguments {
         if self.engine.udim.is_some() || self.engine.green.is_some() {
             return Err(Failure::usage("--udim and --green are for folders of textures: add --for"));
         }
+        if let Some(flag) = self.engine.maps.first() {
+            return Err(Failure::Usage(format!("{flag} names a map of a material for an engine: add --for")));
+        }
         Ok(())
     }
 

@@ -109,7 +109,10 @@ pub const ENGINES: &[Engine] = &[
             png(Emission, "_emission", "emission_texture, with emission_enabled"),
         ],
         height: HeightUse::Parallax,
-        settings: &[setting("heightmap_scale", SettingValue::PartOfTile(100))],
+        settings: &[setting(
+            "heightmap_scale, in hundredths of a tile's width",
+            SettingValue::PartOfTile(100),
+        )],
         plane_cells: None,
         sources: &[
             "https://docs.godotengine.org/en/stable/classes/class_ormmaterial3d.html",

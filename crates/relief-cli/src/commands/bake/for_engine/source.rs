@@ -48,12 +48,19 @@ impl MaterialSource {
             return Err(Failure::Work(format!("{folder}: this is not a folder: give another --output")));
         }
         if !path.is_dir() {
-            if engine.udim.is_some() || engine.green.is_some() {
+            if engine.udim.is_some() || (engine.green.is_some() && engine.maps.first().is_none()) {
                 let what = "--udim and --green are for folders of textures: leave them out";
                 return Err(Failure::usage(what));
             }
             let name = material_name(path);
-            return Ok(Self { name, set: None, height: path.clone(), is_depth: arguments.reading.depth });
+            let is_depth = arguments.reading.depth;
+            if engine.maps.height().is_some() {
+                let what = "--height: the height map is named already: leave one out";
+                return Err(Failure::usage(what));
+            }
+            let named = TextureSet { name: name.clone(), textures: Vec::new(), left: Vec::new() };
+            let set = engine.maps.first().map(|_| engine.maps.over(named));
+            return Ok(Self { name, set, height: path.clone(), is_depth });
         }
         if FileKind::of(path)? == FileKind::Object {
             let name = path.display();
@@ -70,7 +77,10 @@ impl MaterialSource {
         }
         let set = find_textures(path, engine.udim)
             .map_err(|error| Failure::Work(advice::with_flag(&error, advice::of_textures(&error))))?;
-        let found = set.height().map_err(Failure::work)?;
+        let set = engine.maps.over(set);
+        let found = set.height();
+        let found =
+            found.map_err(|error| Failure::Work(advice::with_flag(&error, advice::of_textures(&error))))?;
         let is_depth = arguments.reading.depth || found.role == TextureRole::Depth;
         Ok(Self { name: set.name.clone(), height: found.path.clone(), is_depth, set: Some(set) })
     }
