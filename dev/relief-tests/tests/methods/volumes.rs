@@ -1,9 +1,11 @@
 //! Volumes: the shaders' walk beside the judge's in `f64`, and what goes with a volume.
 
+use std::sync::Arc;
+
 use relief_core::camera::Camera;
 use relief_core::mesh::torus;
 use relief_core::rng::Rng;
-use relief_core::{HeightMap, Hit, Lanes, Path, Volume, Watch, Wrap};
+use relief_core::{BakedMap, HeightMap, Hit, Lanes, MapTexels, Metric, Path, Volume, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::render;
 use relief_scene::{BackendChoice, Scene, Surface};
@@ -70,10 +72,36 @@ fn wrong(volume: &Volume, paths: &[Path], hits: &[Hit]) -> usize {
     paths.iter().zip(hits).filter(|(path, hit)| is_wrong(path, hit)).count()
 }
 
+/// The maps that a method reads over a volume.
+fn baked(volume: &Volume, selection: &Selection) -> Vec<Arc<BakedMap>> {
+    let selection = selection.with_volume(true).with_volume_size(volume.size());
+    let provided = Maps::in_memory().provide(&selection, volume.atlas(), Metric::UNIT, &Watch::none());
+    provided.expect("maps").into_parts().0.into_iter().map(|(_, map)| map).collect()
+}
+
 fn hits(volume: &Volume, selection: &Selection, paths: &[Path], lanes: Lanes) -> Vec<Hit> {
+    hits_over(volume, selection, &baked(volume, selection), paths, lanes)
+}
+
+fn hits_over(
+    volume: &Volume,
+    selection: &Selection,
+    maps: &[Arc<BakedMap>],
+    paths: &[Path],
+    lanes: Lanes,
+) -> Vec<Hit> {
     let mut hits = vec![Hit::miss(Default::default()); paths.len()];
-    MethodTracer::of_volume(volume, selection).first_hits(paths, lanes, &mut hits);
+    let tracer = MethodTracer::of_volume(volume, selection, maps.iter().map(|map| &**map)).expect("its maps");
+    tracer.first_hits(paths, lanes, &mut hits);
     hits
+}
+
+/// A baked map with other values.
+fn changed(map: &BakedMap, change: impl Fn(usize, f32) -> f32) -> Vec<Arc<BakedMap>> {
+    let MapTexels::F32(values) = map.texels() else { panic!("maps are baked as floats") };
+    let values = values.iter().enumerate().map(|(at, value)| change(at, *value)).collect();
+    let (identity, layout) = (map.identity().clone(), *map.layout());
+    vec![Arc::new(BakedMap::new(identity, layout, *map.codes(), MapTexels::F32(values)).expect("a map"))]
 }
 
 #[test]
@@ -110,6 +138,29 @@ fn another_volume_is_noticed() {
     }
 }
 
+/// Szirmay-Kalos and Umenhoffer 2008, section 5.2, with the distances of Cohen and Sheffer 1994.
+#[test]
+fn distances_skip_most_cells_and_a_spoiled_one_is_noticed() {
+    let selection = Selection::method("voxels").expect("a method");
+    let volume = volumes::ALL[6].build(Wrap::Repeat).expect("a volume");
+    let paths = paths(3, RAYS);
+    let maps = baked(&volume, &selection);
+    let with = |maps: &[Arc<BakedMap>]| hits_over(&volume, &selection, maps, &paths, Lanes::widest());
+    let steps = |hits: &[Hit]| hits.iter().map(|hit| u64::from(hit.cost.steps)).sum::<u64>();
+    let skipped = with(&maps);
+    // Without a distance every cell is visited; the hits are the same.
+    let visited = with(&changed(&maps[0], |_, _| 0.0));
+    let share = steps(&skipped) as f64 / steps(&visited) as f64;
+    println!("{share} of the steps");
+    assert!(share <= 0.4, "{share}");
+    let is_same = |(a, b): (&Hit, &Hit)| a.found == b.found && (a.t - b.t).abs() < 1e-5;
+    let same = skipped.iter().zip(&visited).filter(|pair| is_same(*pair)).count();
+    assert!(same as f64 >= 0.999 * paths.len() as f64, "{same} of {}", paths.len());
+    // One cell in a hundred says too much.
+    let spoiled = changed(&maps[0], |at, value| if at % 100 == 0 { value + 2.0 } else { value });
+    assert!(wrong(&volume, &paths, &with(&spoiled)) > 10);
+}
+
 #[test]
 fn every_width_has_the_bits_of_one_by_one() {
     let pairs = [("voxels", "trilinear"), ("voxels", "none"), ("linear", "binary"), ("linear", "secant")];
@@ -119,7 +170,9 @@ fn every_width_has_the_bits_of_one_by_one() {
         for named in volumes::ALL {
             let volume = named.build(Wrap::Mirror).expect("a volume");
             let paths = paths(5, 500);
-            let tracer = MethodTracer::of_volume(&volume, &selection);
+            let maps = baked(&volume, &selection);
+            let maps = maps.iter().map(|map| &**map);
+            let tracer = MethodTracer::of_volume(&volume, &selection, maps).expect("its maps");
             let alone: Vec<Hit> = paths.iter().map(|path| tracer.first_hit(path)).collect();
             for lanes in Lanes::available() {
                 let together = hits(&volume, &selection, &paths, lanes);
