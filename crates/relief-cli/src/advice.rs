@@ -108,6 +108,11 @@ pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
             ": give a smaller scale; for ground give its metres instead, with the keys elevation and tile-size"
                 .to_owned(),
         ])
+    } else if *row == omissions::OTHER_GREEN {
+        Some([
+            ": if it is a DirectX map, give --green -y".to_owned(),
+            ": if it is a DirectX map, give green = \"-y\"".to_owned(),
+        ])
     } else if *row == omissions::OUTSIDE_TABLE {
         Some([
             ": state the elevations of heights 0 and 1 with --elevation LOW,HIGH".to_owned(),

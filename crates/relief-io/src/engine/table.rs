@@ -37,8 +37,8 @@ const fn setting(name: &'static str, value: SettingValue) -> EngineSetting {
 /// All engines.
 ///
 /// Samples of more than 8 bits are written only where the engine keeps them. Godot and browsers
-/// reduce a PNG to 8 bits. Bevy reads a grey PNG of 16 bits as integers, which no material can
-/// sample.
+/// reduce a PNG to 8 bits. Bevy before 0.20 reads a grey PNG of 16 bits as integers, which no
+/// material can sample.
 pub const ENGINES: &[Engine] = &[
     Engine {
         name: "unreal",

@@ -9,6 +9,7 @@ use super::file_material::FileMaterials;
 use super::maps::{LoadedMesh, Maps};
 use super::material_spec::{metallic_roughness, reads_materials};
 use super::metres::{MAX_METRES, check_metres};
+use super::normal_green::green_remark;
 use super::surface_colors::{DrawnColors, DrawnMaterial};
 use super::surface_spec::environment;
 use super::walls::{triangles_of_walls, walls};
@@ -471,6 +472,9 @@ impl SurfaceSpec {
         }
         if let Some(path) = &self.normal {
             let map = maps.normal(path, self.green.unwrap_or_default())?;
+            if self.green.is_none() {
+                maps.remark(path, green_remark(surface.height_map(), &map).into_iter().collect());
+            }
             surface = surface.with_normal_map(&map);
         }
         let wrap = surface.height_map().wrap();

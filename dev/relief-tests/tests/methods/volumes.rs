@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
+use glam::{DVec3, Vec3};
+use relief_bake::volumes::{Fit, MeshVolumeSettings, volume_from_mesh};
 use relief_core::camera::Camera;
-use relief_core::mesh::torus;
+use relief_core::mesh::{RawCorner, RawMesh, torus};
 use relief_core::rng::Rng;
 use relief_core::{BakedMap, HeightMap, Hit, Lanes, MapTexels, Metric, Path, Volume, Watch, Wrap};
 use relief_maps::Maps;
@@ -136,6 +138,75 @@ fn another_volume_is_noticed() {
         let found = hits(&other, &selection, &paths, Lanes::widest());
         assert!(wrong(&volume, &paths, &found) > 10);
     }
+}
+
+/// Distance between a point and a segment.
+fn to_segment(point: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let way = b - a;
+    let part = ((point - a).dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    (a + way * part - point).length()
+}
+
+/// Distance between a point and a triangle.
+fn to_triangle(point: DVec3, corners: [DVec3; 3]) -> f64 {
+    let [a, b, c] = corners;
+    let normal = (b - a).cross(c - a).normalize_or_zero();
+    let sides = [(a, b), (b, c), (c, a)];
+    let is_above = sides.iter().all(|(from, to)| (*to - *from).cross(point - *from).dot(normal) >= 0.0);
+    if is_above && normal != DVec3::ZERO {
+        return (point - a).dot(normal).abs();
+    }
+    sides.into_iter().map(|(from, to)| to_segment(point, from, to)).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn a_volume_of_a_mesh_shows_the_mesh() {
+    const SIDE: f64 = 128.0;
+    let Some(spot) = relief_tests::spot("spot_triangulated.obj") else { return };
+    let places: Vec<Vec3> = spot.vertices().iter().map(|vertex| vertex.position).collect();
+    let low = places.iter().fold(Vec3::INFINITY, |low, at| low.min(*at));
+    let high = places.iter().fold(Vec3::NEG_INFINITY, |high, at| high.max(*at));
+    // In the middle of the tile, nine tenths as long as it.
+    let placed = |at: &Vec3| 0.5 + 0.9 * (*at - 0.5 * (low + high)) / (high - low).max_element();
+    let corner = |position| RawCorner { position, normal: RawCorner::NONE, uv: RawCorner::NONE };
+    let raw = RawMesh {
+        positions: places.iter().map(placed).collect(),
+        triangles: spot.triangles().iter().map(|corners| corners.map(corner)).collect(),
+        ..RawMesh::default()
+    };
+    let settings = MeshVolumeSettings { fit: Fit::Tile, ..MeshVolumeSettings::new([SIDE as u32; 3]) };
+    let volume = volume_from_mesh(&raw, &settings, &Watch::none()).expect("a volume").volume;
+    let selection = Selection::method("voxels").expect("a method");
+    let mut rng = Rng::new(17);
+    let straight = (0..RAYS).map(|_| {
+        let mut at = |high: f64| [rng.unit(), rng.unit(), high];
+        Path::from(&relief_shaders::cpu::Path::from(&Path::between(at(1.0), at(0.0))))
+    });
+    let paths: Vec<Path> = straight.collect();
+    let found = hits(&volume, &selection, &paths, Lanes::widest());
+    // In voxels; the mesh's y is the height.
+    let voxels = |u: f64, v: f64, h: f64| DVec3::new(u, v, h) * SIDE;
+    let at = |number: u32| {
+        let place = raw.positions[number as usize];
+        voxels(place.x.into(), place.z.into(), place.y.into())
+    };
+    let triangles: Vec<[DVec3; 3]> = spot.triangles().iter().map(|corners| corners.map(at)).collect();
+    let mut apart: Vec<f64> = paths
+        .iter()
+        .zip(&found)
+        .filter(|(_, hit)| hit.found)
+        .take(600)
+        .map(|(path, hit)| {
+            let [u, v, h] = path.at(hit.t);
+            let point = voxels(u, v, h);
+            triangles.iter().map(|corners| to_triangle(point, *corners)).fold(f64::INFINITY, f64::min)
+        })
+        .collect();
+    apart.sort_by(f64::total_cmp);
+    assert!(apart.len() > 300, "{} hits", apart.len());
+    let [median, p99] = [0.5, 0.99].map(|part| apart[(part * apart.len() as f64) as usize]);
+    println!("{} hits: median {median}, p99 {p99} voxels", apart.len());
+    assert!(p99 < 0.5, "{p99}");
 }
 
 /// Szirmay-Kalos and Umenhoffer 2008, section 5.2, with the distances of Cohen and Sheffer 1994.

@@ -114,7 +114,7 @@ impl<'a> EngineJob<'a> {
         let mut said = Vec::new();
         if let Some(set) = &source.set {
             notes.extend(source::notes_on(set, &material, &source.height, &arguments.height));
-            said.extend(source::other_green(arguments, set, map)?);
+            notes.extend(source::other_green(arguments, set, map)?);
             let missing = material.missing();
             if !missing.is_empty() {
                 said.push(format!("the textures {} have no map of: {}", set.name, missing.join(", ")));

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 
 use relief_core::{HeightMap, Metric};
 use relief_io::{
-    Convention, GreenSign, Remark, TextureRole, TextureSet, detect, find_textures, material_name, omissions,
+    Convention, GreenSign, Remark, TextureRole, TextureSet, find_textures, material_name, omissions,
     read_height_file, read_normal_map,
 };
 use relief_scene::engine_material::EngineMaterial;
+use relief_scene::green_remark;
 
 use super::super::{Arguments, metric};
 use crate::advice;
@@ -19,9 +20,6 @@ use crate::file_kind::FileKind;
 
 /// Number of the way in which textures are packed and named. Files of other numbers are out of date.
 const REVISION: u32 = 1;
-
-/// Least confidence at which a normal map is said to have the other green.
-const LEAST_CONFIDENCE: f64 = 0.3;
 
 /// Height map or folder of textures.
 pub struct MaterialSource {
@@ -138,21 +136,12 @@ pub fn other_green(
     arguments: &Arguments,
     set: &TextureSet,
     map: &HeightMap,
-) -> Result<Option<String>, Failure> {
+) -> Result<Option<Note>, Failure> {
     let unclear = set.texture(TextureRole::Normal).filter(|texture| texture.green.is_none());
     let (Some(texture), None) = (unclear, arguments.engine.green) else { return Ok(None) };
     let max_bytes = arguments.max_memory.map_or(relief_io::DEFAULT_MAX_BYTES, |size| size.0);
     let normals = read_normal_map(&texture.path, GreenSign::PlusY, max_bytes).map_err(Failure::of_picture)?;
-    let found = detect(map, &normals);
-    let is_other = found.green == GreenSign::MinusY && found.green_confidence >= LEAST_CONFIDENCE;
-    Ok(is_other.then(|| {
-        format!(
-            "{}: fits the heights with green -y (confidence {:.0} %), and is read as +y: if it is a DirectX \
-             map, give --green -y",
-            texture.path.display(),
-            100.0 * found.green_confidence
-        )
-    }))
+    Ok(green_remark(map, &normals).map(|remark| By::Flags.note(&remark.of(&texture.path))))
 }
 
 /// Returns a hash of everything that decides the bytes of the files.
