@@ -4,6 +4,7 @@ mod accuracy;
 mod baked_maps;
 mod ground;
 mod level_filter;
+mod motif;
 mod parts;
 mod refused;
 mod report;
@@ -14,6 +15,7 @@ mod write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use clap::builder::ArgPredicate;
 use clap::{Args, ValueEnum};
 use relief_core::ByteSize;
 use relief_core::registry::UnknownName;
@@ -54,7 +56,23 @@ type Materials = (Vec<MeshMaterial>, Vec<u32>);
 pub struct Arguments {
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw; or a folder of
     /// textures, whose heights are displaced and whose material goes into a GLB
+    #[arg(default_value_if("motif", ArgPredicate::IsPresent, ""), hide_default_value = true)]
     height: PathBuf,
+    /// Closed mesh in the space of a tile, in place of a height map: chain mail, cloth or grass of
+    /// `relief motif`, or one's own. It is repeated over the mesh, on top of it, in the shells that
+    /// --surface tetrahedra shows. x and z go from 0 to 1 along the tile, y from 0 to 1 along the
+    /// height
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = [
+            "error", "triangles", "texels", "view", "level_filter", "judge", "fit", "side", "solid", "tiles",
+            "edges", "interior", "base", "directions", "shading", "maps", "textures", "udim", "seams", "holes",
+            "print_size", "quantize", "strips", "lods", "place", "up", "invert"
+        ],
+        help_heading = "Maps and mesh"
+    )]
+    motif: Option<PathBuf>,
     /// Mesh to write: GLB, PLY and OBJ in metres with y up, STL in millimetres with z up; - for
     /// standard output
     #[arg(short, long, value_name = "FILE.glb|ply|obj|stl")]
@@ -299,7 +317,8 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb  # one vertex per two pixels\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb  # on a textured mesh\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm --error 1% -o tree.glb  # with few triangles\n  \
-    relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
+    relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n  \
+    relief mesh --motif mail.glb --mesh torus --tile 9,3 -o armour.glb  # chain mail of `relief motif`\n\n\
     The triangles show the same relief as `relief render` with the same --scale and --bias. By default it is \
     carved into the mesh; --bias 0 puts it on top.\n\n\
     A plane whose map knows its metres (by its file or --tile-size) is as long as the ground. Its lowest height \
@@ -356,6 +375,9 @@ fn interior_help() -> String {
 
 /// Reads the map and the mesh, displaces and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(motif) = &arguments.motif {
+        return motif::run(arguments, motif);
+    }
     let started = Instant::now();
     let (_, format) = format_of("--output", &arguments.output, &FORMATS, &arguments.inputs())?;
     arguments.check(format)?;

@@ -278,13 +278,15 @@ fn what_needs_heights_is_refused() {
         ("shadow", "entry"),
         ("ambient", "occlusion"),
         ("detail", "footprint"),
-        ("geometry", "vertex"),
     ] {
         let mut selection = volume;
         selection.choose(key, name).expect("a listed name");
         assert!(selection.check().is_err(), "{key} {name}");
     }
-    // A search of heights goes back to heights.
+    // Triangles and searches of heights go back to heights.
+    let mut triangles = volume;
+    triangles.choose("geometry", "vertex").expect("a listed name");
+    assert!(!triangles.has_volume() && triangles.with_volume(true).check().is_err());
     let mut heights = volume;
     heights.choose("search", "cells").expect("a listed name");
     assert!(!heights.has_volume() && heights.check().is_err());
