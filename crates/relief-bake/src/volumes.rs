@@ -1,8 +1,9 @@
 //! Volumes of closed meshes, of height maps and of formulas, and the distances that let rays skip
 //! their empty parts.
 //!
-//! A [`Volume`] holds values from 0 to 1 with the surface at ½. Here a value is ½ less the signed
-//! distance to the surface in voxels, clamped: half a voxel outside it is 0, half a voxel inside 1.
+//! A [`Volume`] holds values from 0 to 1 with the surface at ½. Here a value is ½ less a part
+//! of the signed distance to the surface in voxels, clamped: it is 0 at the reach outside and 1 at
+//! the reach inside.
 //! Voxels count alike along all axes, however long they are in metres.
 //!
 //! Source: Szirmay-Kalos and Umenhoffer 2008, section 5.2, which puts such volumes on surfaces.
@@ -28,6 +29,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 use relief_core::{Cancelled, Volume, Watch, Wrap};
+
+/// Usual distance from the surface in voxels at which values reach 0 and 1. With less, surfaces
+/// between the slices have terraces, as the field knows no distance beyond a cell; with more, parts
+/// of a few voxels become thinner.
+pub const REACH: f64 = 1.5;
 
 /// Computes a volume row by row, in parallel. `row(j, values)` fills the values of row `j` of all
 /// slices: slice by slice, each from the first column.

@@ -108,6 +108,11 @@ pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
             ": give a smaller scale; for ground give its metres instead, with the keys elevation and tile-size"
                 .to_owned(),
         ])
+    } else if *row == omissions::OTHER_GREEN {
+        Some([
+            ": if it is a DirectX map, give --green -y".to_owned(),
+            ": if it is a DirectX map, give green = \"-y\"".to_owned(),
+        ])
     } else if *row == omissions::OUTSIDE_TABLE {
         Some([
             ": state the elevations of heights 0 and 1 with --elevation LOW,HIGH".to_owned(),
@@ -168,9 +173,15 @@ pub fn of_scene(error: &SceneError) -> Option<Advice> {
 
 /// Returns what lets a folder of textures be read.
 pub fn of_textures(error: &TextureSetError) -> Option<Advice> {
-    let is_of_tiles =
-        matches!(error, TextureSetError::ChooseTile { .. } | TextureSetError::UnknownTile { .. });
-    is_of_tiles.then_some(Advice { flag: "use --udim", key: "use the key udim" })
+    match error {
+        TextureSetError::ChooseTile { .. } | TextureSetError::UnknownTile { .. } => {
+            Some(Advice { flag: "use --udim", key: "use the key udim" })
+        }
+        TextureSetError::NoHeight { unnamed, .. } if !unnamed.is_empty() => {
+            Some(Advice { flag: "use --height FILE", key: "use the key height" })
+        }
+        _ => None,
+    }
 }
 
 /// Returns what lets a scene be rendered.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
-use relief_io::HeightRange;
+use relief_io::{HeightRange, srgb_to_linear};
 use relief_scene::{LightSpec, MaterialSpec};
 use relief_shaders::{Selection, SelectionError};
 
@@ -104,7 +104,7 @@ pub fn material(text: &str) -> Result<MaterialSpec, String> {
     let (part, value) = text.split_once('=').ok_or_else(|| format!("write it as {form}"))?;
     let part = part.trim();
     let mut spec = MaterialSpec::default();
-    let colour = || numbers(value, form).map(Some);
+    let colour = || hex_color(value).unwrap_or_else(|| numbers(value, form)).map(Some);
     let number = || numbers(value, form).map(|[number]: [f32; 1]| Some(number));
     match part {
         "diffuse" => spec.diffuse = colour()?,
@@ -117,6 +117,18 @@ pub fn material(text: &str) -> Result<MaterialSpec, String> {
         other => return Err(UnknownName::new("part of a material", other, MaterialSpec::PARTS).to_string()),
     }
     Ok(spec)
+}
+
+/// Reads a colour `#rrggbb` in sRGB, as linear red, green and blue. `None` if the text begins otherwise.
+fn hex_color(text: &str) -> Option<Result<[f32; 3], String>> {
+    let digits = text.trim().strip_prefix('#')?;
+    let part = |at: usize| {
+        let byte = digits.get(at..at + 2).and_then(|pair| u8::from_str_radix(pair, 16).ok())?;
+        Some(srgb_to_linear(f64::from(byte) / 255.0) as f32)
+    };
+    let read = || Some([part(0)?, part(2)?, part(4)?]);
+    let color = read().filter(|_| digits.len() == 6);
+    Some(color.ok_or_else(|| "write the colour as #rrggbb, as in #c08040, or as R,G,B".to_owned()))
 }
 
 /// Reads a point light: `X,Y,Z`, white with intensity 1, or `X,Y,Z,R,G,B`.
@@ -160,6 +172,13 @@ mod tests {
         assert_eq!(material("shininess=7"), Ok(MaterialSpec { shininess, ..MaterialSpec::default() }));
         let diffuse = Some([1.0, 0.5, 0.0]);
         assert_eq!(material("diffuse = 1, 0.5,0"), Ok(MaterialSpec { diffuse, ..MaterialSpec::default() }));
+        let base = Some([1.0, srgb_to_linear(128.0 / 255.0) as f32, 0.0]);
+        assert_eq!(material("base=#ff8000"), Ok(MaterialSpec { base, ..MaterialSpec::default() }));
+        assert!(
+            ["base=#ff80", "base=#ff80000", "base=#gg8000", "roughness=#ff8000", "base=#fé800"]
+                .iter()
+                .all(|bad| material(bad).is_err())
+        );
         assert!(map_file("0.25", "roughness").is_err_and(|error| error.contains("roughness=0.25")));
         assert_eq!(map_file("0.25.png", "roughness"), Ok(PathBuf::from("0.25.png")));
         let roughness = Some(0.25);

@@ -32,6 +32,8 @@ pub enum MapSetting {
     /// Value for rendering in the finest level of detail only, and value for a map that serves all
     /// levels.
     Levels(f32, f32),
+    /// Columns (0), rows (1) or slices (2) of the volume that is shown; 0 without one.
+    Volume(usize),
 }
 
 /// Metric in which a map for a stage is baked.

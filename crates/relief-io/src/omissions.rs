@@ -129,6 +129,9 @@ omissions! {
     ANIMATION: "animation", "pictures",
         "an animation in a PNG or WebP file",
         "the PNG's still picture is read, or the WebP's first picture";
+    OTHER_GREEN: "other-green", "pictures",
+        "a normal map that fits the heights better with green down, where nobody says which it has",
+        "green is read as up (+y)";
     TEXTURE_SET: "texture-set", "folders of textures",
         "maps of a material, recognised by their names",
         "each is taken for what its name says";

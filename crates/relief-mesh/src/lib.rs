@@ -47,6 +47,7 @@ mod plan;
 mod plane;
 mod point;
 mod settings;
+pub mod shell_map;
 mod slices;
 mod smooth;
 mod stream;

@@ -39,5 +39,5 @@ pub use scene::{
     MAX_SAMPLES, MapSizeProblem, MaterialSpec, MeshChoice, NO_MAP, ObjectProblem, PictureSize,
     PictureSizeError, ProjectionChoice, RampChoice, RampError, Sampling, Scene, SceneBuilder, SceneError,
     SceneObject, SceneSpec, Surface, SurfaceColors, SurfaceSpec, UnknownMesh, UnknownRamp, UvProjection,
-    ValueError, ValueProblem, View, depth_remark, keys, parse_scene, read_scene,
+    ValueError, ValueProblem, View, depth_remark, green_remark, keys, parse_scene, read_scene,
 };

@@ -212,9 +212,9 @@ impl Selection {
                         settings: input
                             .settings
                             .iter()
-                            .map(|(name, value)| (*name, choice.map_value(value, self.has_levels())))
+                            .map(|(name, value)| (*name, choice.map_value(value, self.has_levels(), self.volume_size)))
                             .collect(),
-                        side: input.side.map(|side| choice.map_value(&side, self.has_levels()) as u32),
+                        side: input.side.map(|side| choice.map_value(&side, self.has_levels(), self.volume_size) as u32),
                     }
                 }));
             }
@@ -262,11 +262,12 @@ impl Selection {
 }
 
 impl Choice {
-    /// The value of a map's setting, with levels of detail or without.
-    fn map_value(&self, setting: &MapSetting, has_levels: bool) -> f32 {
+    /// The value of a map's setting, with levels of detail or without, over a volume of that size.
+    fn map_value(&self, setting: &MapSetting, has_levels: bool, volume: [u32; 3]) -> f32 {
         match setting {
             MapSetting::Fixed(value) => *value,
             MapSetting::Param(name) => self.value(name),
+            MapSetting::Volume(axis) => volume.get(*axis).map_or(0.0, |&side| side as f32),
             MapSetting::Levels(finest, all) => {
                 if has_levels {
                     *all

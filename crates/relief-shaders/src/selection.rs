@@ -30,6 +30,8 @@ pub struct Choice {
 pub struct Selection {
     /// The choices, in the order of [`STAGES`].
     pub choices: [Choice; STAGES.len()],
+    /// Columns, rows and slices of the volume that is shown; 0 without one.
+    pub(crate) volume_size: [u32; 3],
 }
 
 impl Choice {
@@ -65,7 +67,7 @@ impl Default for Selection {
     /// Chooses the first variant of every stage, and for shadows a search that can trace them.
     fn default() -> Self {
         let choices = std::array::from_fn(|place| Choice::new(&STAGES[place], 0));
-        Self { choices }.with_search_for_shadows()
+        Self { choices, volume_size: [0; 3] }.with_search_for_shadows()
     }
 }
 

@@ -313,15 +313,15 @@ impl Parts {
 
     /// Returns the declarations, with the comments of their sources.
     pub fn code(&self) -> String {
-        let declared = || {
-            DECLARATIONS.iter().filter(|declaration| {
-                declaration.sampling.is_none_or(|of| of == self.sampling)
-                    && self.reached.contains(declaration.name)
-            })
+        // Looked up once: there are many declarations, and many modules.
+        let is_part = |declaration: &&Declaration| {
+            declaration.sampling.is_none_or(|of| of == self.sampling)
+                && self.reached.contains(declaration.name)
         };
+        let declared: Vec<&Declaration> = DECLARATIONS.iter().filter(is_part).collect();
         let mut text = String::new();
         for Module { path, head } in MODULES {
-            let mut of_module = declared().filter(|declaration| declaration.module == *path).peekable();
+            let mut of_module = declared.iter().filter(|declaration| declaration.module == *path).peekable();
             if of_module.peek().is_none() {
                 continue;
             }

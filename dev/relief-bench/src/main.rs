@@ -1,6 +1,6 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `look`, `looks`,
-//! `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`,
+//! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `loaders`, `look`,
+//! `looks`, `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`,
 //! `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace` and `units`. Results are kept in
 //! `docs/measurements/`.
 
@@ -25,6 +25,7 @@ mod impostors;
 mod judge;
 mod lanes;
 mod levels;
+mod loaders;
 mod look;
 mod looks;
 mod materials;
@@ -45,6 +46,7 @@ mod solids;
 mod surfaces;
 mod table;
 mod tessellate;
+mod three;
 mod trace;
 mod units;
 
@@ -90,6 +92,8 @@ enum Command {
     Lanes(lanes::Arguments),
     /// What is between filter levels and their map: volume, skylines, and seconds to make them
     Levels(levels::Arguments),
+    /// What is written for engines, read by three.js, OpenImageIO and pygltflib: fails where one reads it otherwise
+    Loaders(loaders::Arguments),
     /// A sphere by roughness and metalness beside three.js: fails where a bound is missed
     Look(look::Arguments),
     /// First pictures by what makes them good to look at, and their times: fails where a bound is missed
@@ -147,6 +151,7 @@ fn main() -> ExitCode {
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Lanes(arguments) => lanes::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Levels(arguments) => levels::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Loaders(arguments) => loaders::run(&arguments),
         Command::Look(arguments) => look::run(&arguments),
         Command::Looks(arguments) => looks::run(&arguments),
         Command::Materials(arguments) => materials::run(&arguments),

@@ -16,6 +16,7 @@ pub mod pyramid;
 pub mod relaxed_cone;
 pub mod seen_normal;
 pub mod visibility;
+pub mod volume_distance;
 
 use relief_core::Watch;
 use relief_core::registry::{Param, Publication, UnknownName};
@@ -85,6 +86,7 @@ pub static KINDS: &[Kind] = &[
     bounce::KIND,
     seen_normal::KIND,
     filter_levels::KIND,
+    volume_distance::KIND,
 ];
 
 /// Names that other programs give to these kinds.

@@ -2,13 +2,14 @@
 
 use relief_core::{HeightMap, Volume, Watch};
 
-use super::{VolumesError, by_rows};
+use super::{REACH, VolumesError, by_rows};
 
 /// Voxels below the lowest and above the highest height, so that the surface lies between slices.
 const MARGIN: f64 = 1.0;
 
 /// Computes the volume under a height map: its surface is the relief. A value is ½ less the distance
-/// to the relief's tangent plane at the voxel's column, in voxels, clamped to `[0, 1]`.
+/// to the relief's tangent plane at the voxel's column, in voxels, divided by twice [`REACH`] and
+/// clamped to `[0, 1]`.
 ///
 /// Heights 0 to 1 of the map lie one voxel above the floor and one below the top. Scale and bias are
 /// chosen so that the relief keeps its metres. The wrap is the map's. Details finer than a voxel are
@@ -51,7 +52,7 @@ pub fn volume_from_heights(map: &HeightMap, size: [u32; 3], watch: &Watch) -> Re
             let surface = MARGIN + height * depth;
             for (slice, value) in values[column..].iter_mut().step_by(columns).enumerate() {
                 let above = (slice as f64 + 0.5 - surface) * part_along_normal;
-                *value = (0.5 - above).clamp(0.0, 1.0) as f32;
+                *value = (0.5 - 0.5 * above / REACH).clamp(0.0, 1.0) as f32;
             }
         }
     })?;

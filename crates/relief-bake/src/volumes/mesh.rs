@@ -9,7 +9,7 @@ use relief_core::{Volume, Watch, Wrap};
 use super::closest::squared_distance;
 use super::columns::{Crossing, Line};
 use super::faces::{Corner, Faces, STEPS};
-use super::{Fit, VolumesError, by_rows};
+use super::{Fit, REACH, VolumesError, by_rows};
 
 /// Copies of triangles in other tiles that are always accepted.
 const MOST_COPIES: usize = 1 << 22;
@@ -63,7 +63,7 @@ impl MeshVolumeSettings {
     pub const BYTES_PER_TRIANGLE: u64 = 900;
 
     /// Creates the default settings for a volume of `size`: repeated, proportions kept, a margin of
-    /// a voxel, a tile of 1 m, and values that reach 0 and 1 at half a voxel.
+    /// a voxel, a tile of 1 m, and values that reach 0 and 1 at [`REACH`].
     pub fn new(size: [u32; 3]) -> Self {
         Self {
             size,
@@ -71,7 +71,7 @@ impl MeshVolumeSettings {
             fit: Fit::Keep,
             margin: 1.0,
             tile_m: [1.0; 2],
-            reach: 0.5,
+            reach: REACH,
             solid: None,
         }
     }
@@ -101,9 +101,8 @@ pub struct MeshVolume {
     pub beyond: u64,
 }
 
-/// Computes the volume of a closed mesh: ½ less the signed distance to its faces in voxels, clamped
-/// to `[0, 1]`. With another [`reach`](MeshVolumeSettings::reach) the distance is divided by twice
-/// the reach.
+/// Computes the volume of a closed mesh: ½ less the signed distance to its faces in voxels, divided
+/// by twice the [`reach`](MeshVolumeSettings::reach) and clamped to `[0, 1]`.
 ///
 /// Inside and outside are exact for the mesh whose corners are rounded to 2^-24 of the tile.
 /// Distances are rounded like `f64`. The result has the same bytes with any number of threads.

@@ -4,7 +4,7 @@ use glam::DVec3;
 use relief_core::rng::Rng;
 use relief_core::{Volume, Watch, Wrap};
 
-use super::{VolumesError, by_rows};
+use super::{REACH, VolumesError, by_rows};
 
 /// Part of the height below which the sponge is solid, so that no ray leaves it below.
 const FLOOR: f64 = 0.08;
@@ -23,24 +23,26 @@ pub struct Sponge {
     pub depth: f64,
     /// Seed of the pores' places.
     pub seed: u64,
+    /// Distance from the surface in voxels at which values reach 0 and 1, above 0 and at most 8.
+    pub reach: f64,
 }
 
 impl Default for Sponge {
     fn default() -> Self {
-        Self { pores: 90, diameter: 0.18, depth: 0.3, seed: 1 }
+        Self { pores: 90, diameter: 0.18, depth: 0.3, seed: 1, reach: REACH }
     }
 }
 
 /// Computes the volume of a sponge: a slab with round pores at random places. It tiles, and its
 /// floor is closed. The scale is the depth, for a tile of 1 m. A value is ½ less the signed distance
-/// to the nearest pore's wall in voxels, clamped to `[0, 1]`.
+/// to the nearest pore's wall in voxels, divided by twice the reach and clamped to `[0, 1]`.
 ///
 /// # Errors
 ///
 /// When the size is invalid for a volume, a setting is outside its range, or it is cancelled.
 pub fn volume_of_sponge(sponge: &Sponge, size: [u32; 3], watch: &Watch) -> Result<Volume, VolumesError> {
     Volume::check_size(size)?;
-    let Sponge { pores, diameter, depth, seed } = *sponge;
+    let Sponge { pores, diameter, depth, seed, reach } = *sponge;
     let bad = |what, value, must| Err(VolumesError::BadSetting { what, value, must });
     if !(1..=10_000).contains(&pores) {
         return bad("the number of pores", f64::from(pores), "from 1 to 10000");
@@ -50,6 +52,9 @@ pub fn volume_of_sponge(sponge: &Sponge, size: [u32; 3], watch: &Watch) -> Resul
     }
     if !(depth > 0.0 && depth <= 16.0) {
         return bad("the depth", depth, "above 0 and at most 16 tiles");
+    }
+    if !(reach > 0.0 && reach <= 8.0) {
+        return bad("the reach", reach, "above 0 and at most 8 voxels");
     }
     let mut rng = Rng::new(seed);
     let pores: Vec<(DVec3, f64)> = (0..pores)
@@ -76,7 +81,7 @@ pub fn volume_of_sponge(sponge: &Sponge, size: [u32; 3], watch: &Watch) -> Resul
             }
             // The floor closes pores that reach below.
             inside = inside.max((FLOOR * depth - place.z) * voxels.z);
-            *value = (0.5 + inside).clamp(0.0, 1.0) as f32;
+            *value = (0.5 + 0.5 * inside / reach).clamp(0.0, 1.0) as f32;
         }
     })?;
     Ok(volume.with_displacement(depth, 0.0)?)

@@ -10,6 +10,7 @@ mod for_engine;
 pub mod identity;
 mod outputs;
 mod report;
+mod source;
 mod spool;
 mod storage;
 #[cfg(test)]
@@ -27,7 +28,6 @@ use relief_bake::{BakeError, KINDS, Kind, Settings, Shape, Texture};
 use relief_core::registry::UnknownName;
 use relief_core::{ByteSize, HeightMap, Metric, Watch, Wrap};
 use relief_io::file_set::is_same_file;
-use relief_io::read_height_file;
 
 use self::files::{FilesError, Plan};
 use self::for_engine::EngineArguments;
@@ -228,6 +228,9 @@ impl Arguments {
         if self.engine.udim.is_some() || self.engine.green.is_some() {
             return Err(Failure::usage("--udim and --green are for folders of textures: add --for"));
         }
+        if let Some(flag) = self.engine.maps.first() {
+            return Err(Failure::Usage(format!("{flag} names a map of a material for an engine: add --for")));
+        }
         Ok(())
     }
 
@@ -346,10 +349,7 @@ impl<'a> Job<'a> {
             Some(file) => (file.stem, Some(file.name)),
             None => (stem, None),
         };
-        let options = arguments.reading.options(arguments.max_memory);
-        let file = read_height_file(&arguments.height, &options).map_err(Failure::of_map)?;
-        let mut notes = maps::of_file(&arguments.height, &file, &arguments.reading);
-        let map = file.map;
+        let (map, kinds, mut notes) = source::read(arguments, kinds)?;
         let metric = metric(arguments, &map)?;
         let map = map.with_displacement(metric.scale_m, -metric.scale_m).map_err(Failure::usage)?;
         notes.extend(maps::of_depth(&arguments.height, &map, metric));

@@ -69,14 +69,9 @@ impl Arguments {
 
     /// Refuses flags for height maps, where the file is something else.
     fn refuse_flags_of_maps(&self) -> Result<(), Failure> {
-        let of_maps = [
-            ("--normal", self.normal.is_some()),
-            ("--channel", self.reading.channel.is_some()),
-            ("--raw", self.reading.raw.is_some()),
-            ("--fill", self.reading.fill),
-        ];
-        match of_maps.into_iter().find(|(_, given)| *given) {
-            Some((flag, _)) => Err(Failure::Usage(format!("{flag} is for height maps: leave it out"))),
+        let flag = self.normal.as_ref().map(|_| "--normal").or(self.reading.flag_of_heights());
+        match flag {
+            Some(flag) => Err(Failure::Usage(format!("{flag} is for height maps: leave it out"))),
             None => Ok(()),
         }
     }

@@ -93,6 +93,22 @@ impl FileArguments {
 }
 
 impl HeightArguments {
+    /// Returns the first flag that only height maps have, if one is given: volumes have none but the
+    /// wrap.
+    pub fn flag_of_heights(&self) -> Option<&'static str> {
+        let of_heights = [
+            ("--channel", self.file.channel.is_some()),
+            ("--raw", self.file.raw.is_some()),
+            ("--unit", self.file.unit.is_some()),
+            ("--nodata", self.file.nodata.is_some()),
+            ("--fill", self.file.fill),
+            ("--depth", self.depth),
+            ("--range", self.range.is_some()),
+            ("--elevation", self.elevation.is_some()),
+        ];
+        of_heights.into_iter().find(|(_, given)| *given).map(|(flag, _)| flag)
+    }
+
     /// Returns the reader's options.
     pub fn options(&self, max_memory: Option<ByteSize>) -> HeightOptions {
         HeightOptions {

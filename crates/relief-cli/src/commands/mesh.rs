@@ -4,25 +4,28 @@ mod accuracy;
 mod baked_maps;
 mod ground;
 mod level_filter;
+mod motif;
 mod parts;
 mod refused;
 mod report;
 mod settings;
+mod texture_set;
 mod write;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use clap::builder::ArgPredicate;
 use clap::{Args, ValueEnum};
 use relief_core::ByteSize;
 use relief_core::registry::UnknownName;
 use relief_io::omissions::{self, OTHER_PICTURES, UNDECLARED_NODATA, UNSHOWN_MATERIAL};
-use relief_io::{DEFAULT_MAX_BYTES, GlbMaterials, MeshFormat, MeshMaterial, Remark, Up};
+use relief_io::{DEFAULT_MAX_BYTES, GlbMaterials, MeshFormat, MeshMaterial, Remark, Up, material_name};
 use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, Mesher, Seams, Shading,
     Side, View,
 };
-use relief_scene::{MeshChoice, Scene, SceneSpec, Surface, SurfaceSpec, read_scene};
+use relief_scene::{MeshChoice, NO_MAP, Scene, SceneSpec, Surface, SurfaceSpec, read_scene};
 
 use self::accuracy::Tolerance;
 use self::baked_maps::MeshMap;
@@ -51,8 +54,25 @@ type Materials = (Vec<MeshMaterial>, Vec<u32>);
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Arguments {
-    /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
+    /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw; or a folder of
+    /// textures, whose heights are displaced and whose material goes into a GLB
+    #[arg(default_value_if("motif", ArgPredicate::IsPresent, ""), hide_default_value = true)]
     height: PathBuf,
+    /// Closed mesh in the space of a tile, in place of a height map: chain mail, cloth or grass of
+    /// `relief motif`, or one's own. It is repeated over the mesh, on top of it, in the shells that
+    /// --surface tetrahedra shows. x and z go from 0 to 1 along the tile, y from 0 to 1 along the
+    /// height
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = [
+            "error", "triangles", "texels", "view", "level_filter", "judge", "fit", "side", "solid", "tiles",
+            "edges", "interior", "base", "directions", "shading", "maps", "textures", "udim", "seams", "holes",
+            "print_size", "quantize", "strips", "lods", "place", "up", "invert"
+        ],
+        help_heading = "Maps and mesh"
+    )]
+    motif: Option<PathBuf>,
     /// Mesh to write: GLB, PLY and OBJ in metres with y up, STL in millimetres with z up; - for
     /// standard output
     #[arg(short, long, value_name = "FILE.glb|ply|obj|stl")]
@@ -205,6 +225,14 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     maps: Vec<MeshMap>,
+    /// Folder of textures whose material goes into the GLB: colour, occlusion, roughness, metalness and
+    /// emission. Its normal map is left out, as the triangles show the relief; --maps normal bakes one
+    /// [default: the folder of the heights, if they come from one]
+    #[arg(long, value_name = "FOLDER", help_heading = "Maps and mesh")]
+    textures: Option<PathBuf>,
+    /// UDIM tile whose maps are taken from the folder, as in 1001 [default: the only one]
+    #[arg(long, value_name = "N", help_heading = "Maps and mesh", hide_short_help = true)]
+    udim: Option<u32>,
     /// Displacement at hard edges and seams of the texture: weld gives a position one displacement,
     /// so that a closed mesh stays closed; keep gives each side its own, which leaves gaps
     /// [default: weld]
@@ -284,11 +312,13 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif --error 2m --quantize 12 -o dem.glb       # a third smaller, in integers\n  \
     relief mesh dem.tif --error 2m --strips -o dem.glb            # a fifth smaller, as strips\n  \
     relief mesh dem.tif --error 5% --maps normal -o dem.glb       # few triangles, all of the shading\n  \
+    relief mesh Bricks090 --scale 2cm --error 5% --maps normal -o bricks.glb  # with a folder's material\n  \
     relief mesh dem.tif --error 1m --lods 4 -o dem.glb            # and three coarser levels\n  \
     relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb  # one vertex per two pixels\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb  # on a textured mesh\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm --error 1% -o tree.glb  # with few triangles\n  \
-    relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
+    relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n  \
+    relief mesh --motif mail.glb --mesh torus --tile 9,3 -o armour.glb  # chain mail of `relief motif`\n\n\
     The triangles show the same relief as `relief render` with the same --scale and --bias. By default it is \
     carved into the mesh; --bias 0 puts it on top.\n\n\
     A plane whose map knows its metres (by its file or --tile-size) is as long as the ground. Its lowest height \
@@ -345,6 +375,9 @@ fn interior_help() -> String {
 
 /// Reads the map and the mesh, displaces and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(motif) = &arguments.motif {
+        return motif::run(arguments, motif);
+    }
     let started = Instant::now();
     let (_, format) = format_of("--output", &arguments.output, &FORMATS, &arguments.inputs())?;
     arguments.check(format)?;
@@ -362,8 +395,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Ok(materials) => materials,
         Err(why) => {
             let what = format!("the colours, masks and pictures of its materials are not written: {why}");
-            let file = match &arguments.placement.mesh {
-                Some(MeshChoice::File(file)) => file.as_path(),
+            let file = match (arguments.textures(), &arguments.placement.mesh) {
+                (Some(folder), _) => folder,
+                (None, Some(MeshChoice::File(file))) => file.as_path(),
                 _ => Path::new("mesh"),
             };
             notes.insert(By::Flags.note(&Remark::new(&omissions::UNWRITTEN_MATERIALS, what).of(file)));
@@ -455,6 +489,10 @@ impl Arguments {
     ///
     /// With the reason if they cannot be written.
     fn materials(&self, surface: &Surface, format: MeshFormat) -> Result<Option<Materials>, String> {
+        if let Some(folder) = self.textures() {
+            let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
+            return texture_set::material(surface, &material_name(&folder), format).map(Some);
+        }
         if surface.file_colors().is_none_or(|colors| colors.colored() == 0) {
             return Ok(None);
         }
@@ -491,12 +529,16 @@ impl Arguments {
         let surface = SurfaceSpec { scale, bias, ..surface };
         // A file may itself state that it holds depths.
         let of_file = || {
-            let surface = SurfaceSpec { height: Some(self.height.clone()), ..surface.clone() };
-            maps::ground_of(&surface).is_some_and(|ground| maps::is_depth(&ground))
+            let surface = SurfaceSpec { height: Some(self.height_file().into_owned()), ..surface.clone() };
+            self.is_set_of_depths() || maps::ground_of(&surface).is_some_and(|ground| maps::is_depth(&ground))
         };
         let depth = if self.invert { Some(!(self.reading.depth || of_file())) } else { surface.depth };
         let holes = self.holes.then_some(true);
-        let surface = SurfaceSpec { height: Some(self.height.clone()), depth, holes, ..surface };
+        let textures = self.textures().map(Path::to_owned);
+        // The triangles show the relief.
+        let normal = textures.is_some().then(|| PathBuf::from(NO_MAP));
+        let height = (!self.is_set()).then(|| self.height.clone());
+        let surface = SurfaceSpec { height, textures, udim: self.udim, normal, depth, holes, ..surface };
         let viewed = match &self.view {
             Some(file) => read_scene(file).map_err(Failure::work)?,
             None => SceneSpec { size: Some([1, 1].into()), ..SceneSpec::default() },

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use relief_bake::KINDS;
-use relief_core::registry::MapMetric;
+use relief_core::registry::{MapMetric, MapSetting};
 use relief_export::{ExportError, Exported, File, Options, Placement, Profile, Target, export};
 use relief_shaders::surface::Shown;
 use relief_shaders::wgsl::Sampling;
@@ -262,7 +262,12 @@ fn bake_line(need: &MapNeed) -> String {
     let params = KINDS.iter().find(|known| known.name == kind).map_or(&[][..], |known| known.params);
     let is_default =
         |name: &str, value: f32| params.iter().any(|param| param.name == name && param.default == value);
-    let heights = if need.side.is_some() { "LEVEL" } else { "HEIGHT" };
+    let is_of_volume = need.input.settings.iter().any(|(_, value)| matches!(value, MapSetting::Volume(_)));
+    let heights = match need.side {
+        Some(_) => "LEVEL",
+        None if is_of_volume => "VOLUME",
+        None => "HEIGHT",
+    };
     let mut line = format!("relief bake {heights} --kind {kind}");
     for (name, value) in need.settings.iter().filter(|(name, value)| !is_default(name, *value)) {
         line += &format!(" --set {kind}.{name}={value}");

@@ -77,8 +77,9 @@ pub struct Arguments {
     /// Empty voxels between a mesh and the tile's sides, 0 or more [default: 1]
     #[arg(long, value_name = "VOXELS", allow_hyphen_values = true, help_heading = "Meshes")]
     margin: Option<f64>,
-    /// Distance from a mesh's surface at which values reach 0 and 1, above 0 and at most 8. More than
-    /// 0.5 makes surfaces smoother, and thin parts vanish later [default: 0.5]
+    /// Distance from a mesh's or the sponge's surface at which values reach 0 and 1, above 0 and at
+    /// most 8. More makes surfaces smoother; 0.5 keeps edges sharpest, with terraces on slopes
+    /// [default: 1.5]
     #[arg(long, value_name = "VOXELS", allow_hyphen_values = true, help_heading = "Meshes")]
     reach: Option<f64>,
     /// Pores of a sponge in a tile, 1 to 10000 [default: 90]
@@ -237,8 +238,10 @@ impl Arguments {
         let of_meshes = [
             ("--fit", self.fit.is_some()),
             ("--margin", self.margin.is_some()),
-            ("--reach", self.reach.is_some()),
         ];
+        if self.reach.is_some() && !matches!(origin, Origin::Mesh | Origin::Sponge) {
+            return Err(Failure::usage("--reach is for meshes and the sponge: leave it out"));
+        }
         let of_sponges = [("--pores", self.pores.is_some()), ("--seed", self.seed.is_some())];
         let of_maps = [
             ("--channel", reading.channel.is_some()),
@@ -303,7 +306,8 @@ impl Arguments {
         let tile_m = self.tile.unwrap_or([1.0; 2]);
         let depth = self.scale.map_or(usual.depth, |scale| scale / tile_m[0]);
         let pores = self.pores.unwrap_or(usual.pores);
-        let sponge = Sponge { pores, seed: self.seed.unwrap_or(usual.seed), depth, ..usual };
+        let (seed, reach) = (self.seed.unwrap_or(usual.seed), self.reach.unwrap_or(usual.reach));
+        let sponge = Sponge { pores, seed, depth, reach, ..usual };
         let bar = Progress::bar("computing", self.json);
         let tell = |_: &str, part: f32| bar.show(part);
         let volume =

@@ -261,6 +261,51 @@ fn files_are_written_whole_and_only_when_they_are_out_of_date() {
 }
 
 #[test]
+fn maps_are_named_over_the_names_in_a_folder() {
+    let folder = set(&["Height", "Color", "NormalGL", "Roughness"]);
+    folder.write("given.png", colours([0.0, 1.0]));
+    folder.write("metal.png", grey([1.0, 2.0], [0.0, 1.0], SIDE));
+    let read = |path: &str| image::open(folder.path(path)).expect("a picture");
+    let said = bake(&folder, "--for gltf --color given.png --metallic metal.png --normal none -o out");
+    let note = |of: &Value, part: &str| of["notes"].to_string().contains(part);
+    assert!(note(&said, "base colour from given.png") || note(&said, "colour from given.png"), "{said:#}");
+    assert!(note(&said, "normals are baked"), "{said:#}");
+    assert_eq!(read("out/wall_basecolor.png").to_rgb8(), read("given.png").to_rgb8());
+    let metalness = read("metal.png").to_luma8();
+    let orm = read("out/wall_orm.png").to_rgb8();
+    assert!(orm.pixels().zip(metalness.pixels()).all(|(orm, metal)| orm[2] == metal[0]));
+    // A height map that no name tells is named, with what to do.
+    folder.write("lone/rock.png", hills().png());
+    let ran = folder.relief("bake lone --for godot -o lone-out");
+    assert!(
+        ran.code == Some(1) && ran.stderr.contains("rock.png") && ran.stderr.contains("--height"),
+        "{}",
+        ran.stderr
+    );
+    folder.relief("bake lone --for godot --height lone/rock.png -q -o lone-out").fine();
+    assert_eq!(read("lone-out/lone_height.png").to_luma8(), hills_8());
+    // A height map alone takes maps, too.
+    folder.relief("bake lone/rock.png --for godot --color given.png -q -o rock").fine();
+    assert!(folder.path("rock/rock_albedo.png").exists());
+    for (line, part) in [
+        ("bake lone/rock.png --kind normal --color given.png -o x", "add --for"),
+        ("bake lone/rock.png --for godot --height metal.png -o x", "already"),
+        ("bake lone/rock.png --for godot --roughness a.png --glossiness b.png -o x", "cannot be used with"),
+    ] {
+        let ran = folder.relief(line);
+        assert!(ran.code == Some(2) && ran.stderr.contains(part), "relief {line}: {}", ran.stderr);
+    }
+}
+
+/// The hills with 8 bits.
+fn hills_8() -> GrayImage {
+    let map = hills();
+    GrayImage::from_fn(SIDE, SIDE, |x, y| {
+        Luma([(f64::from(map.texels[(y * SIDE + x) as usize]) / 257.0).round() as u8])
+    })
+}
+
+#[test]
 fn bad_input_gets_clear_errors() {
     let folder = set(&["Height", "Color"]);
     folder.write("two/a_Height.1001.png", hills().png());

@@ -1,9 +1,11 @@
 //! `relief mesh`: its report on triangles, and the ways of storing them.
 
 use crate::common::command::{Folder, json_of};
-use crate::common::maps::Map;
+use crate::common::maps::{Map, encoded};
 use crate::common::meshes::gltf;
 use crate::common::refused::{assert_refused, with_out};
+use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
+use relief_io::{MeshOptions, read_mesh};
 use serde_json::{Value, json};
 
 /// A folder with a map of hills.
@@ -11,6 +13,41 @@ fn folder() -> Folder {
     let folder = with_out();
     folder.write("hills.png", Map::many_hills().png());
     folder
+}
+
+#[test]
+fn a_folder_of_textures_gives_heights_and_material() {
+    let folder = folder();
+    let colors = RgbImage::from_fn(8, 8, |x, y| Rgb([40 + 20 * x as u8, 200, 30 * y as u8]));
+    folder.write("wall/wall_Height.png", Map::many_hills().png());
+    folder.write("wall/wall_Color.png", encoded(&DynamicImage::ImageRgb8(colors), ImageFormat::Png));
+    folder.write("wall/wall_Roughness.png", Map::constant(0.25).png());
+    folder.write("wall/wall_Normal.png", Map::constant(0.5).png());
+    let line = |flags: &str| folder.relief(&format!("mesh {flags} --scale 5cm --texels 2 -q"));
+    line("wall -o out/set.glb").fine();
+    line("hills.png --textures wall -o out/beside.glb").fine();
+    line("hills.png -o out/plain.glb").fine();
+    let read = |name: &str| std::fs::read(folder.path(name)).expect("a mesh");
+    assert_eq!(read("out/set.glb"), read("out/beside.glb"));
+    let options = MeshOptions { colors: true, materials: true, ..MeshOptions::default() };
+    let [set, plain] = ["out/set.glb", "out/plain.glb"]
+        .map(|name| read_mesh(folder.path(name).as_path(), &options).expect(name));
+    assert_eq!(set.mesh.triangles().len(), plain.mesh.triangles().len());
+    assert_eq!(set.mesh.measures().bounds_m, plain.mesh.measures().bounds_m);
+    let colors = set.colors.expect("a material");
+    let [material] = &colors.materials[..] else { panic!("one material") };
+    let picture = material.picture.as_ref().expect("colours");
+    assert_eq!(([picture.width, picture.height], material.values.roughness), ([8, 8], 1.0));
+    let rough = material.values.textures.metallic_roughness.as_ref().expect("roughness");
+    assert!((rough.texels[0][1] - 0.25).abs() < 0.01, "{:?}", rough.texels[0]);
+    assert!(material.values.textures.normal.is_none() && material.values.metallic == 0.0);
+    // Normals are baked from the heights, and other formats say that they hold no material.
+    line("wall --maps normal -o out/shaded.glb").fine();
+    let ran = folder.relief("mesh wall --scale 5cm -o out/set.stl");
+    assert!(ran.code == Some(0) && ran.stderr.contains("STL cannot hold them"), "{}", ran.stderr);
+    folder.write("bare/bare_Color.png", Map::constant(0.5).png());
+    let ran = folder.relief("mesh bare -o out/none.glb");
+    assert!(ran.code == Some(1) && ran.stderr.contains("has no height map"), "{}", ran.stderr);
 }
 
 #[test]

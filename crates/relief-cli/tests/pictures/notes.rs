@@ -2,10 +2,13 @@
 //! makes it appear. Every command that reads heights prints the notes on undeclared holes and on
 //! ranges.
 
+use std::f64::consts::TAU;
+
 use crate::common::command::{Folder, Ran, json_of};
 use crate::common::files::{Samples, Tag, crc32, exr, georeference, pgm, tiff};
-use crate::common::maps::Map;
+use crate::common::maps::{Map, encoded};
 use crate::common::meshes::{factor, part, square};
+use image::{ImageFormat, Rgb, RgbImage};
 use relief_io::OMISSIONS;
 use serde_json::Value;
 
@@ -183,6 +186,21 @@ const FEEDS: &[Feed] = &[
         let chunk = [&b"acTL"[..], &1u32.to_be_bytes(), &0u32.to_be_bytes()].concat();
         folder.write("map.png", with_chunk(&integers(0, 65535), &chunk));
         "inspect map.png"
+    }),
+    ("other-green", |folder| {
+        // Waves along both axes, and normals whose green points down.
+        let at = |x: u32, y: u32| [x, y].map(|place| f64::from(place) / 16.0 * TAU);
+        let map = Map::new(16, 16, |x, y| {
+            let [u, v] = at(x, y);
+            (32768.0 + 12000.0 * (u.sin() + v.sin())) as u16
+        });
+        let normals = RgbImage::from_fn(16, 16, |x, y| {
+            let [u, v] = at(x, y).map(|turn| (127.5 - 60.0 * turn.cos()) as u8);
+            Rgb([u, v, 220])
+        });
+        folder.write("map.png", map.png());
+        folder.write("map_normal.png", encoded(&normals.into(), ImageFormat::Png));
+        "render map.png --normal map_normal.png --size 8x8 --backend cpu -o out.jpg"
     }),
     ("texture-set", |folder| {
         folder.write("Stones_Height.pgm", "P2 2 1 255 51 255");

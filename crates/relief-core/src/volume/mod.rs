@@ -85,6 +85,19 @@ pub enum VolumeError {
         /// Its value.
         value: f32,
     },
+    /// A map has not the size of an atlas of such a volume.
+    #[error(
+        "a volume of {}x{}x{} lies in a map of {}x{}, this one has {}x{}",
+        size[0], size[1], size[2], needed[0], needed[1], given[0], given[1]
+    )]
+    OtherAtlas {
+        /// Columns, rows and slices.
+        size: [u32; 3],
+        /// Columns and rows of its atlas.
+        needed: [u32; 2],
+        /// Columns and rows of the map.
+        given: [u32; 2],
+    },
     /// The displacement does not fit.
     #[error(transparent)]
     Displacement(#[from] HeightMapError),
@@ -111,6 +124,21 @@ impl Volume {
         }
         let atlas =
             HeightMap::new(layout.atlas_size()[0], layout.atlas_size()[1], layout.pack(values), wrap)?;
+        Ok(Self { layout, atlas })
+    }
+
+    /// The volume of that size whose [atlas](Self::atlas) is a map. What remains of the last row of
+    /// slices is not looked at.
+    ///
+    /// # Errors
+    ///
+    /// When a side is 0 or too large, or the map has another size than the atlas.
+    pub fn of_atlas(atlas: HeightMap, size: [u32; 3]) -> Result<Self, VolumeError> {
+        let layout = Self::check_size(size)?;
+        let (needed, given) = (layout.atlas_size(), [atlas.width(), atlas.height()]);
+        if needed != given {
+            return Err(VolumeError::OtherAtlas { size, needed, given });
+        }
         Ok(Self { layout, atlas })
     }
 

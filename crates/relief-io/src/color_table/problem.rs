@@ -34,7 +34,11 @@ pub enum ColorTableProblem {
         most: usize,
     },
     /// A line has too few fields.
-    #[error("'{text}' has {fields} fields: give an elevation, and red, green and blue or a name")]
+    #[error(
+        "'{text}' is no entry, with {fields} field{}: give an elevation, and red, green and blue (0 to 255), a name \
+         or #rrggbb, as in 200 0 128 64",
+        if *fields == 1 { "" } else { "s" }
+    )]
     TooFew {
         /// Text of the line.
         text: String,

@@ -81,18 +81,24 @@ impl Parser {
     /// Reads a line of GDAL, GRASS or QGIS.
     fn entry(&mut self, line: &str, fields: &[&str]) -> Result<(), ColorTableProblem> {
         let [place, rest @ ..] = fields else { return Ok(()) };
-        // A comment may follow the colour.
-        let rest = &rest[..rest.iter().position(|field| field.starts_with('#')).unwrap_or(rest.len())];
+        // A comment may follow the colour, which may itself begin with the sign.
+        let is_comment =
+            |(at, field): (usize, &&str)| field.starts_with('#') && (at > 0 || hex(field).is_none());
+        let end = rest.iter().enumerate().position(is_comment).unwrap_or(rest.len());
+        let rest = &rest[..end];
         let is_name = |field: &&str| field.starts_with(|letter: char| letter.is_ascii_alphabetic());
+        let opacity = |rest: &[&str]| rest.first().map_or(Ok(255), |field| channel(field));
         let color = match rest {
+            [text, rest @ ..] if text.starts_with('#') => {
+                let unclear = || ColorTableProblem::BadColor(shown(text));
+                let [red, green, blue] = hex(text).ok_or_else(unclear)?;
+                [red, green, blue, opacity(rest)?]
+            }
             [name, rest @ ..] if is_name(name) && !is_number(name) => {
                 let [red, green, blue] = names::color(name).map_err(ColorTableProblem::UnknownColor)?;
-                [red, green, blue, rest.first().map_or(Ok(255), |field| channel(field))?]
+                [red, green, blue, opacity(rest)?]
             }
-            [red, green, blue, rest @ ..] => {
-                let opacity = rest.first().map_or(Ok(255), |field| channel(field))?;
-                [channel(red)?, channel(green)?, channel(blue)?, opacity]
-            }
+            [red, green, blue, rest @ ..] => [channel(red)?, channel(green)?, channel(blue)?, opacity(rest)?],
             _ => return Err(ColorTableProblem::TooFew { text: shown(line), fields: rest.len() + 1 }),
         };
         match *place {
@@ -179,6 +185,13 @@ fn elevation(word: &str) -> Result<TableElevation, ColorTableProblem> {
 /// Reads a part of a colour.
 fn channel(word: &str) -> Result<u8, ColorTableProblem> {
     word.parse().map_err(|_| ColorTableProblem::BadColor(shown(word)))
+}
+
+/// Returns red, green and blue of `#rrggbb`.
+fn hex(word: &str) -> Option<[u8; 3]> {
+    let digits = word.strip_prefix('#').filter(|digits| digits.len() == 6 && digits.is_ascii())?;
+    let part = |at: usize| u8::from_str_radix(digits.get(at..at + 2)?, 16).ok();
+    Some([part(0)?, part(2)?, part(4)?])
 }
 
 /// Whether a word is a number, such as `nan`, which is no name of a colour.

@@ -37,8 +37,8 @@ const fn setting(name: &'static str, value: SettingValue) -> EngineSetting {
 /// All engines.
 ///
 /// Samples of more than 8 bits are written only where the engine keeps them. Godot and browsers
-/// reduce a PNG to 8 bits. Bevy reads a grey PNG of 16 bits as integers, which no material can
-/// sample.
+/// reduce a PNG to 8 bits. Bevy before 0.20 reads a grey PNG of 16 bits as integers, which no
+/// material can sample.
 pub const ENGINES: &[Engine] = &[
     Engine {
         name: "unreal",
@@ -109,7 +109,10 @@ pub const ENGINES: &[Engine] = &[
             png(Emission, "_emission", "emission_texture, with emission_enabled"),
         ],
         height: HeightUse::Parallax,
-        settings: &[setting("heightmap_scale", SettingValue::PartOfTile(100))],
+        settings: &[setting(
+            "heightmap_scale, in hundredths of a tile's width",
+            SettingValue::PartOfTile(100),
+        )],
         plane_cells: None,
         sources: &[
             "https://docs.godotengine.org/en/stable/classes/class_ormmaterial3d.html",

@@ -75,15 +75,22 @@ pub enum TextureSetError {
     },
     /// The set has no height map.
     #[error(
-        "the set '{name}' has no height map, which is needed; {}: add one, named as NAME_height.png",
+        "the set '{name}' has no height map, which is needed; {}: {}",
         if recognised.is_empty() { "no name was recognised".to_owned() }
-        else { format!("it has {}", listed(recognised)) }
+        else { format!("it has {}", listed(recognised)) },
+        match &unnamed[..] {
+            [] => "add one, named as NAME_height.png".to_owned(),
+            [one] => format!("if {one} is the height map, name it as the height, or rename it as in NAME_height.png"),
+            several => format!("if one of {} is the height map, name it as the height, or rename it as in NAME_height.png", listed(several)),
+        }
     )]
     NoHeight {
         /// Name of the set.
         name: String,
         /// Files that were recognised, with their roles.
         recognised: Vec<String>,
+        /// Pictures whose names tell no role, at most four.
+        unnamed: Vec<String>,
     },
     /// Several height maps are equally good.
     #[error(

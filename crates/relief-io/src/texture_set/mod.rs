@@ -25,6 +25,9 @@ use self::error::MOST_ENTRIES;
 use self::file_name::{FileName, RESOLUTION_OR_TILE};
 use crate::{Format, GreenSign};
 
+/// Most pictures without a role that an error names.
+const MOST_UNNAMED: usize = 4;
+
 /// Texture whose role is recognised.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FoundTexture {
@@ -107,6 +110,37 @@ impl TextureSet {
         })
     }
 
+    /// Returns the set with a file for a role, in place of the set's own. A height map replaces a depth
+    /// map, and the other way round; roughness replaces glossiness likewise. Other files are not read
+    /// here, and maps of one role go before packed ones.
+    #[must_use]
+    pub fn with(mut self, role: TextureRole, path: PathBuf) -> Self {
+        let rivals =
+            [[TextureRole::Height, TextureRole::Depth], [TextureRole::Roughness, TextureRole::Glossiness]];
+        let replaces = |other: TextureRole| {
+            other == role || rivals.iter().any(|pair| pair.contains(&role) && pair.contains(&other))
+        };
+        self.textures.retain(|texture| {
+            let is_kept = !replaces(texture.role);
+            if !is_kept && texture.path != path {
+                self.left.push((texture.path.clone(), LeftReason::Taken(path.clone())));
+            }
+            is_kept
+        });
+        self.left.retain(|(left, _)| *left != path);
+        self.left.sort_by(|(one, _), (other, _)| one.cmp(other));
+        self.textures.push(FoundTexture { path, role, green: None, udim: None });
+        self.textures.sort_by_key(|texture| texture.role);
+        self
+    }
+
+    /// Returns the set without the texture of a role.
+    #[must_use]
+    pub fn without(mut self, role: TextureRole) -> Self {
+        self.textures.retain(|texture| texture.role != role);
+        self
+    }
+
     /// Returns the height map, or the depth map of a set without one.
     ///
     /// # Errors
@@ -121,10 +155,12 @@ impl TextureSet {
         let files: Vec<String> = rivals.map(|(path, _)| file_name(path)).collect();
         let name = self.name.clone();
         if files.is_empty() {
+            let unnamed = self.left.iter().filter(|(_, why)| *why == LeftReason::NotRecognised);
             let named = |texture: &FoundTexture| format!("{} ({})", file_name(&texture.path), texture.role);
             return Err(TextureSetError::NoHeight {
                 name,
                 recognised: self.textures.iter().map(named).collect(),
+                unnamed: unnamed.map(|(path, _)| file_name(path)).take(MOST_UNNAMED).collect(),
             });
         }
         Err(TextureSetError::SeveralHeights { name, files })

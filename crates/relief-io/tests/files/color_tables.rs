@@ -100,12 +100,23 @@ fn palettes_of_gmt_are_read() {
 }
 
 #[test]
+fn colours_are_read_from_six_digits() {
+    let text = "0 #0080ff\n100,#FFFFFF,128 # snow\nnv #010203\n200 255 0 0 #ff\n";
+    let ramp = table(text).ramp([0.0, 200.0]);
+    let found = [0.0, 100.0, 200.0].map(|at| ramp.color(at).map(|part| part.round() as u8));
+    assert_eq!(found, [[0, 128, 255, 255], [255, 255, 255, 128], [255, 0, 0, 255]]);
+    assert_eq!(table(text).nodata(), Some([1, 2, 3, 255]));
+}
+
+#[test]
 fn bad_tables_are_refused_with_line_and_remedy() {
     let head = "# COLOR_MODEL = RGB\n0 0 0 0 10 1 1 1\n";
     for (text, words) in [
         ("# nothing\n\n", &["no colour", "elevation, red, green and blue"][..]),
         ("0 1 2 3\n5 6 7\n", &["line 2", "3 fields", "give"]),
-        ("0 1 2 3\n5\n", &["line 2", "1 fields"]),
+        ("0 1 2 3\n5\n", &["line 2", "1 field:", "#rrggbb"]),
+        ("0 #12345\n", &["line 1", "1 field"]),
+        ("0 #0080ff 300\n", &["line 1", "'300'"]),
         ("0,1,,3,4\n", &["line 1", "empty field"]),
         ("0 1 2 3\nnan 1 2 3\n", &["line 2", "'nan'", "finite"]),
         ("inf red\n", &["line 1", "'inf'"]),

@@ -82,7 +82,7 @@ impl Scale {
         };
         let first = Tick { place: self.place(least), label: self.label(least, at_floor) };
         if least >= most {
-            return vec![first];
+            return vec![Tick { label: format!("{} everywhere", first.label), ..first }];
         }
         let mut ticks = vec![first, Tick { place: 1.0, label: self.label(most, false) }];
         ticks.extend(
@@ -152,7 +152,7 @@ mod tests {
     fn equal_numbers_have_one_place_and_none_have_no_ends() {
         let one = Scale::of(Form::Linear, &[0.05, 0.05]);
         assert!(one.is_constant());
-        assert_eq!(one.ticks(), [Tick { place: 0.5, label: "0.05".to_owned() }]);
+        assert_eq!(one.ticks(), [Tick { place: 0.5, label: "0.05 everywhere".to_owned() }]);
         let none = Scale::of(Form::Counts, &[f32::NAN]);
         assert_eq!((none.ends(), none.ticks(), none.is_constant()), (None, vec![], false));
     }
@@ -164,7 +164,7 @@ mod tests {
         let errors = Scale::of(Form::Logarithmic(1e-3), &[0.0, 20.0]);
         assert_eq!(labels(errors), ["<=0.001", "20", "0.01", "0.1", "1", "10"]);
         assert_eq!((errors.place(0.0), errors.place(20.0)), (0.0, 1.0));
-        assert_eq!(labels(Scale::of(Form::Logarithmic(1e-3), &[0.0, 1e-5])), ["<=0.001"]);
+        assert_eq!(labels(Scale::of(Form::Logarithmic(1e-3), &[0.0, 1e-5])), ["<=0.001 everywhere"]);
     }
 
     #[test]

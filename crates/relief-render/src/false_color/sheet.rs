@@ -9,7 +9,7 @@ use super::quantity::{Form, Quantity};
 use super::scale::{NOT_COMPARABLE, Scale};
 
 /// Longer side of a picture from which text is large.
-const LARGE: u32 = 1200;
+const LARGE: u32 = 800;
 
 /// Pictures of one quantity, which share a scale and a legend.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@
 //! list. A surface's key there holds for every element of `[[surfaces]]`.
 
 use super::keys::keys_of;
-use super::{SceneError, SceneSpec, SurfaceSpec};
+use super::{MaterialSpec, SceneError, SceneSpec, SurfaceSpec};
 use relief_core::registry::UnknownName;
 use relief_io::decode_text;
 use relief_shaders::{AMBIENT, STAGES};
@@ -161,8 +161,16 @@ fn no_list(at: Range<usize>) -> ParseError {
 
 /// Refuses keys that are neither known nor a stage's.
 fn check_keys(table: &DeTable, known: impl Fn(&str) -> bool, others: &[&[&str]]) -> Result<(), ParseError> {
-    for key in table.keys() {
+    for (key, value) in table {
         let name = key.get_ref().as_ref();
+        let is_value = !matches!(value.get_ref(), DeValue::String(_));
+        if is_value && keys_of::<SurfaceSpec>().contains(&name) && MaterialSpec::PARTS.contains(&name) {
+            let what = format!(
+                "{name} names the file of a map; a value is part of the material, as in material = {{ {name} = {} }}",
+                if name == "emission" { "[1, 1, 1]" } else { "0.5" }
+            );
+            return Err(ParseError::Key { what, at: key.span() });
+        }
         if !known(name) && !is_stage(name) {
             let stages = STAGES.iter().filter(|stage| stage.has_key()).map(|stage| stage.key);
             let keys = keys_of::<SurfaceSpec>().iter().chain(others.iter().copied().flatten()).copied();

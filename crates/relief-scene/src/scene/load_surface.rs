@@ -9,6 +9,7 @@ use super::file_material::FileMaterials;
 use super::maps::{LoadedMesh, Maps};
 use super::material_spec::{metallic_roughness, reads_materials};
 use super::metres::{MAX_METRES, check_metres};
+use super::normal_green::green_remark;
 use super::surface_colors::{DrawnColors, DrawnMaterial};
 use super::surface_spec::environment;
 use super::walls::{triangles_of_walls, walls};
@@ -313,7 +314,20 @@ impl SurfaceSpec {
             MeshChoice::Builtin(Builtin::Plane) => self.placed(self.mesh_without_file(map.proportions())?)?,
             _ => parts.mesh,
         };
-        let stated_m = map.stated_displacement_m().filter(|_| parts.scale_m.is_none());
+        let stated_m = map.stated_displacement_m();
+        // A volume keeps its proportions: in larger tiles it is as much deeper.
+        let stated_m = match (&self.volume, map.stated_tile_m()) {
+            (Some(_), Some([u, v])) => {
+                let [tile_u, tile_v] = mesh.tile_m();
+                let larger = (tile_u * tile_v / (u * v)).sqrt();
+                stated_m.map(|[low, high]| [larger * low, larger * high])
+            }
+            _ => stated_m,
+        };
+        // The part of the scale that a volume lies above the surface. Heights of a given scale are carved.
+        let low = stated_m.filter(|[low, high]| self.volume.is_some() && high > low);
+        let low = low.map_or(-1.0, |[low, high]| low / (high - low));
+        let stated_m = stated_m.filter(|_| parts.scale_m.is_none());
         let of_mesh_alone = self.is_mesh_alone().then_some(0.0);
         let scale_m =
             parts.scale_m.or(of_mesh_alone).or(stated_m.map(|[low, high]| high - low)).or_else(|| {
@@ -325,7 +339,7 @@ impl SurfaceSpec {
             });
         let scale_m = parts.exaggerate * scale_m.unwrap_or(DEFAULT_SCALE_M);
         check_scale(scale_m)?;
-        let low_m = stated_m.map_or(-scale_m, |[low, _]| parts.exaggerate * low);
+        let low_m = stated_m.map_or(low * scale_m, |[low, _]| parts.exaggerate * low);
         let map = map
             .with_displacement(scale_m, parts.bias_m.unwrap_or(low_m))
             .map_err(|error| ValueProblem::from(error).of("scale"))?;
@@ -471,6 +485,9 @@ impl SurfaceSpec {
         }
         if let Some(path) = &self.normal {
             let map = maps.normal(path, self.green.unwrap_or_default())?;
+            if self.green.is_none() {
+                maps.remark(path, green_remark(surface.height_map(), &map).into_iter().collect());
+            }
             surface = surface.with_normal_map(&map);
         }
         let wrap = surface.height_map().wrap();
@@ -554,7 +571,7 @@ impl SurfaceSpec {
     fn selection(&self, samples: u32, context: &SceneContext) -> Result<Selection, ValueError> {
         if samples > 1 && !self.stages.contains_key(STAGES[DETAIL].key) {
             let selection = self.selection_in(Some(FOOTPRINT), context)?;
-            let has_levels = selection.object_cells().is_none() && !selection.has_volume();
+            let has_levels = selection.object_cells().is_none() && self.volume.is_none();
             if has_levels && selection.check_levels().is_ok() {
                 return Ok(selection);
             }
@@ -584,6 +601,9 @@ impl SurfaceSpec {
             (Some(_), _, _) => return Err(ValueProblem::Excludes("search and refine").of("method")),
         };
         let mut selection = selection.map_err(of_selection)?;
+        if self.volume.is_some() {
+            selection = selection.with_volume(true);
+        }
         if let Some(detail) = detail {
             selection.choose(STAGES[DETAIL].key, detail).map_err(of_selection)?;
         }

@@ -183,7 +183,7 @@ impl Surface {
     pub fn with_volume(self, volume: impl Into<Arc<Volume>>) -> Self {
         let volume = volume.into();
         let height_map = Arc::new(volume.atlas().clone());
-        let selection = self.selection.with_volume(true);
+        let selection = self.selection.with_volume(true).with_volume_size(volume.size());
         Self { height_map, volume: Some(volume), object: None, selection, ..self }
     }
 
@@ -260,7 +260,8 @@ impl Surface {
     /// Sets the variants of all stages: how the first hit is found and how it is shaded.
     #[must_use]
     pub fn with_selection(self, selection: Selection) -> Self {
-        Self { selection, ..self }
+        let volume_size = self.volume.as_ref().map_or([0; 3], |volume| volume.size());
+        Self { selection: selection.with_volume_size(volume_size), ..self }
     }
 
     /// Sets the material.

@@ -52,11 +52,22 @@ impl<'a> MethodTracer<'a> {
         Self::with_settings(heights, selection, SurfaceSettings::tracing(heights, selection, &maps), maps)
     }
 
-    /// Creates a tracer of a method for a volume. The selection's field becomes a volume.
-    pub fn of_volume(volume: &'a Volume, selection: &Selection) -> Self {
-        let (selection, maps) = (selection.with_volume(true), SlotMaps::default());
-        let settings = SurfaceSettings::tracing(volume.atlas(), &selection, &maps);
-        Self::with_settings(volume.atlas(), &selection, settings.with_volume(volume.layout()), maps)
+    /// Creates a tracer of a method for a volume, with the baked maps that it reads: they are baked
+    /// from the volume's [atlas](Volume::atlas). The selection's field becomes a volume.
+    ///
+    /// # Errors
+    ///
+    /// When a map that the method reads is missing or does not fit; the error names the difference.
+    pub fn of_volume(
+        volume: &'a Volume,
+        selection: &Selection,
+        maps: impl IntoIterator<Item = &'a BakedMap> + Clone,
+    ) -> Result<Self, MapError> {
+        let selection = selection.with_volume(true).with_volume_size(volume.size());
+        let atlas = volume.atlas();
+        let maps = selection.slot_maps(maps, atlas, Metric::UNIT)?;
+        let settings = SurfaceSettings::tracing(atlas, &selection, &maps).with_volume(volume.layout());
+        Ok(Self::with_settings(atlas, &selection, settings, maps))
     }
 
     fn with_settings(

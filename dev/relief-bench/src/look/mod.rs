@@ -6,7 +6,7 @@ mod integral;
 mod ours;
 mod sheet;
 mod surroundings;
-mod three;
+mod theirs;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -21,6 +21,7 @@ use relief_io::linear_to_srgb;
 
 use self::differences::{Differences, inside};
 use crate::table::table;
+use crate::three;
 
 /// Arguments of `look`.
 #[derive(Args)]
@@ -98,7 +99,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     let set = Set { size: arguments.size, camera, mesh };
     let cases = cases();
     let around: Vec<_> = surroundings::ALL.iter().map(|(_, light)| surroundings::picture(*light)).collect();
-    let (about, [theirs, plain]) = three::pictures(&set, &cases, &around, &arguments.chromium)?;
+    let (about, [theirs, plain]) = theirs::pictures(&set, &cases, &around, &arguments.chromium)?;
     let ours = ours::pictures(&set, &cases, &around)?;
 
     let mut beside = table(&[

@@ -1,9 +1,6 @@
-// Renders every picture that input.js asks for with three.js. Writes one line for each into the page:
+// Renders every picture that the input asks for with three.js. Answers one line for each:
 // the bytes of red, green, blue and coverage as hexadecimal digits, row by row from the top.
 import * as THREE from "three";
-import input from "./input.js";
-
-const answer = document.getElementById("answer");
 
 function geometry({ positions, normals, triangles }) {
     const made = new THREE.BufferGeometry();
@@ -59,8 +56,7 @@ function digits(bytes, size) {
     return rows.join("");
 }
 
-function render() {
-    if (THREE.REVISION !== input.revision) throw new Error(`this is three.js ${THREE.REVISION}`);
+export default function render(input) {
     const { size, eye, halfHeight: half } = input;
     const renderer = new THREE.WebGLRenderer({ antialias: false, alpha: true, precision: "highp" });
     renderer.setPixelRatio(1);
@@ -93,10 +89,4 @@ function render() {
     const about = gl.getExtension("WEBGL_debug_renderer_info");
     lines.unshift(about ? gl.getParameter(about.UNMASKED_RENDERER_WEBGL) : "an unknown renderer");
     return lines.join("\n");
-}
-
-try {
-    answer.textContent = render();
-} catch (error) {
-    answer.textContent = `error: ${error.message}`;
 }

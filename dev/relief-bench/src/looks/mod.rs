@@ -1,11 +1,13 @@
 //! `looks`: first pictures of `relief render`, measured by what makes a picture good to look at, and their
-//! times beside pictures of `--look plain`.
+//! times beside pictures of `--look plain`; and a sheet of materials.
 
 mod cases;
 mod measures;
 mod picture;
 mod pictures;
+mod sets;
 mod sheet;
+mod textures;
 mod times;
 
 use std::ffi::OsString;
@@ -33,6 +35,9 @@ pub struct Arguments {
     /// Sheet of all pictures to write, PNG or JPEG
     #[arg(short, long, value_name = "FILE", default_value = "looks.jpg")]
     output: PathBuf,
+    /// Folder with the glTF models of the sheet of sets
+    #[arg(long, value_name = "FOLDER")]
+    models: Option<PathBuf>,
     /// Runs of each command that is timed; medians count
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=100))]
     rounds: u16,
@@ -42,6 +47,8 @@ pub struct Arguments {
 enum Part {
     /// Outline, coverage, margins, shadows and clipping of every picture, and a sheet of them
     Pictures,
+    /// A sheet of ten sets of textures, glTF models and two blocks; fails where a texture is not taken
+    Sets,
     /// Seconds of a first picture beside `--look plain`, and of shadows between surfaces
     Times,
 }
@@ -55,6 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     for part in &arguments.parts {
         holds &= match part {
             Part::Pictures => pictures::run(&relief, arguments)?,
+            Part::Sets => sets::run(&relief, arguments)?,
             Part::Times => times::run(&relief, arguments)?,
         };
     }

@@ -1,9 +1,13 @@
 //! Volumes: the shaders' walk beside the judge's in `f64`, and what goes with a volume.
 
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+use relief_bake::volumes::{Fit, MeshVolumeSettings, volume_from_mesh};
 use relief_core::camera::Camera;
-use relief_core::mesh::torus;
+use relief_core::mesh::{RawCorner, RawMesh, torus};
 use relief_core::rng::Rng;
-use relief_core::{HeightMap, Hit, Lanes, Path, Volume, Watch, Wrap};
+use relief_core::{BakedMap, HeightMap, Hit, Lanes, MapTexels, Metric, Path, Volume, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::render;
 use relief_scene::{BackendChoice, Scene, Surface};
@@ -70,10 +74,36 @@ fn wrong(volume: &Volume, paths: &[Path], hits: &[Hit]) -> usize {
     paths.iter().zip(hits).filter(|(path, hit)| is_wrong(path, hit)).count()
 }
 
+/// The maps that a method reads over a volume.
+fn baked(volume: &Volume, selection: &Selection) -> Vec<Arc<BakedMap>> {
+    let selection = selection.with_volume(true).with_volume_size(volume.size());
+    let provided = Maps::in_memory().provide(&selection, volume.atlas(), Metric::UNIT, &Watch::none());
+    provided.expect("maps").into_parts().0.into_iter().map(|(_, map)| map).collect()
+}
+
 fn hits(volume: &Volume, selection: &Selection, paths: &[Path], lanes: Lanes) -> Vec<Hit> {
+    hits_over(volume, selection, &baked(volume, selection), paths, lanes)
+}
+
+fn hits_over(
+    volume: &Volume,
+    selection: &Selection,
+    maps: &[Arc<BakedMap>],
+    paths: &[Path],
+    lanes: Lanes,
+) -> Vec<Hit> {
     let mut hits = vec![Hit::miss(Default::default()); paths.len()];
-    MethodTracer::of_volume(volume, selection).first_hits(paths, lanes, &mut hits);
+    let tracer = MethodTracer::of_volume(volume, selection, maps.iter().map(|map| &**map)).expect("its maps");
+    tracer.first_hits(paths, lanes, &mut hits);
     hits
+}
+
+/// A baked map with other values.
+fn changed(map: &BakedMap, change: impl Fn(usize, f32) -> f32) -> Vec<Arc<BakedMap>> {
+    let MapTexels::F32(values) = map.texels() else { panic!("maps are baked as floats") };
+    let values = values.iter().enumerate().map(|(at, value)| change(at, *value)).collect();
+    let (identity, layout) = (map.identity().clone(), *map.layout());
+    vec![Arc::new(BakedMap::new(identity, layout, *map.codes(), MapTexels::F32(values)).expect("a map"))]
 }
 
 #[test]
@@ -110,6 +140,98 @@ fn another_volume_is_noticed() {
     }
 }
 
+/// Distance between a point and a segment.
+fn to_segment(point: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let way = b - a;
+    let part = ((point - a).dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    (a + way * part - point).length()
+}
+
+/// Distance between a point and a triangle.
+fn to_triangle(point: DVec3, corners: [DVec3; 3]) -> f64 {
+    let [a, b, c] = corners;
+    let normal = (b - a).cross(c - a).normalize_or_zero();
+    let sides = [(a, b), (b, c), (c, a)];
+    let is_above = sides.iter().all(|(from, to)| (*to - *from).cross(point - *from).dot(normal) >= 0.0);
+    if is_above && normal != DVec3::ZERO {
+        return (point - a).dot(normal).abs();
+    }
+    sides.into_iter().map(|(from, to)| to_segment(point, from, to)).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn a_volume_of_a_mesh_shows_the_mesh() {
+    const SIDE: f64 = 128.0;
+    let Some(spot) = relief_tests::spot("spot_triangulated.obj") else { return };
+    let places: Vec<Vec3> = spot.vertices().iter().map(|vertex| vertex.position).collect();
+    let low = places.iter().fold(Vec3::INFINITY, |low, at| low.min(*at));
+    let high = places.iter().fold(Vec3::NEG_INFINITY, |high, at| high.max(*at));
+    // In the middle of the tile, nine tenths as long as it.
+    let placed = |at: &Vec3| 0.5 + 0.9 * (*at - 0.5 * (low + high)) / (high - low).max_element();
+    let corner = |position| RawCorner { position, normal: RawCorner::NONE, uv: RawCorner::NONE };
+    let raw = RawMesh {
+        positions: places.iter().map(placed).collect(),
+        triangles: spot.triangles().iter().map(|corners| corners.map(corner)).collect(),
+        ..RawMesh::default()
+    };
+    let settings = MeshVolumeSettings { fit: Fit::Tile, ..MeshVolumeSettings::new([SIDE as u32; 3]) };
+    let volume = volume_from_mesh(&raw, &settings, &Watch::none()).expect("a volume").volume;
+    let selection = Selection::method("voxels").expect("a method");
+    let mut rng = Rng::new(17);
+    let straight = (0..RAYS).map(|_| {
+        let mut at = |high: f64| [rng.unit(), rng.unit(), high];
+        Path::from(&relief_shaders::cpu::Path::from(&Path::between(at(1.0), at(0.0))))
+    });
+    let paths: Vec<Path> = straight.collect();
+    let found = hits(&volume, &selection, &paths, Lanes::widest());
+    // In voxels; the mesh's y is the height.
+    let voxels = |u: f64, v: f64, h: f64| DVec3::new(u, v, h) * SIDE;
+    let at = |number: u32| {
+        let place = raw.positions[number as usize];
+        voxels(place.x.into(), place.z.into(), place.y.into())
+    };
+    let triangles: Vec<[DVec3; 3]> = spot.triangles().iter().map(|corners| corners.map(at)).collect();
+    let mut apart: Vec<f64> = paths
+        .iter()
+        .zip(&found)
+        .filter(|(_, hit)| hit.found)
+        .take(600)
+        .map(|(path, hit)| {
+            let [u, v, h] = path.at(hit.t);
+            let point = voxels(u, v, h);
+            triangles.iter().map(|corners| to_triangle(point, *corners)).fold(f64::INFINITY, f64::min)
+        })
+        .collect();
+    apart.sort_by(f64::total_cmp);
+    assert!(apart.len() > 300, "{} hits", apart.len());
+    let [median, p99] = [0.5, 0.99].map(|part| apart[(part * apart.len() as f64) as usize]);
+    println!("{} hits: median {median}, p99 {p99} voxels", apart.len());
+    assert!(p99 < 0.5, "{p99}");
+}
+
+/// Szirmay-Kalos and Umenhoffer 2008, section 5.2, with the distances of Cohen and Sheffer 1994.
+#[test]
+fn distances_skip_most_cells_and_a_spoiled_one_is_noticed() {
+    let selection = Selection::method("voxels").expect("a method");
+    let volume = volumes::ALL[6].build(Wrap::Repeat).expect("a volume");
+    let paths = paths(3, RAYS);
+    let maps = baked(&volume, &selection);
+    let with = |maps: &[Arc<BakedMap>]| hits_over(&volume, &selection, maps, &paths, Lanes::widest());
+    let steps = |hits: &[Hit]| hits.iter().map(|hit| u64::from(hit.cost.steps)).sum::<u64>();
+    let skipped = with(&maps);
+    // Without a distance every cell is visited; the hits are the same.
+    let visited = with(&changed(&maps[0], |_, _| 0.0));
+    let share = steps(&skipped) as f64 / steps(&visited) as f64;
+    println!("{share} of the steps");
+    assert!(share <= 0.4, "{share}");
+    let is_same = |(a, b): (&Hit, &Hit)| a.found == b.found && (a.t - b.t).abs() < 1e-5;
+    let same = skipped.iter().zip(&visited).filter(|pair| is_same(*pair)).count();
+    assert!(same as f64 >= 0.999 * paths.len() as f64, "{same} of {}", paths.len());
+    // One cell in a hundred says too much.
+    let spoiled = changed(&maps[0], |at, value| if at % 100 == 0 { value + 2.0 } else { value });
+    assert!(wrong(&volume, &paths, &with(&spoiled)) > 10);
+}
+
 #[test]
 fn every_width_has_the_bits_of_one_by_one() {
     let pairs = [("voxels", "trilinear"), ("voxels", "none"), ("linear", "binary"), ("linear", "secant")];
@@ -119,7 +241,9 @@ fn every_width_has_the_bits_of_one_by_one() {
         for named in volumes::ALL {
             let volume = named.build(Wrap::Mirror).expect("a volume");
             let paths = paths(5, 500);
-            let tracer = MethodTracer::of_volume(&volume, &selection);
+            let maps = baked(&volume, &selection);
+            let maps = maps.iter().map(|map| &**map);
+            let tracer = MethodTracer::of_volume(&volume, &selection, maps).expect("its maps");
             let alone: Vec<Hit> = paths.iter().map(|path| tracer.first_hit(path)).collect();
             for lanes in Lanes::available() {
                 let together = hits(&volume, &selection, &paths, lanes);
@@ -154,13 +278,15 @@ fn what_needs_heights_is_refused() {
         ("shadow", "entry"),
         ("ambient", "occlusion"),
         ("detail", "footprint"),
-        ("geometry", "vertex"),
     ] {
         let mut selection = volume;
         selection.choose(key, name).expect("a listed name");
         assert!(selection.check().is_err(), "{key} {name}");
     }
-    // A search of heights goes back to heights.
+    // Triangles and searches of heights go back to heights.
+    let mut triangles = volume;
+    triangles.choose("geometry", "vertex").expect("a listed name");
+    assert!(!triangles.has_volume() && triangles.with_volume(true).check().is_err());
     let mut heights = volume;
     heights.choose("search", "cells").expect("a listed name");
     assert!(!heights.has_volume() && heights.check().is_err());

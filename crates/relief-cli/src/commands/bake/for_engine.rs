@@ -1,5 +1,6 @@
 //! `relief bake --for`: textures of a material, as an engine takes them.
 
+mod given_maps;
 mod report;
 mod source;
 
@@ -18,6 +19,7 @@ use relief_io::{
 };
 use relief_scene::engine_material::{EngineMaterial, EngineMaterialError, WrittenFacts};
 
+use self::given_maps::GivenMaps;
 use self::source::MaterialSource;
 use super::Arguments;
 use super::identity::KEY;
@@ -46,6 +48,8 @@ pub struct EngineArguments {
     /// its name says, else +y]
     #[arg(long, value_name = "SIGN", allow_hyphen_values = true, hide_short_help = true)]
     pub green: Option<GreenSign>,
+    #[command(flatten)]
+    pub maps: GivenMaps,
 }
 
 /// Describes what is written for engines.
@@ -110,7 +114,7 @@ impl<'a> EngineJob<'a> {
         let mut said = Vec::new();
         if let Some(set) = &source.set {
             notes.extend(source::notes_on(set, &material, &source.height, &arguments.height));
-            said.extend(source::other_green(arguments, set, map)?);
+            notes.extend(source::other_green(arguments, set, map)?);
             let missing = material.missing();
             if !missing.is_empty() {
                 said.push(format!("the textures {} have no map of: {}", set.name, missing.join(", ")));

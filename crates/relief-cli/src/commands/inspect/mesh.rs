@@ -1,9 +1,10 @@
 //! Report of `relief inspect` on a mesh.
 
 use std::io::{self, Write};
+use std::path::Path;
 
-use relief_core::mesh::{MeshMeasures, Spread};
-use relief_io::{DEFAULT_MAX_BYTES, MeshFile, MeshOptions, read_mesh};
+use relief_core::mesh::{MeshMeasures, Spread, UvProjection};
+use relief_io::{DEFAULT_MAX_BYTES, MeshFile, MeshOptions, ReadError, read_mesh};
 use serde_json::{Value, json};
 
 use super::Arguments;
@@ -21,9 +22,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let options = MeshOptions { projection, up, max_bytes, ..MeshOptions::default() };
     let (file, measures) = {
         let _reading = Progress::spinner("reading", arguments.json);
-        let file = read_mesh(&arguments.file, &options).map_err(Failure::of_mesh)?;
+        let (file, projection) = read(&arguments.file, options).map_err(Failure::of_mesh)?;
         let measures = file.mesh.measures();
-        (file, measures)
+        (Inspected { file, projection }, measures)
     };
     answer(|out| {
         if arguments.json {
@@ -34,10 +35,32 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     })
 }
 
+/// Mesh that is inspected.
+struct Inspected {
+    file: MeshFile,
+    /// Projection that gives the texture coordinates, if the file does not.
+    projection: Option<UvProjection>,
+}
+
+/// Reads a mesh. Where only texture coordinates are missing, the projection that `relief render` uses
+/// gives them.
+fn read(path: &Path, options: MeshOptions) -> Result<(MeshFile, Option<UvProjection>), ReadError> {
+    let projected = |projection| {
+        let options = MeshOptions { projection, ..options };
+        read_mesh(path, &options).map(|file| (file, projection))
+    };
+    match projected(options.projection) {
+        Err(error) if options.projection.is_none() && error.problem.is_of_texture_coordinates() => {
+            projected(Some(UvProjection::Box))
+        }
+        read => read,
+    }
+}
+
 fn print(
     out: &mut impl Write,
     arguments: &Arguments,
-    file: &MeshFile,
+    Inspected { file, projection }: &Inspected,
     measures: &MeshMeasures,
 ) -> io::Result<()> {
     let MeshMeasures { vertices, triangles, charts, seams, hard_edges, mirrored, .. } = measures;
@@ -58,6 +81,13 @@ fn print(
     }
     for note in &file.notes {
         writeln!(out, "  note        {}{}", note.text, By::Flags.advice(&note.clone().of(&arguments.file)))?;
+    }
+    if let Some(projection) = projection.filter(|_| arguments.project.is_none()) {
+        let name = projection.name();
+        writeln!(
+            out,
+            "  note        it has no texture coordinates of its own: charts and tiles are measured with --project {name}"
+        )?;
     }
     let open = match measures.open_edges {
         0 => "closed".to_owned(),
@@ -99,7 +129,11 @@ fn parts(spread: Spread) -> [f64; 3] {
     [spread.least, spread.mean, spread.greatest].map(six_digits)
 }
 
-fn as_json(arguments: &Arguments, file: &MeshFile, measures: &MeshMeasures) -> Value {
+fn as_json(
+    arguments: &Arguments,
+    Inspected { file, projection }: &Inspected,
+    measures: &MeshMeasures,
+) -> Value {
     let spread =
         |spread: Spread| json!({ "least": spread.least, "mean": spread.mean, "greatest": spread.greatest });
     let [least, most] = measures.bounds_m.map(|corner| corner.to_array());
@@ -108,6 +142,7 @@ fn as_json(arguments: &Arguments, file: &MeshFile, measures: &MeshMeasures) -> V
     let notes = file.notes.iter().map(|note| By::Flags.note(&note.clone().of(&arguments.file))).collect();
     json!({
         "input": arguments.file.display().to_string(), "format": file.format.name(),
+        "projection": projection.map(UvProjection::name),
         "vertices": measures.vertices, "points": measures.points, "triangles": measures.triangles,
         "notes": maps::as_json(&notes), "left_out": { "degenerate": file.degenerate, "double": file.double },
         "bounds_m": [least, most], "charts": measures.charts, "mirrored": measures.mirrored,

@@ -82,7 +82,9 @@ impl Metres {
             return Self { factor: factor(tile_m), source: MetresSource::TileSize, placement: None };
         }
         // A file that cannot be read is refused when its texels are.
-        let ground = read_ground(&arguments.height, &arguments.reading.options(arguments.max_memory)).ok();
+        let ground =
+            read_ground(arguments.height_file().as_ref(), &arguments.reading.options(arguments.max_memory))
+                .ok();
         let reason = |ground: &Ground| ground.georeference.as_ref()?.texel_size_m.clone().err();
         let Some((ground, tile_m)) = ground.as_ref().and_then(|ground| Some((ground, ground.tile_m?))) else {
             let source = MetresSource::Nothing(ground.as_ref().and_then(reason));

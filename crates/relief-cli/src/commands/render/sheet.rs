@@ -362,6 +362,7 @@ impl Shown {
     fn line(&self) -> String {
         let Quantity { name, unit, .. } = self.quantity;
         let range = match self.ends {
+            Some([least, most]) if least == most => format!("{name}: {least} {unit} everywhere"),
             Some([least, most]) => format!("{name}: {least} to {most} {unit}"),
             None => format!("{name}: no pixel has a number"),
         };

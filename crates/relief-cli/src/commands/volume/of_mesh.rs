@@ -8,26 +8,12 @@ use relief_io::{read_node_extras, read_raw_mesh};
 use serde_json::{Map, Value, json};
 
 use super::{Arguments, Made, of_volumes};
-use crate::commands::motif::EXTRAS;
+use crate::commands::motif::depth_in;
 use crate::failure::Failure;
 use crate::progress::Progress;
 
-/// Depth of a motif's heights in tiles, as its file says; none for other meshes.
-fn depth_of_motif(arguments: &Arguments) -> Result<Option<f64>, Failure> {
-    let found = read_node_extras(&arguments.input, EXTRAS, arguments.max_bytes());
-    let Some(text) = found.map_err(Failure::of_mesh)? else { return Ok(None) };
-    let value: Option<Value> = serde_json::from_str(&text).ok();
-    let depth = value.and_then(|value| value.get("depth")?.as_f64());
-    let depth = depth.filter(|depth| *depth > 0.0 && *depth <= 1e6);
-    let wrong = || {
-        let name = arguments.input.display();
-        Failure::Work(format!("{name}: extras.{EXTRAS} of its node is {text}: it needs a depth above 0"))
-    };
-    depth.map(Some).ok_or_else(wrong)
-}
-
 pub(super) fn make(arguments: &Arguments, cancel: &AtomicBool) -> Result<Made, Failure> {
-    let depth = depth_of_motif(arguments)?;
+    let depth = depth_in(&arguments.input, arguments.max_bytes())?;
     let raw = {
         let _reading = Progress::spinner("reading", arguments.json);
         read_raw_mesh(&arguments.input, arguments.max_bytes()).map_err(Failure::of_mesh)?

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 
 use relief_core::{HeightMap, Metric};
 use relief_io::{
-    Convention, GreenSign, Remark, TextureRole, TextureSet, detect, find_textures, material_name, omissions,
+    Convention, GreenSign, Remark, TextureRole, TextureSet, find_textures, material_name, omissions,
     read_height_file, read_normal_map,
 };
 use relief_scene::engine_material::EngineMaterial;
+use relief_scene::green_remark;
 
 use super::super::{Arguments, metric};
 use crate::advice;
@@ -19,9 +20,6 @@ use crate::file_kind::FileKind;
 
 /// Number of the way in which textures are packed and named. Files of other numbers are out of date.
 const REVISION: u32 = 1;
-
-/// Least confidence at which a normal map is said to have the other green.
-const LEAST_CONFIDENCE: f64 = 0.3;
 
 /// Height map or folder of textures.
 pub struct MaterialSource {
@@ -48,12 +46,19 @@ impl MaterialSource {
             return Err(Failure::Work(format!("{folder}: this is not a folder: give another --output")));
         }
         if !path.is_dir() {
-            if engine.udim.is_some() || engine.green.is_some() {
+            if engine.udim.is_some() || (engine.green.is_some() && engine.maps.first().is_none()) {
                 let what = "--udim and --green are for folders of textures: leave them out";
                 return Err(Failure::usage(what));
             }
             let name = material_name(path);
-            return Ok(Self { name, set: None, height: path.clone(), is_depth: arguments.reading.depth });
+            let is_depth = arguments.reading.depth;
+            if engine.maps.height().is_some() {
+                let what = "--height: the height map is named already: leave one out";
+                return Err(Failure::usage(what));
+            }
+            let named = TextureSet { name: name.clone(), textures: Vec::new(), left: Vec::new() };
+            let set = engine.maps.first().map(|_| engine.maps.over(named));
+            return Ok(Self { name, set, height: path.clone(), is_depth });
         }
         if FileKind::of(path)? == FileKind::Object {
             let name = path.display();
@@ -70,7 +75,10 @@ impl MaterialSource {
         }
         let set = find_textures(path, engine.udim)
             .map_err(|error| Failure::Work(advice::with_flag(&error, advice::of_textures(&error))))?;
-        let found = set.height().map_err(Failure::work)?;
+        let set = engine.maps.over(set);
+        let found = set.height();
+        let found =
+            found.map_err(|error| Failure::Work(advice::with_flag(&error, advice::of_textures(&error))))?;
         let is_depth = arguments.reading.depth || found.role == TextureRole::Depth;
         Ok(Self { name: set.name.clone(), height: found.path.clone(), is_depth, set: Some(set) })
     }
@@ -128,21 +136,12 @@ pub fn other_green(
     arguments: &Arguments,
     set: &TextureSet,
     map: &HeightMap,
-) -> Result<Option<String>, Failure> {
+) -> Result<Option<Note>, Failure> {
     let unclear = set.texture(TextureRole::Normal).filter(|texture| texture.green.is_none());
     let (Some(texture), None) = (unclear, arguments.engine.green) else { return Ok(None) };
     let max_bytes = arguments.max_memory.map_or(relief_io::DEFAULT_MAX_BYTES, |size| size.0);
     let normals = read_normal_map(&texture.path, GreenSign::PlusY, max_bytes).map_err(Failure::of_picture)?;
-    let found = detect(map, &normals);
-    let is_other = found.green == GreenSign::MinusY && found.green_confidence >= LEAST_CONFIDENCE;
-    Ok(is_other.then(|| {
-        format!(
-            "{}: fits the heights with green -y (confidence {:.0} %), and is read as +y: if it is a DirectX \
-             map, give --green -y",
-            texture.path.display(),
-            100.0 * found.green_confidence
-        )
-    }))
+    Ok(green_remark(map, &normals).map(|remark| By::Flags.note(&remark.of(&texture.path))))
 }
 
 /// Returns a hash of everything that decides the bytes of the files.

@@ -1,23 +1,15 @@
-//! Pictures of three.js: a page in Chromium without a window, drawn by SwiftShader.
+//! Pictures of three.js.
 
 use std::path::Path;
-use std::process::{Command, Output};
 
 use relief_io::Picture;
 use serde_json::{Value, json};
 
 use super::{BASE, Case, HEIGHT_M, LIGHT, Set, Shown};
+use crate::three;
 
-/// Version of the package of npm, and what three.js itself calls it.
-pub const VERSION: &str = "0.187.0";
-const REVISION: &str = "187";
-
-const FILES: [(&str, &str); 4] = [
-    ("package.json", include_str!("package.json")),
-    ("package-lock.json", include_str!("package-lock.json")),
-    ("page.html", include_str!("page.html")),
-    ("page.js", include_str!("page.js")),
-];
+/// The page, which is run as it is here.
+const PAGE: &str = include_str!("page.js");
 
 /// Renders two pictures for every case: as it comes, and without the roughness that three.js adds where
 /// normals turn. The text names what rendered.
@@ -27,28 +19,7 @@ pub fn pictures(
     around: &[Picture],
     chromium: &Path,
 ) -> Result<(String, [Vec<Shown>; 2]), String> {
-    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-    let input = format!("export default {};\n", input(set, cases, around));
-    for (name, text) in FILES.into_iter().chain([("input.js", input.as_str())]) {
-        std::fs::write(folder.path().join(name), text).map_err(|error| format!("{name}: {error}"))?;
-    }
-    let mut npm = Command::new("npm");
-    npm.args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]).current_dir(folder.path());
-    output(&mut npm, "install Node.js with npm")?;
-    let mut browser = Command::new(chromium);
-    browser
-        .args(["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"])
-        .args(["--allow-file-access-from-files", "--dump-dom"])
-        .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
-        .arg(format!("file://{}", folder.path().join("page.html").display()));
-    let page = output(&mut browser, "install Chromium, or give it by --chromium")?.stdout;
-    let page = String::from_utf8_lossy(&page);
-    let answer =
-        page.split_once("<pre id=\"answer\" hidden=\"\">").and_then(|(_, rest)| rest.split_once("</pre>"));
-    let answer = answer.ok_or("the page has no answer")?.0;
-    if let Some(error) = answer.strip_prefix("error: ") {
-        return Err(format!("three.js: {error}"));
-    }
+    let answer = three::answer(chromium, PAGE, input(set, cases, around))?;
     let mut lines = answer.lines();
     let about = lines.next().unwrap_or_default().to_owned();
     let shown: Option<Vec<Shown>> = lines.map(shown).collect();
@@ -59,16 +30,6 @@ pub fn pictures(
     }
     let plain = shown.split_off(cases.len());
     Ok((about, [shown, plain]))
-}
-
-/// Runs a command to its end.
-fn output(command: &mut Command, advice: &str) -> Result<Output, String> {
-    let name = command.get_program().to_string_lossy().into_owned();
-    let output = command.output().map_err(|error| format!("{name} cannot be run ({error}): {advice}"))?;
-    if output.status.success() {
-        return Ok(output);
-    }
-    Err(format!("{name} failed: {}", String::from_utf8_lossy(&output.stderr).trim()))
 }
 
 fn input(set: &Set, cases: &[Case], around: &[Picture]) -> Value {
@@ -94,7 +55,6 @@ fn input(set: &Set, cases: &[Case], around: &[Picture]) -> Value {
         })
     });
     json!({
-        "revision": REVISION,
         "size": set.size,
         "eye": set.camera.eye().to_array(),
         "halfHeight": HEIGHT_M / 2.0,
@@ -122,14 +82,6 @@ fn shown(line: &str) -> Option<Shown> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_version_is_the_one_that_is_locked() {
-        let [package, lock, ..] = FILES.map(|(_, text)| text);
-        assert!(package.contains(&format!("\"three\": \"{VERSION}\"")));
-        assert!(lock.contains(&format!("\"version\": \"{VERSION}\"")));
-        assert_eq!(VERSION.split('.').nth(1), Some(REVISION));
-    }
 
     #[test]
     fn lines_are_pixels_that_are_covered_or_not() {

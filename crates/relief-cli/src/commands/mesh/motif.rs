@@ -1,0 +1,210 @@
+//! `relief mesh --motif`: a closed mesh in the space of a tile, repeated in the shells of another mesh.
+
+use std::io::Write;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use glam::Vec2;
+use relief_core::Watch;
+use relief_core::mesh::{Mesh, MeshBlock};
+use relief_io::{MeshCounts, MeshFormat, MeshOptions, MeshSink, read_mesh, write_mesh};
+use relief_mesh::shell_map::{BYTES_PER_TRIANGLE, ShellMap, ShellMapError, ShellMapSettings, map_shells};
+use relief_scene::{MeshChoice, SceneSpec, SurfaceSpec};
+use serde_json::json;
+
+use super::{Arguments, FORMATS};
+use crate::commands::motif::depth_in;
+use crate::commands::scene_arguments::of_scene;
+use crate::commands::staged::{Staged, format_of};
+use crate::failure::Failure;
+use crate::interrupt::{self, cancelled};
+use crate::progress::Progress;
+use crate::streams::tell_written;
+use crate::{say, values};
+
+/// Metres between the heights 0 and 1, where neither a flag nor the motif says more.
+const DEFAULT_SCALE_M: f64 = 0.05;
+
+/// Most numbers of triangles that a note lists.
+const MOST_NUMBERS: usize = 5;
+
+/// Reads the motif and the mesh, and writes the motif on all of the mesh.
+pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
+    let started = Instant::now();
+    let inputs = [motif].into_iter().chain(arguments.inputs()).collect::<Vec<_>>();
+    let (_, format) = format_of("--output", &arguments.output, &FORMATS, &inputs)?;
+    arguments.refuse_with_motif()?;
+    let (base, mesh, depth) = {
+        let _reading = Progress::spinner("reading", arguments.json);
+        let options = MeshOptions { max_bytes: arguments.limit(), ..MeshOptions::default() };
+        let mesh = read_mesh(motif, &options).map_err(Failure::of_mesh)?.mesh;
+        (arguments.base()?, mesh, depth_in(motif, arguments.limit())?)
+    };
+    let scale_m = match (arguments.placement.scale, depth) {
+        (Some(scale), _) => scale.metres,
+        // As deep as it is long.
+        (None, Some(depth)) => {
+            let [u, v] = base.tile_m();
+            depth * (u * v).sqrt()
+        }
+        (None, None) => DEFAULT_SCALE_M,
+    };
+    let bias_m = arguments.placement.bias.unwrap_or(0.0);
+    let settings = ShellMapSettings { scale_m, bias_m, triangles: arguments.limit() / BYTES_PER_TRIANGLE };
+    let cancel = interrupt::catch()?;
+    let mut staged = Staged::open(&[&arguments.output], arguments.json, cancel)?;
+    let map = made(&base, &mesh, &settings, arguments.json, cancel)?;
+    let notes = notes_on(motif, &map);
+    if !arguments.json {
+        notes.iter().for_each(say::note);
+    }
+    let counts =
+        MeshCounts { vertices: map.mesh.vertices().len() as u64, triangles: map.mesh.triangles().len() as u64 };
+    format.check(counts).map_err(Failure::work)?;
+    let aside = staged.aside(&arguments.output)?;
+    let bytes = written(&aside, format, counts, &map.mesh)
+        .map_err(|error| Failure::Work(format!("{}: {error}", arguments.output.display())))?;
+    staged.finish()?;
+    let seconds = started.elapsed().as_secs_f64();
+    tell_written(arguments.json, |out| {
+        let output = arguments.output.display().to_string();
+        let MeshCounts { vertices, triangles } = counts;
+        if arguments.json {
+            let about = json!({
+                "output": output, "motif": motif, "triangles": triangles, "vertices": vertices,
+                "scale_m": scale_m, "bias_m": bias_m, "open_edges": map.open_edges, "folded": map.folded,
+                "without_area": map.without_area, "beyond": map.beyond, "bytes": bytes, "notes": notes,
+                "seconds": seconds,
+            });
+            return Ok(writeln!(out, "{about:#}")?);
+        }
+        writeln!(out, "{output}: {triangles} triangles, {vertices} vertices, {bytes} bytes, in {seconds:.2} s")?;
+        writeln!(out, "  scale       {} m between the heights 0 and 1", values::six_digits(scale_m))?;
+        writeln!(out, "  open edges  {}", map.open_edges)?;
+        Ok(())
+    })
+}
+
+fn made(
+    base: &Mesh,
+    motif: &Mesh,
+    settings: &ShellMapSettings,
+    is_quiet: bool,
+    cancel: &AtomicBool,
+) -> Result<ShellMap, Failure> {
+    let bar = Progress::bar("cutting", is_quiet);
+    let tell = |_: &str, part: f32| bar.show(part);
+    map_shells(base, motif, settings, &Watch::new(&tell, cancel)).map_err(|error| match error {
+        ShellMapError::Cancelled(_) => cancelled(),
+        ShellMapError::Lengths { .. } => Failure::Usage(format!("--scale: {error}")),
+        ShellMapError::FarMotif(_) => Failure::Work(format!("--motif: {error}")),
+        ShellMapError::TooWide { .. } => Failure::Work(format!("--tile: {error}")),
+        ShellMapError::TooLarge { .. } => {
+            Failure::Work(format!("{error}: a smaller --tile has fewer, --max-memory allows more"))
+        }
+        error => Failure::work(error),
+    })
+}
+
+fn written(path: &Path, format: MeshFormat, counts: MeshCounts, mesh: &Mesh) -> std::io::Result<u64> {
+    let block = MeshBlock {
+        vertices: mesh.vertices().to_vec(),
+        triangles: mesh.triangles().to_vec(),
+        points: mesh.vertices().iter().map(|vertex| vertex.position).collect(),
+        corners: mesh.triangles().to_vec(),
+        owners: Vec::new(),
+    };
+    write_mesh(path, format, counts, |sink: &mut MeshSink| sink(&block))
+        .map_err(|error| std::io::Error::other(error.problem.to_string()))?;
+    Ok(std::fs::metadata(path)?.len())
+}
+
+/// What a user should know of the result.
+fn notes_on(motif: &Path, map: &ShellMap) -> Vec<String> {
+    let name = motif.display();
+    let mut notes = Vec::new();
+    if map.beyond > 0.0 {
+        notes.push(format!(
+            "{name}: {} % of its vertices lie below height 0 or above height 1, where it is cut off",
+            values::six_digits((1000.0 * map.beyond).round() / 10.0)
+        ));
+    }
+    if !map.folded.is_empty() {
+        let numbers: Vec<String> = map.folded.iter().take(MOST_NUMBERS).map(u32::to_string).collect();
+        let more = if map.folded.len() > MOST_NUMBERS { ", ..." } else { "" };
+        notes.push(format!(
+            "{} triangles of the mesh have shells that fold, as it is more curved than they are deep ({}{more}): \
+             give a smaller --scale, or another --bias",
+            map.folded.len(),
+            numbers.join(", ")
+        ));
+    }
+    if map.without_area > 0 {
+        notes.push(format!(
+            "{} triangles of the mesh have no area in texture coordinates, and carry nothing: --project makes \
+             coordinates",
+            map.without_area
+        ));
+    }
+    if map.open_edges > 0 {
+        notes.push(format!(
+            "the result has {} open edges: where motif, mesh or texture coordinates have a border, or where it is cut \
+             off",
+            map.open_edges
+        ));
+    }
+    notes
+}
+
+impl Arguments {
+    /// Refuses flags that are about height maps.
+    fn refuse_with_motif(&self) -> Result<(), Failure> {
+        let placement = &self.placement;
+        let given = [
+            ("a height map", self.height != Path::new("")),
+            ("--exaggerate", placement.exaggerate.is_some()),
+            ("--tile-size", placement.tile_size.is_some()),
+            ("--wrap", self.reading.wrap.is_some()),
+            (self.reading.flag_of_heights().unwrap_or_default(), self.reading.flag_of_heights().is_some()),
+        ];
+        match given.into_iter().find(|(_, given)| *given) {
+            Some((what, _)) => Err(Failure::Usage(format!(
+                "--motif: {what} is of no use here, as the motif has the relief: leave it out"
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// Returns the mesh that the motif is put on, with its tiles.
+    fn base(&self) -> Result<Mesh, Failure> {
+        let placement = &self.placement;
+        let tile = placement.tile.unwrap_or([1.0; 2]).map(|count| count as f32);
+        let builtin = match &placement.mesh {
+            Some(MeshChoice::File(_)) => None,
+            Some(MeshChoice::Builtin(builtin)) => Some(*builtin),
+            None => Some(relief_core::mesh::Builtin::Plane),
+        };
+        if let Some(builtin) = builtin {
+            let of_files = [
+                ("--project", placement.project.is_some()),
+                ("--mesh-up", placement.mesh_up.is_some()),
+                ("--mesh-scale", placement.mesh_scale.is_some()),
+            ];
+            if let Some((flag, _)) = of_files.into_iter().find(|(_, given)| *given) {
+                return Err(Failure::Usage(format!("{flag} is for files of meshes: leave it out")));
+            }
+            let base = builtin.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(Vec2::from_array(tile)));
+            return base.map_err(|error| Failure::Usage(format!("--tile: {error}")));
+        }
+        // The scale of the motif is no scale of the mesh.
+        let surface = SurfaceSpec { scale: None, bias: None, ..placement.surface(&self.reading) };
+        let spec = SceneSpec {
+            size: Some([1, 1].into()),
+            samples: Some(1),
+            max_memory: self.max_memory,
+            ..SceneSpec::of_surface(surface)
+        };
+        Ok(spec.load().map_err(of_scene)?.surfaces()[0].mesh().clone())
+    }
+}
