@@ -978,6 +978,21 @@ impl Quartic {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// The first root in a cell, and the gap where the path enters it.
+pub struct RootInCell {
+    pub root: f32,
+    pub gap: f32,
+}
+impl RootInCell {
+    pub fn new(
+        root: impl rt::Into<f32>,
+        gap: impl rt::Into<f32>,
+    ) -> Self {
+        Self { root: rt::into(root), gap: rt::into(gap) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The result of a search. `status` is one of FOUND_*. `near` and `far` are parameters of the path,
 /// and the gaps are its heights above the surface there.
 pub struct SearchResult {
@@ -2258,11 +2273,11 @@ impl<'g> Resources<'g> {
     ) -> Around {
         let point_22 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_22);
-        let i_3 = _e8.to_i32();
-        let _e12 = self.v_wrap_index(i_3.x(), n_2.x());
-        let _e17 = self.v_wrap_index((i_3.x() + rt::Scalar(1i32)), n_2.x());
-        let _e21 = self.v_wrap_index(i_3.y(), n_2.y());
-        let _e26 = self.v_wrap_index((i_3.y() + rt::Scalar(1i32)), n_2.y());
+        let i_4 = _e8.to_i32();
+        let _e12 = self.v_wrap_index(i_4.x(), n_2.x());
+        let _e17 = self.v_wrap_index((i_4.x() + rt::Scalar(1i32)), n_2.x());
+        let _e21 = self.v_wrap_index(i_4.y(), n_2.y());
+        let _e26 = self.v_wrap_index((i_4.y() + rt::Scalar(1i32)), n_2.y());
         return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_22 - _e8));
     }
     pub(crate) fn level_texels(
@@ -2809,11 +2824,11 @@ impl<'g> Resources<'g> {
         let mut light: rt::Vec3<f32>;
 
         let mean_9 = normal_4.length();
-        let n_11 = normal_4.normalize();
-        let cosine_10 = n_11.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let n_12 = normal_4.normalize();
+        let cosine_10 = n_12.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let _e12 = self.v_shade_mirrored_stage(material_6, mean_9, cosine_10);
-        let reflected = ((n_11 * (rt::Scalar(2f32) * cosine_10)) - view_3);
-        let axis_4 = (reflected + ((n_11 - reflected) * rt::Scalar(_e12.turn)));
+        let reflected = ((n_12 * (rt::Scalar(2f32) * cosine_10)) - view_3);
+        let axis_4 = (reflected + ((n_12 - reflected) * rt::Scalar(_e12.turn)));
         let _e23 = self.v_environment_in_lobe(axis_4, _e12.lobes.x());
         light = _e23;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e12.second).elementwise_gt(rt::Scalar(0f32))) {
@@ -2826,14 +2841,14 @@ impl<'g> Resources<'g> {
         light = (_e37 * _e12.part);
         let enters = (<rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32)) - _e12.part);
         let _e46 = light;
-        let _e47 = self.v_environment_on(n_11);
+        let _e47 = self.v_environment_on(n_12);
         light = (_e46 + ((_e47 * material_6.diffuse) * enters));
         let _e54 = rt::Scalar(self.surface_settings.transmission);
         if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0f32))) {
             let _e59 = rt::Scalar(self.surface_settings.ior);
             let eta_1 = (rt::Scalar(1f32) / _e59);
             let _e63 = self.v_cosine_inside(cosine_10);
-            let refracted = ((n_11 * ((eta_1 * cosine_10) - _e63)) - (view_3 * eta_1));
+            let refracted = ((n_12 * ((eta_1 * cosine_10) - _e63)) - (view_3 * eta_1));
             let _e72 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta_1) * rt::Scalar(_e12.lean)));
             let _e73 = light;
             light = (_e73 + (_e72 * (material_6.transmitted * enters)));
@@ -3360,13 +3375,13 @@ impl<'g> Resources<'g> {
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_27 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
         let place_29 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
-        let t_41 = place_29.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let t_45 = place_29.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_1.cross(third_1).dot(normal_27) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_17 = (((offset - low_2) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_17), t_41, (place_29 - (along * t_41)).length(), volume);
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_17), t_45, (place_29 - (along * t_45)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -3766,40 +3781,49 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_height_at(_e4, rt::Scalar(path_4.level));
         return (_e3 - _e6);
     }
+    pub(crate) fn slice_begin(&self, slice: impl rt::Into<rt::Scalar<i32>>) -> rt::Vec2<i32> {
+        rt::into(self.v_slice_begin(rt::into(slice)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_slice_begin(&self, slice: rt::Scalar<i32>) -> rt::Vec2<i32> {
+        let _e3 = self.surface_settings.volume;
+        let size_1 = _e3.xyz().to_i32();
+        let _e9 = self.surface_settings.volume.w();
+        let in_row = _e9.to_i32();
+        let k_47 = slice.clamp(rt::Scalar(0i32), (size_1.z() - rt::Scalar(1i32)));
+        let row_8 = ((k_47.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
+        return <rt::Vec2<i32>>::from_scalars(((k_47 - (row_8 * in_row)) * size_1.x()), (row_8 * size_1.y()));
+    }
     pub(crate) fn slice_cell(
         &self,
         cell_2: impl rt::Into<rt::Vec2<i32>>,
-        slice: impl rt::Into<rt::Scalar<i32>>,
+        slice_1: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_cell(rt::into(cell_2), rt::into(slice)))
+        rt::into(self.v_slice_cell(rt::into(cell_2), rt::into(slice_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_cell(
         &self,
         cell_2: rt::Vec2<i32>,
-        slice: rt::Scalar<i32>,
+        slice_1: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.volume;
-        let size_1 = _e4.xyz().to_i32();
-        let _e10 = self.surface_settings.volume.w();
-        let in_row = _e10.to_i32();
-        let k_47 = slice.clamp(rt::Scalar(0i32), (size_1.z() - rt::Scalar(1i32)));
-        let row_8 = ((k_47.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
-        let x_8 = ((k_47 - (row_8 * in_row)) * size_1.x());
-        let y_2 = (row_8 * size_1.y());
-        let _e31 = self.v_wrap_index(cell_2.x(), size_1.x());
-        let i0_ = (x_8 + _e31);
-        let _e37 = self.v_wrap_index((cell_2.x() + rt::Scalar(1i32)), size_1.x());
-        let i1_ = (x_8 + _e37);
-        let _e41 = self.v_wrap_index(cell_2.y(), size_1.y());
-        let j0_ = (y_2 + _e41);
-        let _e47 = self.v_wrap_index((cell_2.y() + rt::Scalar(1i32)), size_1.y());
-        let j1_ = (y_2 + _e47);
-        let _e52 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i0_, j0_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e57 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i1_, j0_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e62 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i0_, j1_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e67 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i1_, j1_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        return <rt::Vec4<f32>>::from_scalars(_e52.x(), _e57.x(), _e62.x(), _e67.x());
+        let size_2 = _e4.xyz().to_i32();
+        let _e7 = self.v_slice_begin(slice_1);
+        let _e11 = self.v_wrap_index(cell_2.x(), size_2.x());
+        let i0_ = (_e7.x() + _e11);
+        let _e18 = self.v_wrap_index((cell_2.x() + rt::Scalar(1i32)), size_2.x());
+        let i1_ = (_e7.x() + _e18);
+        let _e23 = self.v_wrap_index(cell_2.y(), size_2.y());
+        let j0_ = (_e7.y() + _e23);
+        let _e30 = self.v_wrap_index((cell_2.y() + rt::Scalar(1i32)), size_2.y());
+        let j1_ = (_e7.y() + _e30);
+        let _e35 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i0_, j0_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e40 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i1_, j0_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e45 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i0_, j1_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e50 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i1_, j1_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        return <rt::Vec4<f32>>::from_scalars(_e35.x(), _e40.x(), _e45.x(), _e50.x());
     }
     pub(crate) fn voxel_cell(&self, cell_3: impl rt::Into<rt::Vec3<i32>>) -> VoxelCell {
         rt::into(self.v_voxel_cell(rt::into(cell_3)))
@@ -4350,19 +4374,19 @@ impl<'g> Resources<'g> {
         sweep_1: Sweep,
         number_1: rt::Scalar<i32>,
     ) -> SweptPoint {
-        let n_12 = sweep_1.parts.x();
+        let n_13 = sweep_1.parts.x();
         let m_4 = sweep_1.parts.y();
         let apex_1 = sweep_1.apex;
-        if rt::Scalar::into_branch_condition(number_1.elementwise_le(n_12)) {
-            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_1, n_12);
-            let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_12));
-            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_12, sides);
+        if rt::Scalar::into_branch_condition(number_1.elementwise_le(n_13)) {
+            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_1, n_13);
+            let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_13));
+            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_13, sides);
         }
-        let k_48 = (number_1 - n_12);
+        let k_48 = (number_1 - n_13);
         let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_48, m_4);
-        let x_9 = ((apex_1.x() * (m_4 - k_48)) + (sweep_1.end.x() * k_48));
-        let y_3 = ((apex_1.y() * (m_4 - k_48)) + (sweep_1.end.y() * k_48));
-        return <SweptPoint>::new(_e29.x(), _e29.y(), x_9, y_3, m_4, ON_SECOND);
+        let x_8 = ((apex_1.x() * (m_4 - k_48)) + (sweep_1.end.x() * k_48));
+        let y_2 = ((apex_1.y() * (m_4 - k_48)) + (sweep_1.end.y() * k_48));
+        return <SweptPoint>::new(_e29.x(), _e29.y(), x_8, y_2, m_4, ON_SECOND);
     }
     pub(crate) fn low_point(
         &self,
@@ -4380,15 +4404,15 @@ impl<'g> Resources<'g> {
         column: SweptColumn,
         at_19: rt::Scalar<i32>,
     ) -> SweptPoint {
-        let x_10 = rt::Scalar(column.column);
+        let x_9 = rt::Scalar(column.column);
         if rt::Scalar::into_branch_condition(at_19.elementwise_gt(rt::Scalar(0i32))) {
-            let y_4 = ((rt::Scalar(column.inside) + at_19) - rt::Scalar(1i32));
-            return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_19 - rt::Scalar(1i32)).to_u32()), x_10, y_4, rt::Scalar(1i32), rt::Scalar(0u32));
+            let y_3 = ((rt::Scalar(column.inside) + at_19) - rt::Scalar(1i32));
+            return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_19 - rt::Scalar(1i32)).to_u32()), x_9, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
         }
         let columns = sweep_2.end.x();
-        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_10, columns);
-        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_10.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_10.elementwise_eq(columns)));
-        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_10 * columns), (sweep_2.end.y() * x_10), columns, sides_1);
+        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_9, columns);
+        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_9.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_9.elementwise_eq(columns)));
+        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_9 * columns), (sweep_2.end.y() * x_9), columns, sides_1);
     }
     pub(crate) fn chain_point(
         &self,
@@ -4482,11 +4506,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval.y());
         }
-        let t_42 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
+        let t_46 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
         if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_42), interval.y());
+            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_46), interval.y());
         }
-        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_42));
+        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_46));
     }
     pub(crate) fn inside_unit(
         &self,
@@ -4813,14 +4837,14 @@ impl<'g> Resources<'g> {
                         return _e60;
                     }
                     let _e61 = t_16;
-                    let span_7 = (end_3 - _e61).max(rt::Scalar(0f32));
-                    let _e65 = self.v_first_root(below_4, span_7);
+                    let span_8 = (end_3 - _e61).max(rt::Scalar(0f32));
+                    let _e65 = self.v_first_root(below_4, span_8);
                     if rt::Scalar::into_branch_condition(_e65.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e68 = t_16;
                         return (_e68 + _e65);
                     }
                     if rt::Scalar::into_branch_condition(is_near) {
-                        let _e72 = self.v_quadratic(below_4, span_7);
+                        let _e72 = self.v_quadratic(below_4, span_8);
                         local_14 = _e72.elementwise_gt((_e38 + _e8));
                     } else {
                         local_14 = rt::Scalar(false);
@@ -5134,13 +5158,13 @@ impl<'g> Resources<'g> {
     ) -> Around {
         let point_25 = ((place_5 * n_4.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_25);
-        let i_4 = _e8.to_i32();
+        let i_5 = _e8.to_i32();
         let u_1 = rt::Scalar(self.surface_settings.color_wrap_u);
         let v_3 = rt::Scalar(self.surface_settings.color_wrap_v);
-        let _e18 = self.v_color_index(i_4.x(), n_4.x(), u_1);
-        let _e23 = self.v_color_index((i_4.x() + rt::Scalar(1i32)), n_4.x(), u_1);
-        let _e27 = self.v_color_index(i_4.y(), n_4.y(), v_3);
-        let _e32 = self.v_color_index((i_4.y() + rt::Scalar(1i32)), n_4.y(), v_3);
+        let _e18 = self.v_color_index(i_5.x(), n_4.x(), u_1);
+        let _e23 = self.v_color_index((i_5.x() + rt::Scalar(1i32)), n_4.x(), u_1);
+        let _e27 = self.v_color_index(i_5.y(), n_4.y(), v_3);
+        let _e32 = self.v_color_index((i_5.y() + rt::Scalar(1i32)), n_4.y(), v_3);
         return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e18, _e23), <rt::Vec2<i32>>::from_scalars(_e27, _e32), (point_25 - _e8));
     }
     pub(crate) fn color_of_texels(
@@ -5227,13 +5251,13 @@ impl<'g> Resources<'g> {
         let last_4 = (_e7.w() - rt::Scalar(1f32)).max(rt::Scalar(1f32));
         let is_hemi = _e10.w().elementwise_gt(rt::Scalar(0f32));
         let up_2 = _e10.xyz().dot(toward);
-        let y_5 = up_2.select(up_2.max(rt::Scalar(0f32)), is_hemi);
+        let y_4 = up_2.select(up_2.max(rt::Scalar(0f32)), is_hemi);
         let right_2 = _e7.xyz().dot(toward);
         let front = _e13.xyz().dot(toward);
-        let sum_6 = ((right_2.abs() + y_5.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
+        let sum_6 = ((right_2.abs() + y_4.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
         x_1 = (right_2 / sum_6);
         z = (front / sum_6);
-        if rt::Scalar::into_branch_condition(y_5.elementwise_lt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(y_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e44 = z;
             let _e48 = x_1;
             let folded_x = ((rt::Scalar(1f32) - _e44.abs()) * rt::Scalar(-1f32).select(rt::Scalar(1f32), _e48.elementwise_ge(rt::Scalar(0f32))));
@@ -5252,10 +5276,10 @@ impl<'g> Resources<'g> {
         let _e82 = x_1;
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
         let place_30 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
-        let cell_36 = place_30.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
-        let part_14 = (place_30 - cell_36);
+        let cell_40 = place_30.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
+        let part_14 = (place_30 - cell_40);
         let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
-        let first_13 = ((cell_36.y().to_u32() * side_6) + cell_36.x().to_u32());
+        let first_13 = ((cell_40.y().to_u32() * side_6) + cell_40.x().to_u32());
         let beside_4 = (first_13 + side_6).select((first_13 + rt::Scalar(1u32)), part_14.x().elementwise_gt(part_14.y()));
         let least_3 = part_14.x().min(part_14.y());
         let most_7 = part_14.x().max(part_14.y());
@@ -6238,12 +6262,12 @@ impl<'g> Resources<'g> {
         let on_short = (((_e15 - rt::Scalar(place_11.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_10.parts.x().to_f32()));
         let on_other = ((rt::Scalar(place_11.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_10.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
-        let x_11 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(0u32)));
-        let y_6 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(1u32)));
+        let x_10 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(0u32)));
+        let y_5 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(2u32)));
         let _e88 = self.v_dice_points_before(rows_10, rt::Scalar(place_11.row));
         let number_25 = ((_e88 + rt::Scalar(place_11.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(INSIDE, number_25, <rt::Vec3<f32>>::from_scalars(x_11, y_6, z_2));
+        return <DicePoint>::new(INSIDE, number_25, <rt::Vec3<f32>>::from_scalars(x_10, y_5, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -6444,11 +6468,11 @@ impl<'g> Resources<'g> {
         let _e24 = self.v_dice_triangles_before(rows_14, (_e2 - rt::Scalar(1u32)));
         let step_5 = ((number_7 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
         let _e30 = self.v_dice_steps_below(_e5, _e6, step_5);
-        let i_5 = (step_5 - _e30);
+        let i_6 = (step_5 - _e30);
         let _e34 = self.v_dice_steps_below(_e5, _e6, (step_5 + rt::Scalar(1u32)));
         let goes_below = _e34.elementwise_gt(_e30);
-        let next_10 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_5 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
-        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_5), <DicePlace>::new(_e2, _e30), next_10);
+        let next_10 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_6 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
+        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_6), <DicePlace>::new(_e2, _e30), next_10);
     }
     pub(crate) fn displaced_derivative(
         &self,
@@ -8090,18 +8114,18 @@ impl<'g> Resources<'g> {
         let tangent_4 = (((pixel_41.a.tangent * _e8.x()) + (pixel_41.b.tangent * _e8.y())) + (pixel_41.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_41.a.bitangent * _e8.x()) + (pixel_41.b.bitangent * _e8.y())) + (pixel_41.c.bitangent * _e8.z()));
         let raw_ = (((pixel_41.a.normal * _e8.x()) + (pixel_41.b.normal * _e8.y())) + (pixel_41.c.normal * _e8.z()));
-        let slice_7 = (((pixel_41.a.of_surface * _e8.x()) + (pixel_41.b.of_surface * _e8.y())) + (pixel_41.c.of_surface * _e8.z()));
+        let slice_8 = (((pixel_41.a.of_surface * _e8.x()) + (pixel_41.b.of_surface * _e8.y())) + (pixel_41.c.of_surface * _e8.z()));
         let tt_2 = tangent_4.dot(tangent_4);
         let tb_2 = tangent_4.dot(bitangent_3);
         let bb_2 = bitangent_3.dot(bitangent_3);
         let area_4 = ((tt_2 * bb_2) - (tb_2 * tb_2));
         let _e87 = rt::Scalar(self.surface_settings.bias_m);
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
-        let height_m = (_e87 + (_e90 * slice_7.x()));
+        let height_m = (_e87 + (_e90 * slice_8.x()));
         let normal_32 = raw_.normalize();
         let _e95 = self.v_is_on_map(uv_44);
         if rt::Scalar::into_branch_condition(_e95) {
-            local_40 = ((slice_7.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
+            local_40 = ((slice_8.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_40 = rt::Scalar(false);
         }
@@ -8119,7 +8143,7 @@ impl<'g> Resources<'g> {
         }
         let _e122 = local_42;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_44, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_7, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_44, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_8, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -8436,9 +8460,9 @@ impl<'g> Resources<'g> {
         along_15: rt::Scalar<f32>,
         across: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let x_12 = (along_15 * rt::Scalar(1.7320508f32));
-        let y_7 = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_12), (middle_7 - x_12), (middle_7 + y_7), (middle_7 - y_7)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        let x_11 = (along_15 * rt::Scalar(1.7320508f32));
+        let y_6 = (across * rt::Scalar(1.7320508f32));
+        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_11), (middle_7 - x_11), (middle_7 + y_6), (middle_7 - y_6)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn least_at(
         &self,
@@ -8830,33 +8854,33 @@ impl<'g> Resources<'g> {
         let point_31 = ((uv_22 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_31);
         let _e11 = self.v_sloped_cell(_e9.to_i32());
-        let cell_37 = _e11.to_f32();
-        part_5 = (point_31 - cell_37);
+        let cell_41 = _e11.to_f32();
+        part_5 = (point_31 - cell_41);
         let _e17 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e17.elementwise_eq(WRAP_CLAMP)) {
             let _e20 = part_5;
             part_5 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
         }
-        let i_6 = cell_37.to_i32();
-        let _e30 = self.v_height_cell(i_6, rt::Scalar(0u32));
+        let i_7 = cell_41.to_i32();
+        let _e30 = self.v_height_cell(i_7, rt::Scalar(0u32));
         let _e31 = part_5;
         let _e32 = self.v_cell_slopes(_e30, _e31);
-        let _e37 = self.v_sloped_cell((i_6 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e37 = self.v_sloped_cell((i_7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e39 = self.v_height_cell(_e37, rt::Scalar(0u32));
         let _e40 = part_5;
         let _e41 = self.v_cell_slopes(_e39, _e40);
         let before_u = _e41.x();
-        let _e47 = self.v_sloped_cell((i_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e47 = self.v_sloped_cell((i_7 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e49 = self.v_height_cell(_e47, rt::Scalar(0u32));
         let _e50 = part_5;
         let _e51 = self.v_cell_slopes(_e49, _e50);
         let behind_u = _e51.x();
-        let _e57 = self.v_sloped_cell((i_6 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e57 = self.v_sloped_cell((i_7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e59 = self.v_height_cell(_e57, rt::Scalar(0u32));
         let _e60 = part_5;
         let _e61 = self.v_cell_slopes(_e59, _e60);
         let before_v = _e61.y();
-        let _e67 = self.v_sloped_cell((i_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e67 = self.v_sloped_cell((i_7 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e69 = self.v_height_cell(_e67, rt::Scalar(0u32));
         let _e70 = part_5;
         let _e71 = self.v_cell_slopes(_e69, _e70);
@@ -9036,14 +9060,14 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_13 = ((tile.x() * at_53.tangent.normalize().dot(at_53.tangent)) / at_53.tangent.dot(at_53.tangent));
-        let y_8 = ((tile.y() * at_53.bitangent.normalize().dot(at_53.bitangent)) / at_53.bitangent.dot(at_53.bitangent));
+        let x_12 = ((tile.x() * at_53.tangent.normalize().dot(at_53.tangent)) / at_53.tangent.dot(at_53.tangent));
+        let y_7 = ((tile.y() * at_53.bitangent.normalize().dot(at_53.bitangent)) / at_53.bitangent.dot(at_53.bitangent));
         let _e44 = self.v_normal_at(uv_25, rt::Scalar(0i32), (level_44 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_25, rt::Scalar(1i32), (level_44 - rt::Scalar(1u32)));
-        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_13), (_e44.y() * y_8), _e44.z());
+        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_12), (_e44.y() * y_7), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
-        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_13) * x_13), ((_e48.y() * x_13) * y_8), ((_e48.z() * y_8) * y_8)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_13)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_8)));
+        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_12) * x_12), ((_e48.y() * x_12) * y_7), ((_e48.z() * y_7) * y_7)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_12)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_7)));
     }
     pub(crate) fn mean_of_five(
         &self,
@@ -9088,11 +9112,11 @@ impl<'g> Resources<'g> {
         let second_5 = normals.second;
         let slope_9 = <rt::Vec2<f32>>::from_scalars(first_16.w(), second_5.w());
         let upright_1 = first_16.z().max(rt::Scalar(0.05f32));
-        let x_14 = (first_16.x() / upright_1);
-        let y_9 = (first_16.y() / upright_1);
-        let a_36 = ((second_5.x() / upright_1) - (x_14 * x_14)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_36 = (((second_5.y() / upright_1) - (x_14 * y_9)) / a_36);
-        let spread = ((second_5.z() / upright_1) - (y_9 * y_9)).max(rt::Scalar(0f32));
+        let x_13 = (first_16.x() / upright_1);
+        let y_8 = (first_16.y() / upright_1);
+        let a_36 = ((second_5.x() / upright_1) - (x_13 * x_13)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_36 = (((second_5.y() / upright_1) - (x_13 * y_8)) / a_36);
+        let spread = ((second_5.z() / upright_1) - (y_8 * y_8)).max(rt::Scalar(0f32));
         let d_4 = (spread - (b_36 * b_36)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_16.x())) - (first_16.xyz() * slope_9.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_16.y())) - (first_16.xyz() * slope_9.y()));
@@ -9268,13 +9292,13 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_28, a1_1, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_8);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_15 = ((tile_1.x() * at_57.tangent.normalize().dot(at_57.tangent)) / at_57.tangent.dot(at_57.tangent));
-        let y_10 = ((tile_1.y() * at_57.bitangent.normalize().dot(at_57.bitangent)) / at_57.bitangent.dot(at_57.bitangent));
+        let x_14 = ((tile_1.x() * at_57.tangent.normalize().dot(at_57.tangent)) / at_57.tangent.dot(at_57.tangent));
+        let y_9 = ((tile_1.y() * at_57.bitangent.normalize().dot(at_57.bitangent)) / at_57.bitangent.dot(at_57.bitangent));
         let mean_11 = _e56.first.xyz();
-        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_11.x() * x_15), (mean_11.y() * y_10), mean_11.z());
+        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_11.x() * x_14), (mean_11.y() * y_9), mean_11.z());
         let squared_3 = (mean_11.dot(mean_11) / flatter_1.dot(flatter_1));
         let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_15) * x_15), ((_e56.second.y() * y_10) * y_10), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_15) * y_10), (_e56.second.z() * x_15), (_e56.second.w() * y_10)) * squared_3));
+        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_14) * x_14), ((_e56.second.y() * y_9) * y_9), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_14) * y_9), (_e56.second.z() * x_14), (_e56.second.w() * y_9)) * squared_3));
     }
     pub(crate) fn mesostructure_normals(
         &self,
@@ -9373,11 +9397,11 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_slopes(&self, place_17: rt::Vec3<f32>) -> rt::Vec3<f32> {
-        let i_7 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let i_8 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let j_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
         let k_53 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
-        let _e14 = self.v_field_at_voxel((place_17 + i_7));
-        let _e16 = self.v_field_at_voxel((place_17 - i_7));
+        let _e14 = self.v_field_at_voxel((place_17 + i_8));
+        let _e16 = self.v_field_at_voxel((place_17 - i_8));
         let along_i = (_e14 - _e16);
         let _e19 = self.v_field_at_voxel((place_17 + j_1));
         let _e21 = self.v_field_at_voxel((place_17 - j_1));
@@ -9407,13 +9431,13 @@ impl<'g> Resources<'g> {
         let _e25 = self.v_volume_size();
         let begin_6 = ((_e19 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))) / _e25);
         let h_8 = <rt::Vec3<f32>>::from_scalars(begin_6.z(), _e4.z(), rt::Scalar(0f32));
-        let way_17 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_60.metric, RAY_SHADOW, rt::Scalar(at_60.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let way_19 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_60.metric, RAY_SHADOW, rt::Scalar(at_60.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e4.z().elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_DARK, way_17);
+            return <LightRay>::new(LIGHT_RAY_DARK, way_19);
         }
-        let _e48 = self.v_way_out(way_17, light_5);
+        let _e48 = self.v_way_out(way_19, light_5);
         if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_LIT, way_17);
+            return <LightRay>::new(LIGHT_RAY_LIT, way_19);
         }
         let path_96 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, _e48, rt::Scalar(0f32), at_60.metric, RAY_SHADOW, rt::Scalar(at_60.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
         return <LightRay>::new(LIGHT_RAY_OPEN, path_96);
@@ -10032,93 +10056,93 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_inside(
         &self,
         map_1: impl rt::Into<rt::Scalar<f32>>,
-        slice_1: impl rt::Into<rt::Scalar<f32>>,
+        slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
         params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice_1), rt::into(spacing), rt::into(params_54)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice_2), rt::into(spacing), rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_inside(
         &self,
         map_1: rt::Scalar<f32>,
-        slice_1: rt::Scalar<f32>,
+        slice_2: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
         params_54: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
-        return map_1.elementwise_gt(slice_1);
+        return map_1.elementwise_gt(slice_2);
     }
     pub(crate) fn slice_at_least(
         &self,
         map_2: impl rt::Into<rt::Scalar<f32>>,
-        slice_2: impl rt::Into<rt::Scalar<f32>>,
+        slice_3: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
         params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_2), rt::into(spacing_1), rt::into(params_55)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_3), rt::into(spacing_1), rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_at_least(
         &self,
         map_2: rt::Scalar<f32>,
-        slice_2: rt::Scalar<f32>,
+        slice_3: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
         params_55: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
-        return map_2.elementwise_ge(slice_2);
+        return map_2.elementwise_ge(slice_3);
     }
     pub(crate) fn slice_band(
         &self,
         map_3: impl rt::Into<rt::Scalar<f32>>,
-        slice_3: impl rt::Into<rt::Scalar<f32>>,
+        slice_4: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
         params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_3), rt::into(spacing_2), rt::into(params_56)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_4), rt::into(spacing_2), rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_band(
         &self,
         map_3: rt::Scalar<f32>,
-        slice_3: rt::Scalar<f32>,
+        slice_4: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
         params_56: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
-        return (map_3 - slice_3).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
+        return (map_3 - slice_4).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
     pub(crate) fn slices_stage(
         &self,
         map_4: impl rt::Into<rt::Scalar<f32>>,
-        slice_4: impl rt::Into<rt::Scalar<f32>>,
+        slice_5: impl rt::Into<rt::Scalar<f32>>,
         spacing_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_slices_stage(rt::into(map_4), rt::into(slice_4), rt::into(spacing_3)))
+        rt::into(self.v_slices_stage(rt::into(map_4), rt::into(slice_5), rt::into(spacing_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slices_stage(
         &self,
         map_4: rt::Scalar<f32>,
-        slice_4: rt::Scalar<f32>,
+        slice_5: rt::Scalar<f32>,
         spacing_3: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let _e7 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[2usize].params;
-                let _e13 = self.v_slice_inside(map_4, slice_4, spacing_3, _e12);
+                let _e13 = self.v_slice_inside(map_4, slice_5, spacing_3, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[2usize].params;
-                let _e19 = self.v_slice_at_least(map_4, slice_4, spacing_3, _e18);
+                let _e19 = self.v_slice_at_least(map_4, slice_5, spacing_3, _e18);
                 return _e19;
             }
             _ => {
                 let _e24 = self.surface_settings.choices[2usize].params;
-                let _e25 = self.v_slice_band(map_4, slice_4, spacing_3, _e24);
+                let _e25 = self.v_slice_band(map_4, slice_5, spacing_3, _e24);
                 return _e25;
             }
         }
@@ -10177,11 +10201,11 @@ impl<'g> Resources<'g> {
         let a_37 = (pixel_54.a.position + (pixel_54.a.normal * step_m));
         let b_37 = (pixel_54.b.position + (pixel_54.b.normal * step_m));
         let c_26 = (pixel_54.c.position + (pixel_54.c.normal * step_m));
-        let n_13 = (b_37 - a_37).cross((c_26 - a_37));
-        let t_43 = (n_13.dot((a_37 - pixel_54.origin)) / n_13.dot(pixel_54.direction));
-        let lead = (far_2 - (t_43 * along_16));
+        let n_14 = (b_37 - a_37).cross((c_26 - a_37));
+        let t_47 = (n_14.dot((a_37 - pixel_54.origin)) / n_14.dot(pixel_54.direction));
+        let lead = (far_2 - (t_47 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_53 = t_43.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_53 = t_47.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
             local_53 = rt::Scalar(false);
         }
@@ -10189,7 +10213,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_37, b_37, c_26, n_13, (pixel_54.origin + (pixel_54.direction * t_43)));
+        let _e68 = self.v_weights_of(a_37, b_37, c_26, n_14, (pixel_54.origin + (pixel_54.direction * t_47)));
         let aside_5 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_74.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_5, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
@@ -10534,17 +10558,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn with_image(
         &self,
-        slice_5: OnSlice,
+        slice_6: OnSlice,
         number_12: impl rt::Into<rt::Scalar<u32>>,
         point_14: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnSlice {
-        rt::into(self.v_with_image(slice_5, rt::into(number_12), rt::into(point_14)))
+        rt::into(self.v_with_image(slice_6, rt::into(number_12), rt::into(point_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_with_image(
         &self,
-        slice_5: OnSlice,
+        slice_6: OnSlice,
         number_12: rt::Scalar<u32>,
         point_14: rt::Vec3<f32>,
     ) -> OnSlice {
@@ -10552,17 +10576,17 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_on_image(_e3, point_14);
         let over_1 = (rt::Scalar(_e4.map) - rt::Scalar(_e4.height));
         let _e8 = self.v_is_in_image(_e4);
-        if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_5.over))) {
+        if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_6.over))) {
             return <OnSlice>::new(_e8, number_12, _e4, over_1);
         }
-        return <OnSlice>::new(_e8, rt::Scalar(slice_5.number), slice_5.nearest, rt::Scalar(slice_5.over));
+        return <OnSlice>::new(_e8, rt::Scalar(slice_6.number), slice_6.nearest, rt::Scalar(slice_6.over));
     }
     pub(crate) fn slice_at(&self, point_15: impl rt::Into<rt::Vec3<f32>>) -> OnSlice {
         rt::into(self.v_slice_at(rt::into(point_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_at(&self, point_15: rt::Vec3<f32>) -> OnSlice {
-        let mut slice_6: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
+        let mut slice_7: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_13: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_61: rt::Scalar<bool>;
 
@@ -10571,7 +10595,7 @@ impl<'g> Resources<'g> {
                 let _e15 = number_13;
                 let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
-                    let _e23 = rt::Scalar(slice_6.passes);
+                    let _e23 = rt::Scalar(slice_7.passes);
                     local_61 = _e23;
                 } else {
                     local_61 = rt::Scalar(false);
@@ -10582,16 +10606,16 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e26 = slice_6;
+                    let _e26 = slice_7;
                     let _e27 = number_13;
                     let _e28 = self.v_with_image(_e26, _e27, point_15);
-                    slice_6 = _e28;
+                    slice_7 = _e28;
                     let _e29 = number_13;
                     number_13 = (_e29 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e32 = slice_6;
+        let _e32 = slice_7;
         return _e32;
     }
     pub(crate) fn surface_object_slices_segment(
@@ -11271,11 +11295,11 @@ impl<'g> Resources<'g> {
         let _e25 = self.v_height_texels(rt::Scalar(0u32));
         let _e27 = self.v_height_size(rt::Scalar(0u32));
         let _e33 = self.v_cell_of(((uv_30 * _e27) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_38 = _e33.to_i32();
-        let _e37 = self.v_wrap_index(cell_38.x(), _e25.x());
-        let _e42 = self.v_wrap_index((cell_38.x() + rt::Scalar(1i32)), _e25.x());
-        let _e45 = self.v_wrap_index(cell_38.y(), _e25.y());
-        let _e50 = self.v_wrap_index((cell_38.y() + rt::Scalar(1i32)), _e25.y());
+        let cell_42 = _e33.to_i32();
+        let _e37 = self.v_wrap_index(cell_42.x(), _e25.x());
+        let _e42 = self.v_wrap_index((cell_42.x() + rt::Scalar(1i32)), _e25.x());
+        let _e45 = self.v_wrap_index(cell_42.y(), _e25.y());
+        let _e50 = self.v_wrap_index((cell_42.y() + rt::Scalar(1i32)), _e25.y());
         let _e54 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37, _e45), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e59 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e42, _e45), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let above_8 = _e54.x().max(_e59.x());
@@ -11909,15 +11933,15 @@ impl<'g> Resources<'g> {
                     let _e49 = last;
                     let _e50 = before_1;
                     let _e52 = last_gap;
-                    let t_44 = (_e48 + ((_e49 - _e50) * (_e52 / change_7))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let t_48 = (_e48 + ((_e49 - _e50) * (_e52 / change_7))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
                     let _e59 = last;
                     before_1 = _e59;
                     let _e60 = last_gap;
                     before_gap = _e60;
-                    last = t_44;
+                    last = t_48;
                     let _e61 = k_24;
                     if rt::Scalar::into_branch_condition(_e61.elementwise_lt(params_78.x())) {
-                        let _e64 = self.v_path_gap(path_55, t_44);
+                        let _e64 = self.v_path_gap(path_55, t_48);
                         last_gap = _e64;
                         let _e65 = cost_7;
                         let _e67 = self.v_field_cost_stage(rt::Scalar(path_55.level));
@@ -11987,7 +12011,7 @@ impl<'g> Resources<'g> {
                     let _e46 = self.v_cell_leave(_e22, _e45);
                     let end_7 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
                     let _e52 = t_25;
-                    let span_8 = (end_7 - _e52).max(rt::Scalar(0f32));
+                    let span_9 = (end_7 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_18;
                     let _e57 = t_25;
                     let _e58 = self.v_cell_gap(path_56, _e22, _e56, _e57);
@@ -11999,7 +12023,7 @@ impl<'g> Resources<'g> {
                         let _e68 = self.v_hit_on_path(path_56, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
-                    let _e69 = self.v_first_root(_e58, span_8);
+                    let _e69 = self.v_first_root(_e58, span_9);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e72 = t_25;
                         let _e75 = cost_8;
@@ -12072,9 +12096,9 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((before_5 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
             part_9 = (before_5 / (before_5 + behind_2));
         }
-        let cost_25 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let cost_26 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_9;
-        let _e49 = self.v_hit_on_path(path_57, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_25);
+        let _e49 = self.v_hit_on_path(path_57, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_26);
         return _e49;
     }
     pub(crate) fn voxel_path(&self, path_58: Path) -> VoxelPath {
@@ -12095,8 +12119,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(way_7.bend).elementwise_eq(rt::Scalar(0f32))) {
             return rt::Scalar(300000000000000000000000000000000000000f32);
         }
-        let t_45 = ((rt::Scalar(0f32) - way_7.step.z()) / (rt::Scalar(2f32) * rt::Scalar(way_7.bend)));
-        return rt::Scalar(300000000000000000000000000000000000000f32).select(t_45, t_45.elementwise_gt(rt::Scalar(0f32)));
+        let t_49 = ((rt::Scalar(0f32) - way_7.step.z()) / (rt::Scalar(2f32) * rt::Scalar(way_7.bend)));
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(t_49, t_49.elementwise_gt(rt::Scalar(0f32)));
     }
     pub(crate) fn voxel_place_on(
         &self,
@@ -12181,9 +12205,10 @@ impl<'g> Resources<'g> {
         &self,
         way_11: VoxelPath,
         cell_19: impl rt::Into<rt::Vec3<f32>>,
+        reach: impl rt::Into<rt::Scalar<f32>>,
         has_turned_2: impl rt::Into<rt::Scalar<bool>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_voxel_leave(way_11, rt::into(cell_19), rt::into(has_turned_2)))
+        rt::into(self.v_voxel_leave(way_11, rt::into(cell_19), rt::into(reach), rt::into(has_turned_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12191,16 +12216,18 @@ impl<'g> Resources<'g> {
         &self,
         way_11: VoxelPath,
         cell_19: rt::Vec3<f32>,
+        reach: rt::Scalar<f32>,
         has_turned_2: rt::Scalar<bool>,
     ) -> rt::Vec3<f32> {
         let none_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let ahead_2 = (cell_19.xy() + none_2.select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), way_11.step.xy().elementwise_gt(none_2)));
+        let last_10 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) + reach), (rt::Scalar(1f32) + reach));
+        let ahead_2 = (cell_19.xy() + <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - reach), (rt::Scalar(0f32) - reach)).select(last_10, way_11.step.xy().elementwise_gt(none_2)));
         let beside_6 = ((ahead_2 - way_11.origin.xy()) / way_11.step.xy());
         let across_10 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)).select(beside_6, way_11.step.xy().abs().elementwise_gt(none_2));
-        let _e29 = self.v_rises_on(way_11, has_turned_2);
-        let plane_2 = (cell_19.z() + rt::Scalar(0f32).select(rt::Scalar(1f32), _e29));
-        let _e35 = self.v_meets_plane(way_11, plane_2, _e29, has_turned_2);
-        return <rt::Vec3<f32>>::new_21(across_10, _e35);
+        let _e37 = self.v_rises_on(way_11, has_turned_2);
+        let plane_2 = (cell_19.z() + (rt::Scalar(0f32) - reach).select((rt::Scalar(1f32) + reach), _e37));
+        let _e45 = self.v_meets_plane(way_11, plane_2, _e37, has_turned_2);
+        return <rt::Vec3<f32>>::new_21(across_10, _e45);
     }
     pub(crate) fn greatest_value(&self, cell_20: VoxelCell) -> f32 {
         rt::into(self.v_greatest_value(cell_20))
@@ -12278,15 +12305,15 @@ impl<'g> Resources<'g> {
             local_72 = rt::Scalar(false);
         }
         let _e46 = local_72;
-        let x_16 = rt::Scalar(1f32).select(first_18, _e46);
+        let x_15 = rt::Scalar(1f32).select(first_18, _e46);
         if rt::Scalar::into_branch_condition(second_7.elementwise_gt(rt::Scalar(0f32))) {
             local_73 = second_7.elementwise_lt(rt::Scalar(1f32));
         } else {
             local_73 = rt::Scalar(false);
         }
         let _e56 = local_73;
-        let y_11 = rt::Scalar(1f32).select(second_7, _e56);
-        return <rt::Vec2<f32>>::from_scalars(x_16.min(y_11), x_16.max(y_11));
+        let y_10 = rt::Scalar(1f32).select(second_7, _e56);
+        return <rt::Vec2<f32>>::from_scalars(x_15.min(y_10), x_15.max(y_10));
     }
     pub(crate) fn quartic_at(
         &self,
@@ -12415,56 +12442,111 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
-    pub(crate) fn next_voxel_cell(
+    pub(crate) fn root_in_voxel_cell(
         &self,
         way_13: VoxelPath,
         cell_22: impl rt::Into<rt::Vec3<f32>>,
+        t_28: impl rt::Into<rt::Scalar<f32>>,
+        span_5: impl rt::Into<rt::Scalar<f32>>,
+    ) -> RootInCell {
+        rt::into(self.v_root_in_voxel_cell(way_13, rt::into(cell_22), rt::into(t_28), rt::into(span_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_root_in_voxel_cell(
+        &self,
+        way_13: VoxelPath,
+        cell_22: rt::Vec3<f32>,
+        t_28: rt::Scalar<f32>,
+        span_5: rt::Scalar<f32>,
+    ) -> RootInCell {
+        let _e5 = self.v_voxel_cell(cell_22.to_i32());
+        let _e6 = self.v_greatest_value(_e5);
+        if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(0.5f32))) {
+            return <RootInCell>::new(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(1f32));
+        }
+        let _e12 = self.v_gap_in_cell(way_13, cell_22, _e5, t_28, span_5);
+        let _e13 = self.v_first_root_of_quartic(_e12);
+        return <RootInCell>::new(_e13, rt::Scalar(_e12.a));
+    }
+    pub(crate) fn voxel_cell_at(
+        &self,
+        way_14: VoxelPath,
+        cell_23: impl rt::Into<rt::Vec3<f32>>,
+        reach_1: impl rt::Into<rt::Scalar<f32>>,
+        t_29: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_voxel_cell_at(way_14, rt::into(cell_23), rt::into(reach_1), rt::into(t_29)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_voxel_cell_at(
+        &self,
+        way_14: VoxelPath,
+        cell_23: rt::Vec3<f32>,
+        reach_1: rt::Scalar<f32>,
+        t_29: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let far_10 = <rt::Vec3<f32>>::from_scalars(reach_1, reach_1, reach_1);
+        let _e5 = self.v_voxel_place_on(way_14, t_29);
+        return _e5.floor().clamp((cell_23 - far_10), (cell_23 + far_10));
+    }
+    pub(crate) fn next_voxel_cell(
+        &self,
+        way_15: VoxelPath,
+        cell_24: impl rt::Into<rt::Vec3<f32>>,
+        reach_2: impl rt::Into<rt::Scalar<f32>>,
         leave_5: impl rt::Into<rt::Vec3<f32>>,
         rises_1: impl rt::Into<rt::Scalar<bool>>,
+        t_30: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_next_voxel_cell(way_13, rt::into(cell_22), rt::into(leave_5), rt::into(rises_1)))
+        rt::into(self.v_next_voxel_cell(way_15, rt::into(cell_24), rt::into(reach_2), rt::into(leave_5), rt::into(rises_1), rt::into(t_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_next_voxel_cell(
         &self,
-        way_13: VoxelPath,
-        cell_22: rt::Vec3<f32>,
+        way_15: VoxelPath,
+        cell_24: rt::Vec3<f32>,
+        reach_2: rt::Scalar<f32>,
         leave_5: rt::Vec3<f32>,
         rises_1: rt::Scalar<bool>,
+        t_30: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let mut next_1: rt::Vec3<f32>;
         let mut local_75: rt::Scalar<bool>;
 
-        next_1 = cell_22;
+        let _e6 = self.v_voxel_cell_at(way_15, cell_24, reach_2, t_30);
+        next_1 = _e6;
+        let far_11 = (reach_2 + rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(leave_5.y())) {
             local_75 = leave_5.x().elementwise_le(leave_5.z());
         } else {
             local_75 = rt::Scalar(false);
         }
-        let _e14 = local_75;
-        if rt::Scalar::into_branch_condition(_e14) {
-            next_1.set_x((cell_22.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), way_13.step.x().elementwise_gt(rt::Scalar(0f32)))));
+        let _e19 = local_75;
+        if rt::Scalar::into_branch_condition(_e19) {
+            next_1.set_x((cell_24.x() + (rt::Scalar(0f32) - far_11).select(far_11, way_15.step.x().elementwise_gt(rt::Scalar(0f32)))));
         } else {
             if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(leave_5.z())) {
-                next_1.set_y((cell_22.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), way_13.step.y().elementwise_gt(rt::Scalar(0f32)))));
+                next_1.set_y((cell_24.y() + (rt::Scalar(0f32) - far_11).select(far_11, way_15.step.y().elementwise_gt(rt::Scalar(0f32)))));
             } else {
-                next_1.set_z((cell_22.z() + rt::Scalar(-1f32).select(rt::Scalar(1f32), rises_1)));
+                next_1.set_z((cell_24.z() + (rt::Scalar(0f32) - far_11).select(far_11, rises_1)));
             }
         }
-        let _e44 = next_1;
-        return _e44;
+        let _e49 = next_1;
+        return _e49;
     }
-    pub(crate) fn walk_voxels(
+    pub(crate) fn first_root_on_path(
         &self,
         path_59: Path,
         from_t: impl rt::Into<rt::Scalar<f32>>,
         to_t: impl rt::Into<rt::Scalar<f32>>,
         limit: impl rt::Into<rt::Scalar<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_walk_voxels(path_59, rt::into(from_t), rt::into(to_t), rt::into(limit)))
+        rt::into(self.v_first_root_on_path(path_59, rt::into(from_t), rt::into(to_t), rt::into(limit)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_walk_voxels(
+    pub(super) fn v_first_root_on_path(
         &self,
         path_59: Path,
         from_t: rt::Scalar<f32>,
@@ -12472,18 +12554,17 @@ impl<'g> Resources<'g> {
         limit: rt::Scalar<u32>,
     ) -> SearchResult {
         let mut has_turned_3: rt::Scalar<bool>;
-        let mut t_28: rt::Scalar<f32>;
-        let mut cell_23: rt::Vec3<f32>;
+        let mut t_31: rt::Scalar<f32>;
+        let mut cell_25: rt::Vec3<f32>;
         let mut cost_9: rt::Vec3<u32> = NO_COST;
-        let mut local_76: rt::Scalar<bool>;
 
         let _e4 = self.v_voxel_path(path_59);
         let _e5 = self.v_turning_point(_e4);
         has_turned_3 = from_t.elementwise_ge(_e5);
-        t_28 = from_t;
-        let _e9 = t_28;
+        t_31 = from_t;
+        let _e9 = t_31;
         let _e10 = self.v_voxel_place_on(_e4, _e9);
-        cell_23 = _e10.floor();
+        cell_25 = _e10.floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e16 = cost_9.y();
@@ -12496,58 +12577,44 @@ impl<'g> Resources<'g> {
                     cost_9 = ((_e18 + STEP) + VOXELS_READ);
                     let _e24 = has_turned_3;
                     let end_of_part = _e5.min(to_t).select(to_t, _e24);
-                    let _e26 = cell_23;
-                    let _e27 = has_turned_3;
-                    let _e28 = self.v_voxel_leave(_e4, _e26, _e27);
-                    let side_7 = _e28.x().min(_e28.y()).min(_e28.z());
-                    let _e35 = t_28;
-                    let end_9 = side_7.min(end_of_part).max(_e35);
-                    let _e37 = cell_23;
-                    let _e39 = self.v_voxel_cell(_e37.to_i32());
-                    let _e40 = self.v_greatest_value(_e39);
-                    if rt::Scalar::into_branch_condition(_e40.elementwise_ge(rt::Scalar(0.5f32))) {
-                        let _e43 = cell_23;
-                        let _e44 = t_28;
-                        let _e45 = t_28;
-                        let _e47 = self.v_gap_in_cell(_e4, _e43, _e39, _e44, (end_9 - _e45));
-                        let _e48 = self.v_first_root_of_quartic(_e47);
-                        if rt::Scalar::into_branch_condition(_e48.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                            if rt::Scalar::into_branch_condition(rt::Scalar(_e47.a).elementwise_lt(rt::Scalar(0f32))) {
-                                let _e56 = t_28;
-                                local_76 = _e56.elementwise_eq(from_t);
-                            } else {
-                                local_76 = rt::Scalar(false);
-                            }
-                            let begins_inside = local_76;
-                            let status = FOUND_BRACKET.select(FOUND_STARTED_BELOW, begins_inside);
-                            let _e63 = t_28;
-                            let _e64 = t_28;
-                            let _e65 = t_28;
-                            let _e73 = cost_9;
-                            return <SearchResult>::new(status, _e63, (_e64 + (_e48 * (end_9 - _e65))), rt::Scalar(_e47.a), rt::Scalar(_e47.a).min(rt::Scalar(0f32)), _e73);
-                        }
+                    let _e26 = cell_25;
+                    let _e28 = has_turned_3;
+                    let _e29 = self.v_voxel_leave(_e4, _e26, rt::Scalar(0f32), _e28);
+                    let side_7 = _e29.x().min(_e29.y()).min(_e29.z());
+                    let _e36 = t_31;
+                    let end_9 = side_7.min(end_of_part).max(_e36);
+                    let _e38 = cell_25;
+                    let _e39 = t_31;
+                    let _e40 = t_31;
+                    let _e42 = self.v_root_in_voxel_cell(_e4, _e38, _e39, (end_9 - _e40));
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e42.root).elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e47 = t_31;
+                        let _e48 = t_31;
+                        let _e50 = t_31;
+                        let _e55 = cost_9;
+                        return <SearchResult>::new(FOUND_BRACKET, _e47, (_e48 + (rt::Scalar(_e42.root) * (end_9 - _e50))), rt::Scalar(_e42.gap), rt::Scalar(0f32), _e55);
                     }
                     if rt::Scalar::into_branch_condition(end_9.elementwise_ge(to_t)) {
-                        let _e77 = cost_9;
-                        return <SearchResult>::new(FOUND_MISS, end_9, end_9, rt::Scalar(1f32), rt::Scalar(1f32), _e77);
+                        let _e60 = cost_9;
+                        return <SearchResult>::new(FOUND_MISS, end_9, end_9, rt::Scalar(1f32), rt::Scalar(1f32), _e60);
                     }
                     if rt::Scalar::into_branch_condition(side_7.elementwise_gt(end_of_part)) {
                         has_turned_3 = rt::Scalar(true);
                     } else {
-                        let _e83 = cell_23;
-                        let _e84 = has_turned_3;
-                        let _e85 = self.v_rises_on(_e4, _e84);
-                        let _e86 = self.v_next_voxel_cell(_e4, _e83, _e28, _e85);
-                        cell_23 = _e86;
+                        let _e66 = cell_25;
+                        let _e68 = has_turned_3;
+                        let _e69 = self.v_rises_on(_e4, _e68);
+                        let _e70 = self.v_next_voxel_cell(_e4, _e66, rt::Scalar(0f32), _e29, _e69, end_9);
+                        cell_25 = _e70;
                     }
-                    t_28 = end_9;
+                    t_31 = end_9;
                 }
             }
         }
-        let _e88 = t_28;
-        let _e89 = t_28;
-        let _e90 = cost_9;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e88, _e89, rt::Scalar(1f32), rt::Scalar(1f32), _e90);
+        let _e72 = t_31;
+        let _e73 = t_31;
+        let _e74 = cost_9;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e72, _e73, rt::Scalar(1f32), rt::Scalar(1f32), _e74);
     }
     pub(crate) fn refine_trilinear(
         &self,
@@ -12564,31 +12631,23 @@ impl<'g> Resources<'g> {
         found_13: SearchResult,
         params_81: rt::Vec4<f32>,
     ) -> Hit {
-        let mut local_77: rt::Scalar<bool>;
-
         let _e3 = self.v_has_interval(found_13);
         if rt::Scalar::into_branch_condition((!_e3)) {
             let _e5 = self.v_refine_none(path_60, found_13, params_81);
             return _e5;
         }
-        let _e10 = self.v_walk_voxels(path_60, rt::Scalar(found_13.near), rt::Scalar(found_13.far), params_81.x().to_u32());
-        let cost_26 = (found_13.cost + _e10.cost);
-        if rt::Scalar::into_branch_condition((!rt::Scalar(_e10.status).elementwise_eq(FOUND_BRACKET))) {
-            local_77 = rt::Scalar(_e10.status).elementwise_eq(FOUND_STARTED_BELOW);
-        } else {
-            local_77 = rt::Scalar(true);
-        }
-        let _e24 = local_77;
-        if rt::Scalar::into_branch_condition(_e24) {
-            let _e27 = self.v_hit_on_path(path_60, rt::Scalar(_e10.far), rt::Scalar(0u32), cost_26);
-            return _e27;
+        let _e10 = self.v_first_root_on_path(path_60, rt::Scalar(found_13.near), rt::Scalar(found_13.far), params_81.x().to_u32());
+        let cost_27 = (found_13.cost + _e10.cost);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e10.status).elementwise_eq(FOUND_BRACKET)) {
+            let _e19 = self.v_hit_on_path(path_60, rt::Scalar(_e10.far), rt::Scalar(0u32), cost_27);
+            return _e19;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_13.status).elementwise_eq(FOUND_BRACKET)) {
-            let _e38 = self.v_hit_on_path(path_60, rt::Scalar(found_13.far), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(_e10.status).elementwise_eq(FOUND_EXHAUSTED)), cost_26);
-            return _e38;
+            let _e30 = self.v_hit_on_path(path_60, rt::Scalar(found_13.far), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(_e10.status).elementwise_eq(FOUND_EXHAUSTED)), cost_27);
+            return _e30;
         }
-        let _e39 = self.v_miss(cost_26);
-        return _e39;
+        let _e31 = self.v_miss(cost_27);
+        return _e31;
     }
     pub(crate) fn refine_stage(&self, path_61: Path, found_14: SearchResult) -> Hit {
         rt::into(self.v_refine_stage(path_61, found_14))
@@ -12712,8 +12771,8 @@ impl<'g> Resources<'g> {
                     let _e43 = cost_10;
                     cost_10 = (_e43 + STEP);
                     let _e47 = k_27;
-                    let t_46 = (rt::Scalar(path_63.exit) * (_e47 / steps_2));
-                    let _e50 = self.v_path_gap(path_63, t_46);
+                    let t_50 = (rt::Scalar(path_63.exit) * (_e47 / steps_2));
+                    let _e50 = self.v_path_gap(path_63, t_50);
                     let _e51 = cost_10;
                     let _e53 = self.v_field_cost_stage(rt::Scalar(path_63.level));
                     cost_10 = (_e51 + _e53);
@@ -12721,9 +12780,9 @@ impl<'g> Resources<'g> {
                         let _e58 = near_5;
                         let _e59 = near_gap_2;
                         let _e60 = cost_10;
-                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_46, _e59, _e50, _e60);
+                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_50, _e59, _e50, _e60);
                     }
-                    near_5 = t_46;
+                    near_5 = t_50;
                     near_gap_2 = _e50;
                     let _e62 = k_27;
                     k_27 = (_e62 + rt::Scalar(1f32));
@@ -12740,39 +12799,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn found_in_cell(
         &self,
         c_10: impl rt::Into<rt::Vec3<f32>>,
-        t_29: impl rt::Into<rt::Scalar<f32>>,
-        span_5: impl rt::Into<rt::Scalar<f32>>,
+        t_32: impl rt::Into<rt::Scalar<f32>>,
+        span_6: impl rt::Into<rt::Scalar<f32>>,
         first_3: impl rt::Into<rt::Scalar<bool>>,
         cost_11: impl rt::Into<rt::Vec3<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_found_in_cell(rt::into(c_10), rt::into(t_29), rt::into(span_5), rt::into(first_3), rt::into(cost_11)))
+        rt::into(self.v_found_in_cell(rt::into(c_10), rt::into(t_32), rt::into(span_6), rt::into(first_3), rt::into(cost_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_found_in_cell(
         &self,
         c_10: rt::Vec3<f32>,
-        t_29: rt::Scalar<f32>,
-        span_5: rt::Scalar<f32>,
+        t_32: rt::Scalar<f32>,
+        span_6: rt::Scalar<f32>,
         first_3: rt::Scalar<bool>,
         cost_11: rt::Vec3<u32>,
     ) -> SearchResult {
-        let mut local_78: rt::Scalar<bool>;
+        let mut local_76: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_10.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_3) {
-                local_78 = c_10.x().elementwise_lt(rt::Scalar(0f32));
+                local_76 = c_10.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_78 = rt::Scalar(false);
+                local_76 = rt::Scalar(false);
             }
-            let _e14 = local_78;
+            let _e14 = local_76;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_10.x(), c_10.x(), cost_11);
             }
-            return <SearchResult>::new(FOUND_BRACKET, t_29, t_29, c_10.x(), c_10.x(), cost_11);
+            return <SearchResult>::new(FOUND_BRACKET, t_32, t_32, c_10.x(), c_10.x(), cost_11);
         }
-        let _e25 = self.v_least_at(c_10, span_5);
+        let _e25 = self.v_least_at(c_10, span_6);
         let _e29 = self.v_quadratic(c_10, _e25);
-        return <SearchResult>::new(FOUND_BRACKET, t_29, (t_29 + _e25), c_10.x(), _e29, cost_11);
+        return <SearchResult>::new(FOUND_BRACKET, t_32, (t_32 + _e25), c_10.x(), _e29, cost_11);
     }
     pub(crate) fn search_cells(
         &self,
@@ -12787,13 +12846,13 @@ impl<'g> Resources<'g> {
         path_64: Path,
         params_84: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_24: rt::Vec2<f32>;
-        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_26: rt::Vec2<f32>;
+        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
 
         let _e2 = self.v_grid_of(path_64);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_24 = _e4;
+        cell_26 = _e4;
         let limit_2 = params_84.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -12805,76 +12864,76 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = cost_12;
                     cost_12 = (_e15 + STEP);
-                    let _e18 = cell_24;
-                    let _e19 = t_30;
+                    let _e18 = cell_26;
+                    let _e19 = t_33;
                     let _e20 = self.v_cell_gap(path_64, _e2, _e18, _e19);
                     let _e21 = cost_12;
                     cost_12 = (_e21 + HEIGHTS_READ);
-                    let _e24 = cell_24;
+                    let _e24 = cell_26;
                     let _e25 = self.v_cell_leave(_e2, _e24);
                     let end_10 = _e25.x().min(_e25.y()).min(rt::Scalar(path_64.exit));
-                    let _e31 = t_30;
-                    let span_9 = (end_10 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = self.v_falls_in_cell(_e20, span_9);
+                    let _e31 = t_33;
+                    let span_10 = (end_10 - _e31).max(rt::Scalar(0f32));
+                    let _e35 = self.v_falls_in_cell(_e20, span_10);
                     if rt::Scalar::into_branch_condition(_e35) {
-                        let _e36 = t_30;
+                        let _e36 = t_33;
                         let _e38 = cost_12.x();
                         let _e41 = cost_12;
-                        let _e42 = self.v_found_in_cell(_e20, _e36, span_9, _e38.elementwise_eq(rt::Scalar(1u32)), _e41);
+                        let _e42 = self.v_found_in_cell(_e20, _e36, span_10, _e38.elementwise_eq(rt::Scalar(1u32)), _e41);
                         return _e42;
                     }
                     if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_64.exit))) {
-                        let _e46 = t_30;
-                        let _e49 = self.v_quadratic(_e20, span_9);
+                        let _e46 = t_33;
+                        let _e49 = self.v_quadratic(_e20, span_10);
                         let _e50 = cost_12;
                         return <SearchResult>::new(FOUND_MISS, _e46, rt::Scalar(path_64.exit), _e20.x(), _e49, _e50);
                     }
-                    let _e52 = cell_24;
+                    let _e52 = cell_26;
                     let _e53 = self.v_cell_next(_e2, _e52, _e25);
-                    cell_24 = _e53;
-                    let _e54 = t_30;
-                    t_30 = _e54.max(end_10);
+                    cell_26 = _e53;
+                    let _e54 = t_33;
+                    t_33 = _e54.max(end_10);
                 }
             }
         }
-        let _e57 = t_30;
+        let _e57 = t_33;
         let _e59 = cost_12;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e57, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e59);
     }
     pub(crate) fn image_of(
         &self,
-        cell_25: impl rt::Into<rt::Scalar<i32>>,
+        cell_27: impl rt::Into<rt::Scalar<i32>>,
         n_8: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_25), rt::into(n_8)))
+        rt::into(self.v_image_of(rt::into(cell_27), rt::into(n_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_image_of(
         &self,
-        cell_25: rt::Scalar<i32>,
+        cell_27: rt::Scalar<i32>,
         n_8: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_79: rt::Scalar<bool>;
+        let mut local_77: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(cell_25.elementwise_ge(rt::Scalar(0i32))) {
-            local_79 = cell_25.elementwise_lt(n_8);
+        if rt::Scalar::into_branch_condition(cell_27.elementwise_ge(rt::Scalar(0i32))) {
+            local_77 = cell_27.elementwise_lt(n_8);
         } else {
-            local_79 = rt::Scalar(false);
+            local_77 = rt::Scalar(false);
         }
-        let _e8 = local_79;
+        let _e8 = local_77;
         if rt::Scalar::into_branch_condition(_e8) {
-            return <rt::Vec2<i32>>::from_scalars(cell_25, rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_27, rt::Scalar(0i32));
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_25.clamp(rt::Scalar(0i32), (n_8 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_27.clamp(rt::Scalar(0i32), (n_8 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_25 % n_8) + n_8) % n_8), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_27 % n_8) + n_8) % n_8), rt::Scalar(0i32));
         }
         let period_2 = (rt::Scalar(2i32) * n_8);
-        let folded_2 = (((cell_25 % period_2) + period_2) % period_2);
+        let folded_2 = (((cell_27 % period_2) + period_2) % period_2);
         if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_8)) {
             return <rt::Vec2<i32>>::from_scalars(folded_2, rt::Scalar(0i32));
         }
@@ -12886,29 +12945,29 @@ impl<'g> Resources<'g> {
     pub(crate) fn frustum_slope(
         &self,
         path_65: Path,
-        cell_26: impl rt::Into<rt::Vec2<i32>>,
+        cell_28: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_65, rt::into(cell_26), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_65, rt::into(cell_28), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_frustum_slope(
         &self,
         path_65: Path,
-        cell_26: rt::Vec2<i32>,
+        cell_28: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_80: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_65.level));
-        let _e7 = self.v_image_of(cell_26.x(), _e4.x());
-        let _e10 = self.v_image_of(cell_26.y(), _e4.y());
+        let _e7 = self.v_image_of(cell_28.x(), _e4.x());
+        let _e10 = self.v_image_of(cell_28.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_80 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_78 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_80 = rt::Scalar(true);
+            local_78 = rt::Scalar(true);
         }
-        let _e21 = local_80;
+        let _e21 = local_78;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -12942,9 +13001,9 @@ impl<'g> Resources<'g> {
         left: impl rt::Into<rt::Scalar<f32>>,
         speed: impl rt::Into<rt::Scalar<f32>>,
         lost: impl rt::Into<rt::Scalar<f32>>,
-        span_6: impl rt::Into<rt::Scalar<f32>>,
+        span_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_above(rt::into(above_3), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_6)))
+        rt::into(self.v_stays_above(rt::into(above_3), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12955,7 +13014,7 @@ impl<'g> Resources<'g> {
         left: rt::Scalar<f32>,
         speed: rt::Scalar<f32>,
         lost: rt::Scalar<f32>,
-        span_6: rt::Scalar<f32>,
+        span_7: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let rise_5 = (slope_2 * speed.abs());
         let gap_4 = ((above_3.x() + (slope_2 * left)) - lost);
@@ -12964,7 +13023,7 @@ impl<'g> Resources<'g> {
         }
         let closing_2 = ((rise_5 - above_3.y()) + (rt::Scalar(0.0000009536743f32) * (rise_5 + above_3.y().abs())));
         if rt::Scalar::into_branch_condition(above_3.z().elementwise_ne(rt::Scalar(0f32))) {
-            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_4, (rt::Scalar(0f32) - closing_2), above_3.z()), span_6);
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_4, (rt::Scalar(0f32) - closing_2), above_3.z()), span_7);
             return _e30;
         }
         if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
@@ -12985,17 +13044,17 @@ impl<'g> Resources<'g> {
         path_67: Path,
         params_85: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_27: rt::Vec2<f32>;
-        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_29: rt::Vec2<f32>;
+        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_81: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_67);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_27 = _e9;
+        cell_29 = _e9;
         let limit_3 = params_85.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -13009,39 +13068,39 @@ impl<'g> Resources<'g> {
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
                     let first_19 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_27;
+                    let _e27 = cell_29;
                     let _e28 = self.v_whole_cell(_e27);
                     let _e30 = self.v_height_cell(_e28, rt::Scalar(path_67.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_27;
+                    let _e34 = cell_29;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_11 = _e35.x().min(_e35.y()).min(rt::Scalar(path_67.exit));
-                    let _e41 = t_31;
-                    let span_10 = (end_11 - _e41).max(rt::Scalar(0f32));
+                    let _e41 = t_34;
+                    let span_11 = (end_11 - _e41).max(rt::Scalar(0f32));
                     let top_11 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
-                    let _e52 = t_31;
+                    let _e52 = t_34;
                     let _e53 = self.v_path_height(path_67, _e52);
-                    let _e55 = t_31;
+                    let _e55 = t_34;
                     let _e56 = self.v_path_slope(path_67, _e55);
                     let above_9 = <rt::Vec3<f32>>::from_scalars((_e53 - top_11), _e56, path_67.h.z());
-                    let _e63 = t_31;
-                    let _e67 = t_31;
+                    let _e63 = t_34;
+                    let _e67 = t_34;
                     let of_heights = (rt::Scalar(0.0000009536743f32) * (path_67.h.x().abs() + (_e63 * (path_67.h.y().abs() + (_e67 * path_67.h.z().abs())))));
-                    let _e77 = t_31;
+                    let _e77 = t_34;
                     next_2 = _e77.max(end_11);
                     slope_3 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_9, span_10);
+                    let _e82 = self.v_least_at(above_9, span_11);
                     let _e83 = self.v_quadratic(above_9, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_81 = above_9.x().elementwise_gt(of_heights);
+                        local_79 = above_9.x().elementwise_gt(of_heights);
                     } else {
-                        local_81 = rt::Scalar(false);
+                        local_79 = rt::Scalar(false);
                     }
-                    let _e90 = local_81;
+                    let _e90 = local_79;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_11.elementwise_lt(rt::Scalar(path_67.exit))) {
-                            let _e93 = cell_27;
+                            let _e93 = cell_29;
                             let _e94 = self.v_whole_cell(_e93);
                             let _e95 = self.v_frustum_slope(path_67, _e94, forward_3);
                             slope_3 = _e95;
@@ -13053,60 +13112,60 @@ impl<'g> Resources<'g> {
                             }
                         }
                     } else {
-                        let _e103 = cell_27;
-                        let _e104 = t_31;
+                        let _e103 = cell_29;
+                        let _e104 = t_34;
                         let _e105 = self.v_gap_to(path_67, _e2, _e103, _e30, _e104);
-                        let _e106 = self.v_falls_in_cell(_e105, span_10);
+                        let _e106 = self.v_falls_in_cell(_e105, span_11);
                         if rt::Scalar::into_branch_condition(_e106) {
-                            let _e107 = t_31;
+                            let _e107 = t_34;
                             let _e108 = cost_13;
-                            let _e109 = self.v_found_in_cell(_e105, _e107, span_10, first_19, _e108);
+                            let _e109 = self.v_found_in_cell(_e105, _e107, span_11, first_19, _e108);
                             return _e109;
                         }
                     }
                     let _e110 = slope_3;
                     if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e114 = cell_27;
-                        let _e117 = t_31;
+                        let _e114 = cell_29;
+                        let _e117 = t_34;
                         let at_162 = ((_e2.origin - _e114) + (_e2.step * _e117));
                         let left_5 = at_162.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_162), forward_3);
-                        let _e129 = t_31;
-                        let far_10 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e129 = t_34;
+                        let far_12 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e137 = slope_3;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e137) * far_10));
-                        let _e143 = t_31;
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e137) * far_12));
+                        let _e143 = t_34;
                         let rest_8 = (rt::Scalar(path_67.exit) - _e143);
                         let _e145 = slope_3;
                         let _e150 = self.v_stays_above(above_9, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_8);
                         let _e151 = slope_3;
                         let _e156 = self.v_stays_above(above_9, _e151, left_5.y(), _e2.step.y(), lost_1.y(), rest_8);
                         let _e157 = next_2;
-                        let _e158 = t_31;
+                        let _e158 = t_34;
                         next_2 = _e157.max((_e158 + _e150.min(_e156)));
                     }
                     let _e162 = next_2;
                     if rt::Scalar::into_branch_condition(_e162.elementwise_ge(rt::Scalar(path_67.exit))) {
-                        let _e166 = t_31;
+                        let _e166 = t_34;
                         let _e168 = cost_13;
                         return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                     }
                     let _e172 = slope_3;
                     if rt::Scalar::into_branch_condition(_e172.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e175 = cell_27;
+                        let _e175 = cell_29;
                         let _e176 = next_2;
                         let _e177 = self.v_cell_after(_e2, _e175, _e35, forward_3, _e176);
-                        cell_27 = _e177;
+                        cell_29 = _e177;
                     } else {
-                        let _e178 = cell_27;
+                        let _e178 = cell_29;
                         let _e179 = self.v_cell_next(_e2, _e178, _e35);
-                        cell_27 = _e179;
+                        cell_29 = _e179;
                     }
                     let _e180 = next_2;
-                    t_31 = _e180;
+                    t_34 = _e180;
                 }
             }
         }
-        let _e182 = t_31;
+        let _e182 = t_34;
         let _e184 = cost_13;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
     }
@@ -13125,9 +13184,9 @@ impl<'g> Resources<'g> {
         offset_6: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_4: impl rt::Into<rt::Scalar<f32>>,
-        t_32: impl rt::Into<rt::Scalar<f32>>,
+        t_35: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_68, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_32)))
+        rt::into(self.v_stays_inside(path_68, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_stays_inside(
@@ -13137,17 +13196,17 @@ impl<'g> Resources<'g> {
         offset_6: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_4: rt::Scalar<f32>,
-        t_32: rt::Scalar<f32>,
+        t_35: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_82: rt::Scalar<bool>;
+        let mut local_80: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_9 = (rt::Scalar(path_68.exit) - t_32);
-        let _e8 = self.v_path_height(path_68, t_32);
+        let rest_9 = (rt::Scalar(path_68.exit) - t_35);
+        let _e8 = self.v_path_height(path_68, t_35);
         let height_24 = (_e8 - apex);
         let terms = (path_68.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_68.exit)) * path_68.h.z().abs()));
-        let _e21 = self.v_path_slope(path_68, t_32);
+        let _e21 = self.v_path_slope(path_68, t_35);
         let rise_6 = ((_e21 + (path_68.h.z().min(rt::Scalar(0f32)) * rest_9)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_9;
         if rt::Scalar::into_branch_condition(rise_6.elementwise_lt(rt::Scalar(0f32))) {
@@ -13155,21 +13214,21 @@ impl<'g> Resources<'g> {
             most = _e34.min((height_24 / (rt::Scalar(0f32) - rise_6)));
         }
         let _e39 = most;
-        let end_12 = (t_32 + _e39);
+        let end_12 = (t_35 + _e39);
         let _e52 = self.v_height_size(rt::Scalar(path_68.level));
-        let far_11 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_12)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let far_13 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_12)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
         let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_68.h.x().abs() + (end_12 * (path_68.h.y().abs() + (end_12 * path_68.h.z().abs())))));
-        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_11.x() + far_11.y())));
+        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_13.x() + far_13.y())));
         let gap_5 = (height_24 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_68.level));
-        let aside_6 = (((grid_8.origin - offset_6) + (grid_8.step * t_32)) / _e85);
+        let aside_6 = (((grid_8.origin - offset_6) + (grid_8.step * t_35)) / _e85);
         let c_27 = (((slope_4 * aside_6.length()) - gap_5) * ((slope_4 * aside_6.length()) + gap_5));
         if rt::Scalar::into_branch_condition((!gap_5.elementwise_le(rt::Scalar(0f32)))) {
-            local_82 = c_27.elementwise_ge(rt::Scalar(0f32));
+            local_80 = c_27.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_82 = rt::Scalar(true);
+            local_80 = rt::Scalar(true);
         }
-        let _e102 = local_82;
+        let _e102 = local_80;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
@@ -13210,15 +13269,15 @@ impl<'g> Resources<'g> {
         path_69: Path,
         params_86: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_28: rt::Vec2<f32>;
-        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_30: rt::Vec2<f32>;
+        let mut t_36: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_69);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_28 = _e9;
+        cell_30 = _e9;
         let limit_4 = params_86.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -13232,113 +13291,113 @@ impl<'g> Resources<'g> {
                     cost_14 = (_e20 + STEP);
                     let _e24 = cost_14.x();
                     let first_20 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_28;
+                    let _e27 = cell_30;
                     let _e28 = self.v_whole_cell(_e27);
                     let _e30 = self.v_height_cell(_e28, rt::Scalar(path_69.level));
                     let _e31 = cost_14;
                     cost_14 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_28;
+                    let _e34 = cell_30;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_13 = _e35.x().min(_e35.y()).min(rt::Scalar(path_69.exit));
-                    let _e41 = t_33;
-                    let span_11 = (end_13 - _e41).max(rt::Scalar(0f32));
-                    let _e46 = cell_28;
-                    let _e49 = t_33;
+                    let _e41 = t_36;
+                    let span_12 = (end_13 - _e41).max(rt::Scalar(0f32));
+                    let _e46 = cell_30;
+                    let _e49 = t_36;
                     let at_163 = ((_e2.origin - _e46) + (_e2.step * _e49));
                     let _e52 = self.v_nearest_corner(at_163);
                     let _e53 = self.v_corner_height(_e30, _e52);
-                    let _e54 = t_33;
+                    let _e54 = t_36;
                     next_3 = _e54;
-                    let _e56 = t_33;
+                    let _e56 = t_36;
                     let _e57 = self.v_path_height(path_69, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
-                        let _e59 = cell_28;
+                        let _e59 = cell_30;
                         let texel_8 = (_e59 + _e52);
                         let _e61 = self.v_cone_slope(path_69, texel_8);
                         let _e62 = cost_14;
                         let _e64 = self.v_map_read(path_69, rt::Scalar(1u32));
                         cost_14 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e68 = t_33;
-                            let _e69 = t_33;
+                            let _e68 = t_36;
+                            let _e69 = t_36;
                             let _e70 = self.v_stays_inside(path_69, _e2, texel_8, _e53, _e61, _e69);
                             next_3 = (_e68 + _e70);
                         }
                     }
                     let _e72 = next_3;
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_13)) {
-                        let _e74 = cell_28;
-                        let _e75 = t_33;
+                        let _e74 = cell_30;
+                        let _e75 = t_36;
                         let _e76 = self.v_gap_to(path_69, _e2, _e74, _e30, _e75);
-                        let _e77 = self.v_falls_in_cell(_e76, span_11);
+                        let _e77 = self.v_falls_in_cell(_e76, span_12);
                         if rt::Scalar::into_branch_condition(_e77) {
-                            let _e78 = t_33;
+                            let _e78 = t_36;
                             let _e79 = cost_14;
-                            let _e80 = self.v_found_in_cell(_e76, _e78, span_11, first_20, _e79);
+                            let _e80 = self.v_found_in_cell(_e76, _e78, span_12, first_20, _e79);
                             return _e80;
                         }
-                        let _e81 = t_33;
+                        let _e81 = t_36;
                         next_3 = _e81.max(end_13);
                     }
                     let _e83 = next_3;
                     if rt::Scalar::into_branch_condition(_e83.elementwise_ge(rt::Scalar(path_69.exit))) {
-                        let _e87 = t_33;
+                        let _e87 = t_36;
                         let _e89 = cost_14;
                         return <SearchResult>::new(FOUND_MISS, _e87, rt::Scalar(path_69.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
-                    let _e93 = cell_28;
+                    let _e93 = cell_30;
                     let _e94 = next_3;
                     let _e95 = self.v_cell_after(_e2, _e93, _e35, forward_4, _e94);
-                    cell_28 = _e95;
+                    cell_30 = _e95;
                     let _e96 = next_3;
-                    t_33 = _e96;
+                    t_36 = _e96;
                 }
             }
         }
-        let _e98 = t_33;
+        let _e98 = t_36;
         let _e100 = cost_14;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e98, rt::Scalar(path_69.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e100);
     }
     pub(crate) fn node_extent(
         &self,
-        cell_29: impl rt::Into<rt::Scalar<i32>>,
+        cell_31: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
         n_9: impl rt::Into<rt::Scalar<i32>>,
         level_46: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_29), rt::into(image_10), rt::into(n_9), rt::into(level_46)))
+        rt::into(self.v_node_extent(rt::into(cell_31), rt::into(image_10), rt::into(n_9), rt::into(level_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_node_extent(
         &self,
-        cell_29: rt::Scalar<i32>,
+        cell_31: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
         n_9: rt::Scalar<i32>,
         level_46: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_83: rt::Scalar<bool>;
+        let mut local_81: rt::Scalar<bool>;
 
         let first_21 = ((image_10.x() >> level_46) << level_46);
         let side_8 = (rt::Scalar(1i32) << level_46);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_6 = (cell_29 - (image_10.x() - first_21));
+            let low_6 = (cell_31 - (image_10.x() - first_21));
             return <rt::Vec2<i32>>::from_scalars(low_6, (low_6 + side_8.min((n_9 - first_21))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_2 = ((cell_29 + (image_10.x() - first_21)) + rt::Scalar(1i32));
+            let high_2 = ((cell_31 + (image_10.x() - first_21)) + rt::Scalar(1i32));
             return <rt::Vec2<i32>>::from_scalars((high_2 - side_8.min(((n_9 - rt::Scalar(1i32)) - first_21))), high_2);
         }
         if rt::Scalar::into_branch_condition(level_46.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_83 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_81 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_83 = rt::Scalar(false);
+            local_81 = rt::Scalar(false);
         }
-        let _e43 = local_83;
+        let _e43 = local_81;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_9, cell_29.elementwise_ge(n_9)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_29.elementwise_ge(n_9)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_9, cell_31.elementwise_ge(n_9)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_31.elementwise_ge(n_9)));
         }
-        return <rt::Vec2<i32>>::from_scalars(cell_29, (cell_29 + rt::Scalar(1i32)));
+        return <rt::Vec2<i32>>::from_scalars(cell_31, (cell_31 + rt::Scalar(1i32)));
     }
     pub(crate) fn leaves_extent(
         &self,
@@ -13379,13 +13438,13 @@ impl<'g> Resources<'g> {
     ) -> SearchResult {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_47: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut cell_30: rt::Vec2<i32>;
+        let mut cell_32: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
+        let mut local_82: rt::Scalar<bool>;
+        let mut local_83: rt::Scalar<bool>;
         let mut local_84: rt::Scalar<bool>;
-        let mut local_85: rt::Scalar<bool>;
-        let mut local_86: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_70);
         let _e4 = self.v_height_texels(rt::Scalar(path_70.level));
@@ -13409,7 +13468,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
-        cell_30 = _e37.to_i32();
+        cell_32 = _e37.to_i32();
         let limit_5 = params_87.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -13421,9 +13480,9 @@ impl<'g> Resources<'g> {
                 {
                     let _e53 = cost_15;
                     cost_15 = (_e53 + STEP);
-                    let _e57 = cell_30.x();
+                    let _e57 = cell_32.x();
                     let _e59 = self.v_image_of(_e57, _e4.x());
-                    let _e61 = cell_30.y();
+                    let _e61 = cell_32.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
                     let place_33 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_47;
@@ -13434,55 +13493,55 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_2.x()))) {
                             let _e89 = parent.y();
-                            local_85 = _e89.elementwise_ne(over_2.y());
+                            local_83 = _e89.elementwise_ne(over_2.y());
                         } else {
-                            local_85 = rt::Scalar(true);
+                            local_83 = rt::Scalar(true);
                         }
-                        let _e93 = local_85;
-                        local_84 = _e93;
+                        let _e93 = local_83;
+                        local_82 = _e93;
                     } else {
-                        local_84 = rt::Scalar(false);
+                        local_82 = rt::Scalar(false);
                     }
-                    let left_6 = local_84;
+                    let left_6 = local_82;
                     if rt::Scalar::into_branch_condition(left_6) {
                         let _e98 = level_47;
                         let _e99 = top;
-                        local_86 = _e98.elementwise_lt(_e99);
+                        local_84 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_86 = rt::Scalar(false);
+                        local_84 = rt::Scalar(false);
                     }
-                    let _e102 = local_86;
+                    let _e102 = local_84;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_47 = above_level;
                     }
-                    let _e104 = cell_30.x();
+                    let _e104 = cell_32.x();
                     let _e106 = level_47;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
-                    let _e109 = cell_30.y();
+                    let _e109 = cell_32.y();
                     let _e111 = level_47;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
                     let end_14 = _e117.min(_e122).min(rt::Scalar(path_70.exit));
-                    let _e126 = t_34;
-                    let span_12 = (end_14 - _e126).max(rt::Scalar(0f32));
+                    let _e126 = t_37;
+                    let span_13 = (end_14 - _e126).max(rt::Scalar(0f32));
                     let low_7 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
-                    let last_10 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
+                    let last_11 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_47;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_15;
                         cost_15 = (_e143 + HEIGHTS_READ);
-                        let _e146 = cell_30;
-                        let _e148 = cell_30;
+                        let _e146 = cell_32;
+                        let _e148 = cell_32;
                         let _e150 = self.v_object_cell_stage(_e148, rt::Scalar(path_70.level));
-                        let _e151 = t_34;
+                        let _e151 = t_37;
                         let _e152 = self.v_gap_to(path_70, _e2, _e146.to_f32(), _e150, _e151);
-                        let _e153 = self.v_falls_in_cell(_e152, span_12);
+                        let _e153 = self.v_falls_in_cell(_e152, span_13);
                         if rt::Scalar::into_branch_condition(_e153) {
-                            let _e154 = t_34;
-                            let _e155 = t_34;
+                            let _e154 = t_37;
+                            let _e155 = t_37;
                             let _e158 = cost_15;
-                            let _e159 = self.v_found_in_cell(_e152, _e154, span_12, _e155.elementwise_eq(rt::Scalar(0f32)), _e158);
+                            let _e159 = self.v_found_in_cell(_e152, _e154, span_13, _e155.elementwise_eq(rt::Scalar(0f32)), _e158);
                             return _e159;
                         }
                     } else {
@@ -13495,24 +13554,24 @@ impl<'g> Resources<'g> {
                         let _e172 = level_47;
                         let _e178 = self.v_search_texel(path_70, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_70.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
-                        let _e180 = t_34;
-                        let furthest = (_e180 + span_12);
+                        let _e180 = t_37;
+                        let furthest = (_e180 + span_13);
                         let rounded = (path_70.h.x().abs() + (furthest * (path_70.h.y().abs() + (furthest * path_70.h.z().abs()))));
-                        let _e195 = t_34;
+                        let _e195 = t_37;
                         let _e196 = self.v_path_height(path_70, _e195);
-                        let _e201 = t_34;
+                        let _e201 = t_37;
                         let _e202 = self.v_path_slope(path_70, _e201);
                         let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e196 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e202, path_70.h.z());
-                        let _e206 = self.v_falls_in_cell(gap_6, span_12);
+                        let _e206 = self.v_falls_in_cell(gap_6, span_13);
                         if rt::Scalar::into_branch_condition(_e206) {
                             if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e210 = t_34;
-                                let _e211 = self.v_first_root(gap_6, span_12);
-                                t_34 = (_e210 + _e211.min(span_12));
+                                let _e210 = t_37;
+                                let _e211 = self.v_first_root(gap_6, span_13);
+                                t_37 = (_e210 + _e211.min(span_13));
                             }
-                            let _e216 = t_34;
+                            let _e216 = t_37;
                             let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
-                            cell_30 = _e219.to_i32().clamp(low_7, last_10);
+                            cell_32 = _e219.to_i32().clamp(low_7, last_11);
                             let _e222 = level_47;
                             level_47 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
@@ -13520,27 +13579,27 @@ impl<'g> Resources<'g> {
                         }
                     }
                     if rt::Scalar::into_branch_condition(end_14.elementwise_ge(rt::Scalar(path_70.exit))) {
-                        let _e231 = t_34;
+                        let _e231 = t_37;
                         let _e233 = cost_15;
                         return <SearchResult>::new(FOUND_MISS, _e231, rt::Scalar(path_70.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
                     }
                     let _e241 = self.v_cell_of((_e2.origin + (_e2.step * end_14)));
-                    cell_30 = _e241.to_i32().clamp(low_7, last_10);
+                    cell_32 = _e241.to_i32().clamp(low_7, last_11);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_14)) {
-                        cell_30.set_x((low_7.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_32.set_x((low_7.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_14)) {
-                        cell_30.set_y((low_7.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_32.set_y((low_7.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
                     let _e267 = level_47;
                     let _e272 = level_47;
                     parent = <rt::Vec2<i32>>::from_scalars((place_33.x() >> (_e267 + rt::Scalar(1u32))), (place_33.y() >> (_e272 + rt::Scalar(1u32))));
-                    let _e277 = t_34;
-                    t_34 = _e277.max(end_14);
+                    let _e277 = t_37;
+                    t_37 = _e277.max(end_14);
                 }
             }
         }
-        let _e280 = t_34;
+        let _e280 = t_37;
         let _e282 = cost_15;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e280, rt::Scalar(path_70.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e282);
     }
@@ -13559,29 +13618,29 @@ impl<'g> Resources<'g> {
         n_10: rt::Scalar<i32>,
         level_48: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_87: rt::Scalar<bool>;
+        let mut local_85: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_10);
         let first_22 = ((_e3 >> level_48) << level_48);
-        let last_11 = (first_22 + (rt::Scalar(1i32) << level_48)).min(n_10);
+        let last_12 = (first_22 + (rt::Scalar(1i32) << level_48)).min(n_10);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_87 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_85 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_87 = rt::Scalar(true);
+            local_85 = rt::Scalar(true);
         }
-        let _e20 = local_87;
+        let _e20 = local_85;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_22), ((texel_2 - _e3) + last_11));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_22), ((texel_2 - _e3) + last_12));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_3 = (rt::Scalar(2i32) * n_10);
             let folded_3 = (((texel_2 % period_3) + period_3) % period_3);
             if rt::Scalar::into_branch_condition(folded_3.elementwise_lt(n_10)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_22), ((texel_2 - _e3) + last_11));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_22), ((texel_2 - _e3) + last_12));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_11) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_22) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_12) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_22) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
@@ -13600,7 +13659,7 @@ impl<'g> Resources<'g> {
     ) -> SearchResult {
         let mut level_49: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
@@ -13674,81 +13733,81 @@ impl<'g> Resources<'g> {
                     let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
                     let leave_8 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
-                    let _e109 = t_35;
+                    let _e109 = t_38;
                     let end_15 = leave_8.x().min(leave_8.y()).min(rt::Scalar(path_71.exit)).max(_e109);
-                    let _e111 = t_35;
+                    let _e111 = t_38;
                     let _e112 = self.v_path_height(path_71, _e111);
                     let _e113 = highest;
-                    let _e115 = t_35;
+                    let _e115 = t_38;
                     let _e116 = self.v_path_slope(path_71, _e115);
                     let gap_7 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_71.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_7.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e125 = t_35;
+                        let _e125 = t_38;
                         let _e127 = self.v_first_root(gap_7, (end_15 - _e125));
                         sinks = _e127;
                     }
                     let low_8 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
-                    let last_12 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
+                    let last_13 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e141 = t_35;
+                        let _e141 = t_38;
                         let _e142 = sinks;
-                        t_35 = (_e141 + _e142);
+                        t_38 = (_e141 + _e142);
                         let _e144 = level_49;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
-                            let _e148 = t_35;
+                            let _e148 = t_38;
                             let _e149 = cost_16;
                             return <SearchResult>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
                         let _e154 = level_49;
                         level_49 = (_e154 - rt::Scalar(1u32));
-                        let _e157 = t_35;
+                        let _e157 = t_38;
                         let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
-                        texel_3 = _e160.to_i32().clamp(low_8, last_12);
+                        texel_3 = _e160.to_i32().clamp(low_8, last_13);
                     } else {
                         if rt::Scalar::into_branch_condition(end_15.elementwise_ge(rt::Scalar(path_71.exit))) {
-                            let _e166 = t_35;
+                            let _e166 = t_38;
                             let _e168 = cost_16;
                             return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_71.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_7 + (step_7 * end_15)));
-                        texel_3 = _e174.to_i32().clamp(low_8, last_12);
+                        texel_3 = _e174.to_i32().clamp(low_8, last_13);
                         if rt::Scalar::into_branch_condition(leave_8.x().elementwise_le(end_15)) {
                             texel_3.set_x((low_8.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_8.y().elementwise_le(end_15)) {
                             texel_3.set_y((low_8.y() - rt::Scalar(1i32)).select(_e96.y(), step_7.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_35 = end_15;
+                        t_38 = end_15;
                     }
                 }
             }
         }
-        let _e200 = t_35;
+        let _e200 = t_38;
         let _e202 = cost_16;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_71.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
         grid_9: Grid,
-        cell_31: impl rt::Into<rt::Vec2<f32>>,
+        cell_33: impl rt::Into<rt::Vec2<f32>>,
         radius: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_window(grid_9, rt::into(cell_31), rt::into(radius)))
+        rt::into(self.v_leaves_window(grid_9, rt::into(cell_33), rt::into(radius)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_leaves_window(
         &self,
         grid_9: Grid,
-        cell_31: rt::Vec2<f32>,
+        cell_33: rt::Vec2<f32>,
         radius: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
-        let _e5 = self.v_cell_leave(grid_9, (cell_31 - wide_1));
-        let _e7 = self.v_cell_leave(grid_9, (cell_31 + wide_1));
+        let _e5 = self.v_cell_leave(grid_9, (cell_33 - wide_1));
+        let _e7 = self.v_cell_leave(grid_9, (cell_33 + wide_1));
         let leave_9 = _e5.select(_e7, grid_9.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
         return leave_9.x().min(leave_9.y());
     }
@@ -13765,22 +13824,22 @@ impl<'g> Resources<'g> {
         path_72: Path,
         params_89: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_32: rt::Vec2<f32>;
-        let mut t_36: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_34: rt::Vec2<f32>;
+        let mut t_39: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
+        let mut local_86: rt::Scalar<bool>;
+        let mut local_87: rt::Scalar<bool>;
         let mut local_88: rt::Scalar<bool>;
         let mut local_89: rt::Scalar<bool>;
-        let mut local_90: rt::Scalar<bool>;
-        let mut local_91: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_72);
         let _e4 = self.v_height_texels(rt::Scalar(path_72.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
-        cell_32 = _e11;
+        cell_34 = _e11;
         let limit_7 = params_89.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -13792,24 +13851,24 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = cost_17;
                     cost_17 = (_e24 + STEP);
-                    let _e27 = cell_32;
+                    let _e27 = cell_34;
                     let _e28 = self.v_cell_leave(_e2, _e27);
                     let end_16 = _e28.x().min(_e28.y()).min(rt::Scalar(path_72.exit));
-                    let _e34 = t_36;
-                    let span_13 = (end_16 - _e34).max(rt::Scalar(0f32));
-                    let _e38 = t_36;
+                    let _e34 = t_39;
+                    let span_14 = (end_16 - _e34).max(rt::Scalar(0f32));
+                    let _e38 = t_39;
                     next_4 = _e38;
                     looks = params_89.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e44 = cell_32;
+                    let _e44 = cell_34;
                     let _e45 = self.v_whole_cell(_e44);
                     let _e48 = self.v_image_of(_e45.x(), _e4.x());
                     let _e51 = self.v_image_of(_e45.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_88 = _e51.y().elementwise_eq(rt::Scalar(2i32));
+                        local_86 = _e51.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_88 = rt::Scalar(true);
+                        local_86 = rt::Scalar(true);
                     }
-                    let _e62 = local_88;
+                    let _e62 = local_86;
                     if rt::Scalar::into_branch_condition(_e62) {
                         looks = rt::Scalar(true);
                     } else {
@@ -13817,46 +13876,46 @@ impl<'g> Resources<'g> {
                         let _e71 = cost_17;
                         let _e73 = self.v_map_read(path_72, rt::Scalar(1u32));
                         cost_17 = (_e71 + _e73);
-                        let _e75 = cell_32;
+                        let _e75 = cell_34;
                         let _e77 = self.v_leaves_window(_e2, _e75, params_89.z());
-                        let _e80 = t_36;
-                        let reach = (_e77.min(rt::Scalar(path_72.exit)) - _e80).max(rt::Scalar(0f32));
-                        let _e84 = t_36;
-                        let furthest_1 = (_e84 + reach);
+                        let _e80 = t_39;
+                        let reach_3 = (_e77.min(rt::Scalar(path_72.exit)) - _e80).max(rt::Scalar(0f32));
+                        let _e84 = t_39;
+                        let furthest_1 = (_e84 + reach_3);
                         let rounded_1 = (path_72.h.x().abs() + (furthest_1 * (path_72.h.y().abs() + (furthest_1 * path_72.h.z().abs()))));
-                        let _e99 = t_36;
+                        let _e99 = t_39;
                         let _e100 = self.v_path_height(path_72, _e99);
-                        let _e106 = t_36;
+                        let _e106 = t_39;
                         let _e107 = self.v_path_slope(path_72, _e106);
                         let gap_8 = <rt::Vec3<f32>>::from_scalars(((_e100 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e107, path_72.h.z());
                         if rt::Scalar::into_branch_condition(gap_8.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e114 = t_36;
+                            let _e114 = t_39;
                             safe_ = _e114;
-                            let _e115 = t_36;
-                            next_4 = (_e115 + reach);
-                            let _e117 = self.v_least_at(gap_8, reach);
+                            let _e115 = t_39;
+                            next_4 = (_e115 + reach_3);
+                            let _e117 = self.v_least_at(gap_8, reach_3);
                             let _e118 = self.v_quadratic(gap_8, _e117);
                             if rt::Scalar::into_branch_condition(_e118.elementwise_le(rt::Scalar(0f32))) {
-                                let _e121 = t_36;
-                                let _e122 = self.v_first_root(gap_8, reach);
-                                next_4 = (_e121 + _e122.min(reach));
+                                let _e121 = t_39;
+                                let _e122 = self.v_first_root(gap_8, reach_3);
+                                next_4 = (_e121 + _e122.min(reach_3));
                             }
                         }
                         let _e125 = looks;
                         if rt::Scalar::into_branch_condition((!_e125)) {
                             let _e129 = next_4;
-                            local_89 = _e129.elementwise_lt(end_16);
+                            local_87 = _e129.elementwise_lt(end_16);
                         } else {
-                            local_89 = rt::Scalar(false);
+                            local_87 = rt::Scalar(false);
                         }
-                        let _e132 = local_89;
+                        let _e132 = local_87;
                         if rt::Scalar::into_branch_condition(_e132) {
                             let _e135 = self.v_path_height(path_72, end_16);
-                            local_90 = _e135.elementwise_lt(_e70.x());
+                            local_88 = _e135.elementwise_lt(_e70.x());
                         } else {
-                            local_90 = rt::Scalar(false);
+                            local_88 = rt::Scalar(false);
                         }
-                        let _e139 = local_90;
+                        let _e139 = local_88;
                         if rt::Scalar::into_branch_condition(_e139) {
                             let _e140 = safe_;
                             let _e141 = cost_17;
@@ -13866,49 +13925,49 @@ impl<'g> Resources<'g> {
                     }
                     let _e143 = next_4;
                     if rt::Scalar::into_branch_condition((!_e143.elementwise_lt(end_16))) {
-                        let _e148 = t_36;
-                        local_91 = (!end_16.elementwise_gt(_e148));
+                        let _e148 = t_39;
+                        local_89 = (!end_16.elementwise_gt(_e148));
                     } else {
-                        local_91 = rt::Scalar(true);
+                        local_89 = rt::Scalar(true);
                     }
-                    let _e152 = local_91;
+                    let _e152 = local_89;
                     if rt::Scalar::into_branch_condition(_e152) {
                         let _e153 = looks;
                         if rt::Scalar::into_branch_condition(_e153) {
                             let _e154 = cost_17;
                             cost_17 = (_e154 + HEIGHTS_READ);
                             let _e158 = self.v_height_cell(_e45, rt::Scalar(path_72.level));
-                            let _e159 = cell_32;
-                            let _e160 = t_36;
+                            let _e159 = cell_34;
+                            let _e160 = t_39;
                             let _e161 = self.v_gap_to(path_72, _e2, _e159, _e158, _e160);
-                            let _e162 = self.v_falls_in_cell(_e161, span_13);
+                            let _e162 = self.v_falls_in_cell(_e161, span_14);
                             if rt::Scalar::into_branch_condition(_e162) {
-                                let _e163 = t_36;
-                                let _e164 = t_36;
+                                let _e163 = t_39;
+                                let _e164 = t_39;
                                 let _e167 = cost_17;
-                                let _e168 = self.v_found_in_cell(_e161, _e163, span_13, _e164.elementwise_eq(rt::Scalar(0f32)), _e167);
+                                let _e168 = self.v_found_in_cell(_e161, _e163, span_14, _e164.elementwise_eq(rt::Scalar(0f32)), _e167);
                                 return _e168;
                             }
                         }
-                        let _e169 = t_36;
+                        let _e169 = t_39;
                         next_4 = _e169.max(end_16);
                     }
                     let _e171 = next_4;
                     if rt::Scalar::into_branch_condition(_e171.elementwise_ge(rt::Scalar(path_72.exit))) {
-                        let _e175 = t_36;
+                        let _e175 = t_39;
                         let _e177 = cost_17;
                         return <SearchResult>::new(FOUND_MISS, _e175, rt::Scalar(path_72.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e177);
                     }
-                    let _e181 = cell_32;
+                    let _e181 = cell_34;
                     let _e182 = next_4;
                     let _e183 = self.v_cell_after(_e2, _e181, _e28, forward_5, _e182);
-                    cell_32 = _e183;
+                    cell_34 = _e183;
                     let _e184 = next_4;
-                    t_36 = _e184;
+                    t_39 = _e184;
                 }
             }
         }
-        let _e186 = t_36;
+        let _e186 = t_39;
         let _e188 = cost_17;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e186, rt::Scalar(path_72.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
     }
@@ -13925,11 +13984,11 @@ impl<'g> Resources<'g> {
         path_73: Path,
         params_90: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_33: rt::Vec2<f32>;
-        let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_35: rt::Vec2<f32>;
+        let mut t_40: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_92: rt::Scalar<bool>;
+        let mut local_90: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_73);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -13938,11 +13997,11 @@ impl<'g> Resources<'g> {
         let climb_1 = _e9.abs().max(_e12.abs());
         let fastest = <rt::Vec3<f32>>::new_21(path_73.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_12 = (path_73.uv.abs() + (path_73.duv.abs() * rt::Scalar(path_73.exit)));
+        let far_14 = (path_73.uv.abs() + (path_73.duv.abs() * rt::Scalar(path_73.exit)));
         let height_terms = (path_73.h.x().abs() + (rt::Scalar(path_73.exit) * (path_73.h.y().abs() + (rt::Scalar(path_73.exit) * path_73.h.z().abs()))));
-        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_12.x() + far_12.y()) + height_terms) + rt::Scalar(1f32)));
+        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_14.x() + far_14.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
-        cell_33 = _e52;
+        cell_35 = _e52;
         let limit_8 = params_90.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -13954,14 +14013,14 @@ impl<'g> Resources<'g> {
                 {
                     let _e63 = cost_18;
                     cost_18 = (_e63 + STEP);
-                    let _e66 = cell_33;
+                    let _e66 = cell_35;
                     let _e67 = self.v_cell_leave(_e2, _e66);
                     let end_17 = _e67.x().min(_e67.y()).min(rt::Scalar(path_73.exit));
-                    let _e73 = t_37;
-                    let span_14 = (end_17 - _e73).max(rt::Scalar(0f32));
-                    let _e77 = t_37;
+                    let _e73 = t_40;
+                    let span_15 = (end_17 - _e73).max(rt::Scalar(0f32));
+                    let _e77 = t_40;
                     let _e78 = self.v_path_uv(path_73, _e77);
-                    let _e79 = t_37;
+                    let _e79 = t_40;
                     let _e80 = self.v_path_height(path_73, _e79);
                     let _e82 = self.v_distance_at(path_73, _e78, _e80, params_90.z());
                     let free_1 = (_e82 - lost_3);
@@ -13969,66 +14028,66 @@ impl<'g> Resources<'g> {
                     let _e86 = self.v_map_read(path_73, rt::Scalar(4u32));
                     let _e89 = self.v_map_read(path_73, rt::Scalar(4u32));
                     cost_18 = ((_e84 + _e86) + _e89);
-                    let _e91 = t_37;
+                    let _e91 = t_40;
                     next_5 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e95 = t_37;
+                        let _e95 = t_40;
                         next_5 = (_e95 + (free_1 / speed_2));
                     }
                     if rt::Scalar::into_branch_condition(params_90.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_5;
-                        let _e102 = t_37;
+                        let _e102 = t_40;
                         if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_73.exit))))) {
-                            let _e110 = t_37;
+                            let _e110 = t_40;
                             let _e112 = cost_18;
                             return <SearchResult>::new(FOUND_ABOVE, _e110, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_5;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_17))) {
-                            let _e121 = t_37;
-                            local_92 = (!end_17.elementwise_gt(_e121));
+                            let _e121 = t_40;
+                            local_90 = (!end_17.elementwise_gt(_e121));
                         } else {
-                            local_92 = rt::Scalar(true);
+                            local_90 = rt::Scalar(true);
                         }
-                        let _e125 = local_92;
+                        let _e125 = local_90;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_18;
                             cost_18 = (_e126 + HEIGHTS_READ);
-                            let _e129 = cell_33;
-                            let _e130 = cell_33;
+                            let _e129 = cell_35;
+                            let _e130 = cell_35;
                             let _e131 = self.v_whole_cell(_e130);
                             let _e133 = self.v_height_cell(_e131, rt::Scalar(path_73.level));
-                            let _e134 = t_37;
+                            let _e134 = t_40;
                             let _e135 = self.v_gap_to(path_73, _e2, _e129, _e133, _e134);
-                            let _e136 = self.v_falls_in_cell(_e135, span_14);
+                            let _e136 = self.v_falls_in_cell(_e135, span_15);
                             if rt::Scalar::into_branch_condition(_e136) {
-                                let _e137 = t_37;
-                                let _e138 = t_37;
+                                let _e137 = t_40;
+                                let _e138 = t_40;
                                 let _e141 = cost_18;
-                                let _e142 = self.v_found_in_cell(_e135, _e137, span_14, _e138.elementwise_eq(rt::Scalar(0f32)), _e141);
+                                let _e142 = self.v_found_in_cell(_e135, _e137, span_15, _e138.elementwise_eq(rt::Scalar(0f32)), _e141);
                                 return _e142;
                             }
-                            let _e143 = t_37;
+                            let _e143 = t_40;
                             next_5 = _e143.max(end_17);
                         }
                     }
                     let _e145 = next_5;
                     if rt::Scalar::into_branch_condition(_e145.elementwise_ge(rt::Scalar(path_73.exit))) {
-                        let _e149 = t_37;
+                        let _e149 = t_40;
                         let _e151 = cost_18;
                         return <SearchResult>::new(FOUND_MISS, _e149, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
                     }
-                    let _e155 = cell_33;
+                    let _e155 = cell_35;
                     let _e156 = next_5;
                     let _e157 = self.v_cell_after(_e2, _e155, _e67, forward_6, _e156);
-                    cell_33 = _e157;
+                    cell_35 = _e157;
                     let _e158 = next_5;
-                    t_37 = _e158;
+                    t_40 = _e158;
                 }
             }
         }
-        let _e160 = t_37;
+        let _e160 = t_40;
         let _e162 = cost_18;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e160, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e162);
     }
@@ -14045,12 +14104,12 @@ impl<'g> Resources<'g> {
         path_74: Path,
         params_91: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_41: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
         let mut k_28: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_93: rt::Scalar<bool>;
+        let mut local_91: rt::Scalar<bool>;
 
         let aside_7 = path_74.duv.length();
         'naga_break: loop {
@@ -14063,32 +14122,32 @@ impl<'g> Resources<'g> {
                 {
                     let _e17 = cost_19;
                     cost_19 = (_e17 + STEP);
-                    let _e20 = t_38;
+                    let _e20 = t_41;
                     let _e21 = self.v_path_gap(path_74, _e20);
                     let _e22 = cost_19;
                     cost_19 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
-                        let _e27 = t_38;
+                        let _e27 = t_41;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_93 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_91 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_93 = rt::Scalar(false);
+                            local_91 = rt::Scalar(false);
                         }
-                        let _e35 = local_93;
+                        let _e35 = local_91;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_19;
                             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
                         let _e42 = near_6;
-                        let _e43 = t_38;
+                        let _e43 = t_41;
                         let _e44 = near_gap_3;
                         let _e45 = cost_19;
                         return <SearchResult>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e47 = t_38;
+                    let _e47 = t_41;
                     near_6 = _e47;
                     near_gap_3 = _e21;
-                    let _e48 = t_38;
+                    let _e48 = t_41;
                     let _e49 = self.v_path_uv(path_74, _e48);
                     let _e51 = self.v_search_texel_between(path_74, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
@@ -14098,24 +14157,24 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e61 = t_38;
+                    let _e61 = t_41;
                     let rest_10 = (rt::Scalar(path_74.exit) - _e61);
-                    let _e63 = t_38;
+                    let _e63 = t_41;
                     let _e64 = self.v_path_slope(path_74, _e63);
                     let rise_7 = (_e64 + (path_74.h.z().min(rt::Scalar(0f32)) * rest_10));
                     let terms_1 = (path_74.h.x().abs() + (rt::Scalar(path_74.exit) * (path_74.h.y().abs() + (rt::Scalar(path_74.exit) * path_74.h.z().abs()))));
-                    let far_13 = (((path_74.uv.abs() + (path_74.duv.abs() * rt::Scalar(path_74.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
-                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_13.x()) + far_13.y()));
+                    let far_15 = (((path_74.uv.abs() + (path_74.duv.abs() * rt::Scalar(path_74.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_15.x()) + far_15.y()));
                     let nearing = ((_e53 * aside_7) - rise_7);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
-                        let _e112 = t_38;
+                        let _e112 = t_41;
                         let _e114 = cost_19;
                         return <SearchResult>::new(FOUND_MISS, _e112, rt::Scalar(path_74.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e118 = t_38;
-                    t_38 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
-                    let _e124 = t_38;
+                    let _e118 = t_41;
+                    t_41 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
+                    let _e124 = t_41;
                     if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_74.exit))) {
                         let _e128 = near_6;
                         let _e130 = cost_19;
@@ -14126,8 +14185,8 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e138 = t_38;
-        let _e140 = t_38;
+        let _e138 = t_41;
+        let _e140 = t_41;
         let _e141 = self.v_path_height(path_74, _e140);
         let _e142 = cost_19;
         return <SearchResult>::new(FOUND_ABOVE, _e138, rt::Scalar(path_74.exit), _e141, rt::Scalar(0f32), _e142);
@@ -14145,16 +14204,16 @@ impl<'g> Resources<'g> {
         path_75: Path,
         params_92: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_34: rt::Vec2<f32>;
-        let mut t_39: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_36: rt::Vec2<f32>;
+        let mut t_42: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_94: rt::Scalar<bool>;
+        let mut local_92: rt::Scalar<bool>;
         let mut start_2: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_6: rt::Scalar<f32>;
-        let mut local_95: rt::Scalar<bool>;
+        let mut local_93: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_75);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -14162,9 +14221,9 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_path_slope(path_75, rt::Scalar(0f32));
         let terms_2 = (path_75.h.x().abs() + (rt::Scalar(path_75.exit) * path_75.h.y().abs()));
         let _e33 = self.v_height_size(rt::Scalar(path_75.level));
-        let far_14 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_75.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let far_16 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_75.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
-        cell_34 = _e36;
+        cell_36 = _e36;
         let limit_9 = params_92.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -14176,63 +14235,63 @@ impl<'g> Resources<'g> {
                 {
                     let _e51 = cost_20;
                     cost_20 = (_e51 + STEP);
-                    let _e54 = cell_34;
+                    let _e54 = cell_36;
                     let _e55 = self.v_cell_leave(_e2, _e54);
                     let end_18 = _e55.x().min(_e55.y()).min(rt::Scalar(path_75.exit));
-                    let _e61 = t_39;
-                    let span_15 = (end_18 - _e61).max(rt::Scalar(0f32));
-                    let _e65 = cell_34;
-                    let _e66 = cell_34;
+                    let _e61 = t_42;
+                    let span_16 = (end_18 - _e61).max(rt::Scalar(0f32));
+                    let _e65 = cell_36;
+                    let _e66 = cell_36;
                     let _e67 = self.v_whole_cell(_e66);
                     let _e69 = self.v_height_cell(_e67, rt::Scalar(path_75.level));
-                    let _e70 = t_39;
+                    let _e70 = t_42;
                     let _e71 = self.v_gap_to(path_75, _e2, _e65, _e69, _e70);
                     let _e72 = cost_20;
                     cost_20 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e78 = near_7;
-                        let _e79 = t_39;
+                        let _e79 = t_42;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_94 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_92 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_94 = rt::Scalar(false);
+                            local_92 = rt::Scalar(false);
                         }
-                        let _e87 = local_94;
+                        let _e87 = local_92;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_7;
-                            let _e89 = t_39;
+                            let _e89 = t_42;
                             let _e90 = near_gap_4;
                             let _e92 = cost_20;
                             let _e93 = self.v_entered_once(path_75, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
-                        let _e94 = t_39;
-                        let _e95 = t_39;
+                        let _e94 = t_42;
+                        let _e95 = t_42;
                         let _e98 = cost_20;
-                        let _e99 = self.v_found_in_cell(_e71, _e94, span_15, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
+                        let _e99 = self.v_found_in_cell(_e71, _e94, span_16, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
-                    let _e100 = t_39;
+                    let _e100 = t_42;
                     start_2 = _e100;
                     gap = _e71.x();
                     if rt::Scalar::into_branch_condition(params_92.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e107 = self.v_falls_in_cell(_e71, span_15);
+                        let _e107 = self.v_falls_in_cell(_e71, span_16);
                         if rt::Scalar::into_branch_condition(_e107) {
-                            let _e108 = t_39;
-                            let _e109 = t_39;
+                            let _e108 = t_42;
+                            let _e109 = t_42;
                             let _e112 = cost_20;
-                            let _e113 = self.v_found_in_cell(_e71, _e108, span_15, _e109.elementwise_eq(rt::Scalar(0f32)), _e112);
+                            let _e113 = self.v_found_in_cell(_e71, _e108, span_16, _e109.elementwise_eq(rt::Scalar(0f32)), _e112);
                             return _e113;
                         }
-                        let _e114 = t_39;
+                        let _e114 = t_42;
                         start_2 = _e114.max(end_18);
-                        let _e116 = self.v_quadratic(_e71, span_15);
+                        let _e116 = self.v_quadratic(_e71, span_16);
                         gap = _e116;
                     }
                     let _e117 = start_2;
                     if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_75.exit))) {
-                        let _e121 = t_39;
+                        let _e121 = t_42;
                         let _e123 = cost_20;
                         return <SearchResult>::new(FOUND_MISS, _e121, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
                     }
@@ -14240,8 +14299,8 @@ impl<'g> Resources<'g> {
                     near_7 = _e127;
                     let _e128 = gap;
                     near_gap_4 = _e128;
-                    let _e129 = cell_34;
-                    let _e131 = cell_34;
+                    let _e129 = cell_36;
+                    let _e131 = cell_36;
                     let _e134 = start_2;
                     let _e137 = self.v_nearest_corner(((_e2.origin - _e131) + (_e2.step * _e134)));
                     let _e139 = self.v_cone_slope(path_75, (_e129 + _e137));
@@ -14254,7 +14313,7 @@ impl<'g> Resources<'g> {
                         let nearing_1 = ((_e139 * aside_8) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e153 = gap;
-                        let room_1 = (_e153 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e139 * (far_14.x() + far_14.y())))));
+                        let room_1 = (_e153 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e139 * (far_16.x() + far_16.y())))));
                         next_6 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e165 = start_2;
@@ -14263,14 +14322,14 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(params_92.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e175 = next_6;
-                        let _e176 = t_39;
-                        local_95 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_75.exit))));
+                        let _e176 = t_42;
+                        local_93 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_75.exit))));
                     } else {
-                        local_95 = rt::Scalar(false);
+                        local_93 = rt::Scalar(false);
                     }
-                    let _e184 = local_95;
+                    let _e184 = local_93;
                     if rt::Scalar::into_branch_condition(_e184) {
-                        let _e186 = t_39;
+                        let _e186 = t_42;
                         let _e188 = gap;
                         let _e189 = cost_20;
                         return <SearchResult>::new(FOUND_ABOVE, _e186, rt::Scalar(path_75.exit), _e188, rt::Scalar(0f32), _e189);
@@ -14291,16 +14350,16 @@ impl<'g> Resources<'g> {
                         let _e210 = cost_20;
                         return <SearchResult>::new(FOUND_MISS, _e208, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
                     }
-                    let _e214 = cell_34;
+                    let _e214 = cell_36;
                     let _e215 = next_6;
                     let _e216 = self.v_cell_after(_e2, _e214, _e55, forward_7, _e215);
-                    cell_34 = _e216;
+                    cell_36 = _e216;
                     let _e217 = next_6;
-                    t_39 = _e217;
+                    t_42 = _e217;
                 }
             }
         }
-        let _e219 = t_39;
+        let _e219 = t_42;
         let _e221 = cost_20;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e219, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e221);
     }
@@ -14317,18 +14376,18 @@ impl<'g> Resources<'g> {
         path_76: Path,
         params_93: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_35: rt::Vec2<f32>;
-        let mut t_40: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_37: rt::Vec2<f32>;
+        let mut t_43: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_8: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_21: rt::Vec3<u32> = NO_COST;
-        let mut local_96: rt::Scalar<bool>;
+        let mut local_94: rt::Scalar<bool>;
         let mut next_7: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_76);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_35 = _e9;
+        cell_37 = _e9;
         let limit_10 = params_93.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -14340,68 +14399,68 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = cost_21;
                     cost_21 = (_e24 + STEP);
-                    let _e27 = cell_35;
+                    let _e27 = cell_37;
                     let _e28 = self.v_whole_cell(_e27);
                     let _e30 = self.v_height_cell(_e28, rt::Scalar(path_76.level));
                     let _e31 = cost_21;
                     cost_21 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_35;
+                    let _e34 = cell_37;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_19 = _e35.x().min(_e35.y()).min(rt::Scalar(path_76.exit));
-                    let _e41 = t_40;
-                    let span_16 = (end_19 - _e41).max(rt::Scalar(0f32));
-                    let _e45 = cell_35;
-                    let _e46 = t_40;
+                    let _e41 = t_43;
+                    let span_17 = (end_19 - _e41).max(rt::Scalar(0f32));
+                    let _e45 = cell_37;
+                    let _e46 = t_43;
                     let _e47 = self.v_gap_to(path_76, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_8;
-                        let _e52 = t_40;
+                        let _e52 = t_43;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_96 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_94 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_96 = rt::Scalar(false);
+                            local_94 = rt::Scalar(false);
                         }
-                        let _e60 = local_96;
+                        let _e60 = local_94;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_8;
-                            let _e62 = t_40;
+                            let _e62 = t_43;
                             let _e63 = near_gap_5;
                             let _e65 = cost_21;
                             let _e66 = self.v_entered_once(path_76, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
-                        let _e67 = t_40;
-                        let _e68 = t_40;
+                        let _e67 = t_43;
+                        let _e68 = t_43;
                         let _e71 = cost_21;
-                        let _e72 = self.v_found_in_cell(_e47, _e67, span_16, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
+                        let _e72 = self.v_found_in_cell(_e47, _e67, span_17, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
-                    let _e73 = self.v_falls_in_cell(_e47, span_16);
+                    let _e73 = self.v_falls_in_cell(_e47, span_17);
                     if rt::Scalar::into_branch_condition(_e73) {
-                        let _e74 = t_40;
-                        let _e75 = t_40;
+                        let _e74 = t_43;
+                        let _e75 = t_43;
                         let _e78 = cost_21;
-                        let _e79 = self.v_found_in_cell(_e47, _e74, span_16, _e75.elementwise_eq(rt::Scalar(0f32)), _e78);
+                        let _e79 = self.v_found_in_cell(_e47, _e74, span_17, _e75.elementwise_eq(rt::Scalar(0f32)), _e78);
                         return _e79;
                     }
-                    let _e80 = t_40;
+                    let _e80 = t_43;
                     let start_7 = _e80.max(end_19);
                     if rt::Scalar::into_branch_condition(start_7.elementwise_ge(rt::Scalar(path_76.exit))) {
-                        let _e85 = t_40;
+                        let _e85 = t_43;
                         let _e87 = cost_21;
                         return <SearchResult>::new(FOUND_MISS, _e85, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
                     }
                     near_8 = start_7;
-                    let _e91 = self.v_quadratic(_e47, span_16);
+                    let _e91 = self.v_quadratic(_e47, span_17);
                     near_gap_5 = _e91;
-                    let _e93 = cell_35;
+                    let _e93 = cell_37;
                     let _e98 = self.v_nearest_corner(((_e2.origin - _e93) + (_e2.step * start_7)));
                     let _e99 = self.v_corner_height(_e30, _e98);
                     next_7 = start_7;
                     let _e101 = self.v_path_height(path_76, start_7);
                     if rt::Scalar::into_branch_condition(_e101.elementwise_gt(_e99)) {
-                        let _e103 = cell_35;
+                        let _e103 = cell_37;
                         let texel_9 = (_e103 + _e98);
                         let _e105 = self.v_cone_slope(path_76, texel_9);
                         let _e106 = cost_21;
@@ -14426,18 +14485,54 @@ impl<'g> Resources<'g> {
                         let _e130 = cost_21;
                         return <SearchResult>::new(FOUND_MISS, start_7, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = cell_35;
+                    let _e134 = cell_37;
                     let _e135 = next_7;
                     let _e136 = self.v_cell_after(_e2, _e134, _e35, forward_8, _e135);
-                    cell_35 = _e136;
+                    cell_37 = _e136;
                     let _e137 = next_7;
-                    t_40 = _e137;
+                    t_43 = _e137;
                 }
             }
         }
-        let _e139 = t_40;
+        let _e139 = t_43;
         let _e141 = cost_21;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e139, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e141);
+    }
+    pub(crate) fn wrap_cell(
+        &self,
+        i_3: impl rt::Into<rt::Scalar<i32>>,
+        n_11: impl rt::Into<rt::Scalar<i32>>,
+    ) -> i32 {
+        rt::into(self.v_wrap_cell(rt::into(i_3), rt::into(n_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_wrap_cell(
+        &self,
+        i_3: rt::Scalar<i32>,
+        n_11: rt::Scalar<i32>,
+    ) -> rt::Scalar<i32> {
+        let _e4 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(WRAP_REPEAT)) {
+            let _e7 = self.v_wrap_index(i_3, n_11);
+            return _e7;
+        }
+        let _e8 = self.v_wrap_index(i_3, n_11);
+        let _e11 = self.v_wrap_index((i_3 + rt::Scalar(1i32)), n_11);
+        return _e8.min(_e11);
+    }
+    pub(crate) fn voxel_texel(&self, cell_38: impl rt::Into<rt::Vec3<i32>>) -> rt::Vec2<i32> {
+        rt::into(self.v_voxel_texel(rt::into(cell_38)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_voxel_texel(&self, cell_38: rt::Vec3<i32>) -> rt::Vec2<i32> {
+        let _e3 = self.surface_settings.volume;
+        let size_3 = _e3.xyz().to_i32();
+        let _e7 = self.v_slice_begin(cell_38.z());
+        let _e10 = self.v_wrap_cell(cell_38.x(), size_3.x());
+        let _e13 = self.v_wrap_cell(cell_38.y(), size_3.y());
+        return (_e7 + <rt::Vec2<i32>>::from_scalars(_e10, _e13));
     }
     pub(crate) fn search_voxels(
         &self,
@@ -14447,14 +14542,95 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_voxels(path_77, rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
     pub(super) fn v_search_voxels(
         &self,
         path_77: Path,
         params_94: rt::Vec4<f32>,
     ) -> SearchResult {
-        let _e6 = self.v_walk_voxels(path_77, rt::Scalar(0f32), rt::Scalar(path_77.exit), params_94.x().to_u32());
-        return _e6;
+        let mut has_turned_4: rt::Scalar<bool> = rt::Scalar(false);
+        let mut t_44: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_39: rt::Vec3<f32>;
+        let mut cost_22: rt::Vec3<u32> = NO_COST;
+        let mut local_95: rt::Scalar<bool>;
+
+        let _e2 = self.v_voxel_path(path_77);
+        let _e3 = self.v_turning_point(_e2);
+        let _e8 = t_44;
+        let _e9 = self.v_voxel_place_on(_e2, _e8);
+        cell_39 = _e9.floor();
+        let limit_11 = params_94.x().to_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e17 = cost_22.y();
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_11)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e19 = cell_39;
+                    let _e21 = self.v_voxel_texel(_e19.to_i32());
+                    let _e24 = self.v_search_texel(path_77, _e21, rt::Scalar(0i32), rt::Scalar(0i32));
+                    let empty = _e24.x();
+                    let _e26 = cost_22;
+                    let _e30 = self.v_map_read(path_77, rt::Scalar(1u32));
+                    cost_22 = ((_e26 + STEP) + _e30);
+                    let reach_4 = (empty - rt::Scalar(1f32)).max(rt::Scalar(0f32));
+                    let _e39 = has_turned_4;
+                    let end_of_part_1 = _e3.min(rt::Scalar(path_77.exit)).select(rt::Scalar(path_77.exit), _e39);
+                    let _e41 = cell_39;
+                    let _e42 = has_turned_4;
+                    let _e43 = self.v_voxel_leave(_e2, _e41, reach_4, _e42);
+                    let side_9 = _e43.x().min(_e43.y()).min(_e43.z());
+                    let _e50 = t_44;
+                    let end_20 = side_9.min(end_of_part_1).max(_e50);
+                    if rt::Scalar::into_branch_condition(empty.elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e54 = cost_22;
+                        cost_22 = (_e54 + VOXELS_READ);
+                        let _e57 = cell_39;
+                        let _e58 = t_44;
+                        let _e59 = t_44;
+                        let _e61 = self.v_root_in_voxel_cell(_e2, _e57, _e58, (end_20 - _e59));
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e61.root).elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e61.gap).elementwise_lt(rt::Scalar(0f32))) {
+                                let _e70 = t_44;
+                                local_95 = _e70.elementwise_eq(rt::Scalar(0f32));
+                            } else {
+                                local_95 = rt::Scalar(false);
+                            }
+                            let begins_inside = local_95;
+                            let status = FOUND_BRACKET.select(FOUND_STARTED_BELOW, begins_inside);
+                            let _e78 = t_44;
+                            let _e80 = t_44;
+                            let far_17 = (_e78 + (rt::Scalar(_e61.root) * (end_20 - _e80)));
+                            let _e84 = t_44;
+                            let _e89 = cost_22;
+                            return <SearchResult>::new(status, _e84, far_17, rt::Scalar(_e61.gap), rt::Scalar(_e61.gap).min(rt::Scalar(0f32)), _e89);
+                        }
+                    }
+                    if rt::Scalar::into_branch_condition(end_20.elementwise_ge(rt::Scalar(path_77.exit))) {
+                        let _e94 = cost_22;
+                        return <SearchResult>::new(FOUND_MISS, end_20, end_20, rt::Scalar(1f32), rt::Scalar(1f32), _e94);
+                    }
+                    if rt::Scalar::into_branch_condition(side_9.elementwise_gt(end_of_part_1)) {
+                        has_turned_4 = rt::Scalar(true);
+                        let _e100 = cell_39;
+                        let _e101 = self.v_voxel_cell_at(_e2, _e100, reach_4, end_20);
+                        cell_39 = _e101;
+                    } else {
+                        let _e102 = cell_39;
+                        let _e103 = has_turned_4;
+                        let _e104 = self.v_rises_on(_e2, _e103);
+                        let _e105 = self.v_next_voxel_cell(_e2, _e102, reach_4, _e43, _e104, end_20);
+                        cell_39 = _e105;
+                    }
+                    t_44 = end_20;
+                }
+            }
+        }
+        let _e107 = t_44;
+        let _e108 = t_44;
+        let _e109 = cost_22;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e107, _e108, rt::Scalar(1f32), rt::Scalar(1f32), _e109);
     }
     pub(crate) fn search_stage(&self, path_78: Path) -> SearchResult {
         rt::into(self.v_search_stage(path_78))
@@ -14555,12 +14731,12 @@ impl<'g> Resources<'g> {
         at_98: Entered,
         params_95: rt::Vec4<f32>,
     ) -> FirstHit {
-        let mut cost_22: rt::Vec3<u32> = NO_COST;
+        let mut cost_23: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
         let mut k_29: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_97: rt::Scalar<bool>;
+        let mut local_96: rt::Scalar<bool>;
 
-        let _e5 = cost_22;
+        let _e5 = cost_23;
         let _e6 = self.v_miss(_e5);
         first_4 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
@@ -14577,17 +14753,17 @@ impl<'g> Resources<'g> {
                         let _e21 = self.v_trace(_e17);
                         let _e22 = k_29;
                         let _e23 = self.v_hit_on_segment(pixel_77, at_98, _e17, _e21, _e22);
-                        let _e24 = cost_22;
-                        cost_22 = (_e24 + _e23.hit.cost);
+                        let _e24 = cost_23;
+                        cost_23 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
                             let _e34 = rt::Scalar(first_4.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
                                 let _e42 = rt::Scalar(first_4.key);
-                                local_97 = rt::Scalar(_e23.key).elementwise_gt(_e42);
+                                local_96 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_97 = rt::Scalar(true);
+                                local_96 = rt::Scalar(true);
                             }
-                            let _e45 = local_97;
+                            let _e45 = local_96;
                             if rt::Scalar::into_branch_condition(_e45) {
                                 first_4 = _e23;
                             }
@@ -14601,7 +14777,7 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e55 = cost_22;
+        let _e55 = cost_23;
         first_4.hit.cost = _e55;
         let _e56 = first_4;
         return _e56;
@@ -14611,17 +14787,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_99: Entered) -> FirstHit {
-        let mut cost_23: rt::Vec3<u32> = NO_COST;
+        let mut cost_24: rt::Vec3<u32> = NO_COST;
         let mut first_5: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_97: rt::Scalar<bool>;
         let mut local_98: rt::Scalar<bool>;
         let mut local_99: rt::Scalar<bool>;
-        let mut local_100: rt::Scalar<bool>;
 
-        let _e4 = cost_23;
+        let _e4 = cost_24;
         let _e5 = self.v_miss(_e4);
         first_5 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
         let most_16 = (rt::Scalar(at_99.segments) * MOST_ROUNDS);
@@ -14630,11 +14806,11 @@ impl<'g> Resources<'g> {
                 let _e21 = agreed;
                 if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_99.segments))) {
                     let _e26 = turns;
-                    local_98 = _e26.elementwise_lt(most_16);
+                    local_97 = _e26.elementwise_lt(most_16);
                 } else {
-                    local_98 = rt::Scalar(false);
+                    local_97 = rt::Scalar(false);
                 }
-                let _e29 = local_98;
+                let _e29 = local_97;
                 if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
@@ -14647,13 +14823,13 @@ impl<'g> Resources<'g> {
                     let ahead_3 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
                     let passed = (passed_m / ahead_3);
                     if rt::Scalar::into_branch_condition(ahead_3.elementwise_gt(rt::Scalar(0f32))) {
-                        local_99 = passed.elementwise_lt(rt::Scalar(_e31.exit));
+                        local_98 = passed.elementwise_lt(rt::Scalar(_e31.exit));
                     } else {
-                        local_99 = rt::Scalar(false);
+                        local_98 = rt::Scalar(false);
                     }
-                    let _e49 = local_99;
+                    let _e49 = local_98;
                     if rt::Scalar::into_branch_condition((!_e49)) {
-                        let _e52 = cost_23;
+                        let _e52 = cost_24;
                         let _e53 = self.v_miss(_e52);
                         first_5.hit = _e53;
                         let _e54 = first_5;
@@ -14661,36 +14837,36 @@ impl<'g> Resources<'g> {
                     }
                     let _e55 = self.v_beginning_at(_e31, passed);
                     let _e56 = self.v_trace(_e55);
-                    let _e57 = cost_23;
-                    cost_23 = (_e57 + _e56.cost);
+                    let _e57 = cost_24;
+                    cost_24 = (_e57 + _e56.cost);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e56.found).elementwise_eq(rt::Scalar(0u32))) {
-                        let _e64 = cost_23;
+                        let _e64 = cost_24;
                         let _e65 = self.v_miss(_e64);
                         first_5.hit = _e65;
                         let _e66 = first_5;
                         return _e66;
                     }
-                    let t_47 = (passed + rt::Scalar(_e56.t));
-                    let _e70 = self.v_metres_on(_e31, t_47);
+                    let t_51 = (passed + rt::Scalar(_e56.t));
+                    let _e70 = self.v_metres_on(_e31, t_51);
                     let at_m = (rt::Scalar(_e31.start) + _e70);
                     let _e74 = rt::Scalar(first_5.hit.found);
                     if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
                         let _e80 = reached_1;
                         let _e81 = reached_1;
-                        local_100 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
+                        local_99 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
                     } else {
-                        local_100 = rt::Scalar(true);
+                        local_99 = rt::Scalar(true);
                     }
-                    let _e87 = local_100;
+                    let _e87 = local_99;
                     if rt::Scalar::into_branch_condition(_e87) {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
-                        let _e93 = cost_23;
+                        let _e93 = cost_24;
                         let _e95 = k_30;
-                        let _e96 = self.v_hit_on_segment(pixel_78, at_99, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_47, _e93), _e95);
+                        let _e96 = self.v_hit_on_segment(pixel_78, at_99, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_51, _e93), _e95);
                         first_5 = _e96;
                         let _e99 = first_5.hit.cost;
-                        cost_23 = _e99;
+                        cost_24 = _e99;
                     }
                     let _e100 = agreed;
                     agreed = (_e100 + rt::Scalar(1u32));
@@ -14704,7 +14880,7 @@ impl<'g> Resources<'g> {
         }
         let _e120 = agreed;
         rt::Scalar(first_5.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_99.segments)));
-        let _e126 = cost_23;
+        let _e126 = cost_24;
         first_5.hit.cost = _e126;
         let _e127 = first_5;
         return _e127;
@@ -14758,9 +14934,9 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_cell_of(at_164);
         let part_23 = (at_164 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_17 = (rt::Scalar(1f32) - part_23.x());
-        let y_12 = (rt::Scalar(1f32) - part_23.y());
-        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_17 * y_12), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_23.x() * y_12), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_17 * part_23.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_23.x() * part_23.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let x_16 = (rt::Scalar(1f32) - part_23.x());
+        let y_11 = (rt::Scalar(1f32) - part_23.y());
+        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_23.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_23.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_23.x() * part_23.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
         let cover_2 = ((weights_6.x() + weights_6.y()) + (weights_6.z() + weights_6.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_6.dot(_e12) / cover_2));
@@ -14829,14 +15005,14 @@ impl<'g> Resources<'g> {
         at_102: Entered,
         params_98: rt::Vec4<f32>,
     ) -> FirstHit {
-        let mut cost_24: rt::Vec3<u32> = NO_COST;
+        let mut cost_25: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut along_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut heaviest: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut first_6: FirstHit;
-        let mut local_101: rt::Scalar<bool>;
+        let mut local_100: rt::Scalar<bool>;
 
         let toward_9 = (-pixel_81.direction.normalize());
         let _e6 = self.v_frames_around(toward_9);
@@ -14858,8 +15034,8 @@ impl<'g> Resources<'g> {
                         let _e32 = self.v_segment_of(pixel_81, at_102, _e31);
                         let _e35 = self.v_look_along(_e32, _e24, params_98.w().to_u32());
                         let seen_7 = (_e26 * _e35.x());
-                        let _e38 = cost_24;
-                        cost_24 = (_e38 + (LOOK * (params_98.w().to_u32() + rt::Scalar(1u32))));
+                        let _e38 = cost_25;
+                        cost_25 = (_e38 + (LOOK * (params_98.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
                         cover_1 = (_e46 + seen_7);
                         let _e48 = along_18;
@@ -14876,17 +15052,17 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e66 = cost_24;
+        let _e66 = cost_25;
         let _e67 = self.v_miss(_e66);
         first_6 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
-            local_101 = _e78.elementwise_lt(rt::Scalar(0f32));
+            local_100 = _e78.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_101 = rt::Scalar(true);
+            local_100 = rt::Scalar(true);
         }
-        let _e82 = local_101;
+        let _e82 = local_100;
         if rt::Scalar::into_branch_condition(_e82) {
             let _e83 = first_6;
             return _e83;
@@ -14895,11 +15071,11 @@ impl<'g> Resources<'g> {
         let _e85 = self.v_segment_of(pixel_81, at_102, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
-        let t_48 = ((_e86 / _e87) - rt::Scalar(_e85.start));
-        let _e93 = self.v_path_uv(_e85, t_48);
-        let _e94 = self.v_path_height(_e85, t_48);
-        let _e95 = cost_24;
-        let hit_76 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_48, _e95);
+        let t_52 = ((_e86 / _e87) - rt::Scalar(_e85.start));
+        let _e93 = self.v_path_uv(_e85, t_52);
+        let _e94 = self.v_path_height(_e85, t_52);
+        let _e95 = cost_25;
+        let hit_76 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_52, _e95);
         let _e97 = heaviest;
         let _e98 = self.v_hit_on_segment(pixel_81, at_102, _e85, hit_76, _e97);
         return _e98;
@@ -14971,21 +15147,21 @@ impl<'g> Resources<'g> {
         sweep_5: Sweep,
         column_1: rt::Scalar<i32>,
     ) -> rt::Scalar<i32> {
-        let n_14 = sweep_5.parts.x();
+        let n_15 = sweep_5.parts.x();
         let m_6 = sweep_5.parts.y();
         let doubled = ((rt::Scalar(2i32) * column_1) - rt::Scalar(1i32));
         if rt::Scalar::into_branch_condition(column_1.elementwise_le(rt::Scalar(0i32))) {
             return rt::Scalar(0i32);
         }
         if rt::Scalar::into_branch_condition(column_1.elementwise_gt(sweep_5.end.x())) {
-            return ((n_14 + m_6) + rt::Scalar(1i32));
+            return ((n_15 + m_6) + rt::Scalar(1i32));
         }
         if rt::Scalar::into_branch_condition(doubled.elementwise_le((rt::Scalar(2i32) * sweep_5.apex.x()))) {
-            let _e29 = self.v_quotient_up((n_14 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
+            let _e29 = self.v_quotient_up((n_15 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
             return _e29;
         }
         let _e43 = self.v_quotient_up((m_6 * (doubled - (rt::Scalar(2i32) * sweep_5.apex.x()))), (rt::Scalar(2i32) * (sweep_5.end.x() - sweep_5.apex.x())));
-        return (n_14 + _e43);
+        return (n_15 + _e43);
     }
     pub(crate) fn footprint_m(&self, at_105: Entered) -> f32 {
         rt::into(self.v_footprint_m(at_105))
@@ -15092,10 +15268,10 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_18 = (turn_1 * rt::Scalar(6.2831855f32));
-        let s_3 = (x_18 * x_18);
-        let last_13 = (rt::Scalar(-0.0001984127f32) + (s_3 * rt::Scalar(0.0000027557319f32)));
-        return (x_18 * (rt::Scalar(1f32) + (s_3 * (rt::Scalar(-0.16666667f32) + (s_3 * (rt::Scalar(0.008333334f32) + (s_3 * last_13)))))));
+        let x_17 = (turn_1 * rt::Scalar(6.2831855f32));
+        let s_3 = (x_17 * x_17);
+        let last_14 = (rt::Scalar(-0.0001984127f32) + (s_3 * rt::Scalar(0.0000027557319f32)));
+        return (x_17 * (rt::Scalar(1f32) + (s_3 * (rt::Scalar(-0.16666667f32) + (s_3 * (rt::Scalar(0.008333334f32) + (s_3 * last_14)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -15128,19 +15304,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn gradient_at(
         &self,
         point_17: impl rt::Into<rt::Vec2<f32>>,
-        way_14: impl rt::Into<rt::Vec2<f32>>,
+        way_16: impl rt::Into<rt::Vec2<f32>>,
         count_5: impl rt::Into<rt::Scalar<f32>>,
         turns_1: impl rt::Into<rt::Scalar<f32>>,
         seed_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_at(rt::into(point_17), rt::into(way_14), rt::into(count_5), rt::into(turns_1), rt::into(seed_2)))
+        rt::into(self.v_gradient_at(rt::into(point_17), rt::into(way_16), rt::into(count_5), rt::into(turns_1), rt::into(seed_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gradient_at(
         &self,
         point_17: rt::Vec2<f32>,
-        way_14: rt::Vec2<f32>,
+        way_16: rt::Vec2<f32>,
         count_5: rt::Scalar<f32>,
         turns_1: rt::Scalar<f32>,
         seed_2: rt::Scalar<u32>,
@@ -15148,7 +15324,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_bits_of_point(point_17, count_5, seed_2);
         let _e6 = self.v_unit_of(_e5);
         let _e8 = self.v_turned_1((_e6 + turns_1));
-        return _e8.dot(way_14);
+        return _e8.dot(way_16);
     }
     pub(crate) fn gradient_noise(
         &self,
@@ -15168,15 +15344,15 @@ impl<'g> Resources<'g> {
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let cell_39 = at_107.floor();
-        let part_25 = (at_107 - cell_39);
+        let cell_43 = at_107.floor();
+        let part_25 = (at_107 - cell_43);
         let fade = (((part_25 * part_25) * part_25) * ((part_25 * ((part_25 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_39, part_25, count_6, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_39 + right_5), (part_25 - right_5), count_6, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_39 + down_1), (part_25 - down_1), count_6, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_39 + right_5) + down_1), ((part_25 - right_5) - down_1), count_6, turns_2, seed_3);
+        let _e24 = self.v_gradient_at(cell_43, part_25, count_6, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_43 + right_5), (part_25 - right_5), count_6, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_43 + down_1), (part_25 - down_1), count_6, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_43 + right_5) + down_1), ((part_25 - right_5) - down_1), count_6, turns_2, seed_3);
         let above_10 = (_e24 + ((_e27 - _e24) * fade.x()));
         let below_8 = (_e30 + ((_e35 - _e30) * fade.x()));
         return (above_10 + ((below_8 - above_10) * fade.y()));
@@ -15196,23 +15372,23 @@ impl<'g> Resources<'g> {
         place_21: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
+        let mut local_101: rt::Scalar<bool>;
         let mut local_102: rt::Scalar<bool>;
-        let mut local_103: rt::Scalar<bool>;
 
         let least_8 = (place_21.x().min(place_21.y()) - half);
         let most_17 = (place_21.x().max(place_21.y()) + half);
         if rt::Scalar::into_branch_condition(place_21.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_102 = least_8.elementwise_ge(rt::Scalar(0f32));
+            local_101 = least_8.elementwise_ge(rt::Scalar(0f32));
+        } else {
+            local_101 = rt::Scalar(false);
+        }
+        let _e19 = local_101;
+        if rt::Scalar::into_branch_condition(_e19) {
+            local_102 = most_17.elementwise_le(rt::Scalar(view_18.size).to_f32());
         } else {
             local_102 = rt::Scalar(false);
         }
-        let _e19 = local_102;
-        if rt::Scalar::into_branch_condition(_e19) {
-            local_103 = most_17.elementwise_le(rt::Scalar(view_18.size).to_f32());
-        } else {
-            local_103 = rt::Scalar(false);
-        }
-        let _e26 = local_103;
+        let _e26 = local_102;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -15235,16 +15411,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_104: rt::Scalar<bool>;
+        let mut local_103: rt::Scalar<bool>;
 
         let low_10 = (plane_1.xyz().dot((position + (direction_5 * low_m))) + plane_1.w());
         let high_4 = (plane_1.xyz().dot((position + (direction_5 * high_m))) + plane_1.w());
         if rt::Scalar::into_branch_condition(low_10.elementwise_gt(rt::Scalar(0f32))) {
-            local_104 = high_4.elementwise_gt(rt::Scalar(0f32));
+            local_103 = high_4.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_104 = rt::Scalar(false);
+            local_103 = rt::Scalar(false);
         }
-        let _e24 = local_104;
+        let _e24 = local_103;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -15269,8 +15445,8 @@ impl<'g> Resources<'g> {
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_104: rt::Scalar<bool>;
         let mut local_105: rt::Scalar<bool>;
-        let mut local_106: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -15287,18 +15463,18 @@ impl<'g> Resources<'g> {
                     let _e19 = self.v_is_before(plane_3, a_15.position, a_15.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_3, b_15.position, b_15.direction, low_m_1, high_m_1);
-                        local_105 = _e24;
+                        local_104 = _e24;
+                    } else {
+                        local_104 = rt::Scalar(false);
+                    }
+                    let _e26 = local_104;
+                    if rt::Scalar::into_branch_condition(_e26) {
+                        let _e31 = self.v_is_before(plane_3, c_11.position, c_11.direction, low_m_1, high_m_1);
+                        local_105 = _e31;
                     } else {
                         local_105 = rt::Scalar(false);
                     }
-                    let _e26 = local_105;
-                    if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_3, c_11.position, c_11.direction, low_m_1, high_m_1);
-                        local_106 = _e31;
-                    } else {
-                        local_106 = rt::Scalar(false);
-                    }
-                    let _e33 = local_106;
+                    let _e33 = local_105;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -15364,8 +15540,8 @@ impl<'g> Resources<'g> {
         c_13: Voxel,
         level_50: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
+        let mut local_106: rt::Scalar<bool>;
         let mut local_107: rt::Scalar<bool>;
-        let mut local_108: rt::Scalar<bool>;
 
         let _e6 = self.v_coarser_voxel(a_18.at, level_50);
         let _e8 = self.v_coarser_voxel(b_18.at, level_50);
@@ -15375,17 +15551,17 @@ impl<'g> Resources<'g> {
         let _e17 = self.v_longest_of((_e6 - _e10));
         let longest = _e12.max(_e14).max(_e17);
         if rt::Scalar::into_branch_condition(longest.elementwise_gt(rt::Scalar(0i32))) {
-            local_107 = longest.elementwise_le(rt::Scalar(1023i32));
+            local_106 = longest.elementwise_le(rt::Scalar(1023i32));
+        } else {
+            local_106 = rt::Scalar(false);
+        }
+        let _e26 = local_106;
+        if rt::Scalar::into_branch_condition(_e26) {
+            local_107 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
         } else {
             local_107 = rt::Scalar(false);
         }
-        let _e26 = local_107;
-        if rt::Scalar::into_branch_condition(_e26) {
-            local_108 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
-        } else {
-            local_108 = rt::Scalar(false);
-        }
-        let _e33 = local_108;
+        let _e33 = local_107;
         return _e33;
     }
     pub(crate) fn light_place(
@@ -15552,16 +15728,16 @@ impl<'g> Resources<'g> {
         let texel_m = (rt::Scalar(view_35.texel_m) * rt::Scalar(1f32).select(place_23.z(), rt::Scalar(view_35.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_110);
         let point_32 = (at_110.point + (normal_20 * (bias * texel_m.max(_e19))));
-        let reach_1 = (rt::Scalar(16f32) * texel_m);
+        let reach_5 = (rt::Scalar(16f32) * texel_m);
         let low_11 = (place_23.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_5 = (low_11 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_14 = high_5.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_35.size).to_f32(), rt::Scalar(view_35.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_15, point_32, normal_20, low_11, high_5, (place_23.z() - reach_1), (place_23.z() + reach_1));
+        let last_15 = high_5.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_35.size).to_f32(), rt::Scalar(view_35.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_15, point_32, normal_20, low_11, high_5, (place_23.z() - reach_5), (place_23.z() + reach_5));
         row_7 = low_11.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_7;
-                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_14.y())) {
+                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_15.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -15571,7 +15747,7 @@ impl<'g> Resources<'g> {
                     let tall = (high_5.y().min((_e59 + rt::Scalar(1f32))) - low_11.y().max(_e64));
                     let _e67 = seen_1;
                     let _e68 = row_7;
-                    let _e70 = self.v_row_sees(in_view, _e68, last_14.x());
+                    let _e70 = self.v_row_sees(in_view, _e68, last_15.x());
                     seen_1 = (_e67 + (_e70 * tall));
                     let _e73 = row_7;
                     row_7 = (_e73 + rt::Scalar(1f32));
@@ -15654,16 +15830,16 @@ impl<'g> Resources<'g> {
         start_3: rt::Vec3<i32>,
         to_1: rt::Vec3<i32>,
     ) -> rt::Scalar<u32> {
-        let mut local_109: rt::Scalar<bool>;
+        let mut local_108: rt::Scalar<bool>;
 
         let along_42 = (to_1 - start_3).abs();
         let of_last_1 = rt::Scalar(2u32).select(rt::Scalar(1u32), along_42.y().elementwise_ge(along_42.z()));
         if rt::Scalar::into_branch_condition(along_42.x().elementwise_ge(along_42.y())) {
-            local_109 = along_42.x().elementwise_ge(along_42.z());
+            local_108 = along_42.x().elementwise_ge(along_42.z());
         } else {
-            local_109 = rt::Scalar(false);
+            local_108 = rt::Scalar(false);
         }
-        let _e20 = local_109;
+        let _e20 = local_108;
         return of_last_1.select(rt::Scalar(0u32), _e20);
     }
     pub(crate) fn shadow_ray(
@@ -15923,25 +16099,25 @@ impl<'g> Resources<'g> {
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
-    pub(crate) fn own_slope(&self, way_15: Path) -> f32 {
-        rt::into(self.v_own_slope(way_15))
+    pub(crate) fn own_slope(&self, way_17: Path) -> f32 {
+        rt::into(self.v_own_slope(way_17))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_own_slope(&self, way_15: Path) -> rt::Scalar<f32> {
+    pub(super) fn v_own_slope(&self, way_17: Path) -> rt::Scalar<f32> {
         let mut level_53: Path;
 
-        let _e1 = self.v_grid_of(way_15);
+        let _e1 = self.v_grid_of(way_17);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
-        let end_20 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_53 = way_15;
-        level_53.h = <rt::Vec3<f32>>::from_scalars(way_15.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_53.exit) = end_20;
+        let end_21 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
+        level_53 = way_17;
+        level_53.h = <rt::Vec3<f32>>::from_scalars(way_17.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_53.exit) = end_21;
         let _e18 = level_53;
-        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_15.level));
+        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_17.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
-        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_20))));
+        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_21))));
     }
     pub(crate) fn part_above(&self, height_12: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_part_above(rt::into(height_12)))
@@ -15949,9 +16125,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_part_above(&self, height_12: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_19 = height_12.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let s_4 = (x_19 * x_19);
-        return (rt::Scalar(0.5f32) + (x_19 * (rt::Scalar(0.6401074f32) + (s_4 * (rt::Scalar(-0.13985065f32) + (s_4 * (rt::Scalar(0.06702511f32) + (s_4 * rt::Scalar(-0.06728186f32)))))))));
+        let x_18 = height_12.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_4 = (x_18 * x_18);
+        return (rt::Scalar(0.5f32) + (x_18 * (rt::Scalar(0.6401074f32) + (s_4 * (rt::Scalar(-0.13985065f32) + (s_4 * (rt::Scalar(0.06702511f32) + (s_4 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
@@ -15984,12 +16160,12 @@ impl<'g> Resources<'g> {
         let _e31 = self.v_shadow_texel_between(hit_40.uv, ((before_6 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_117.level));
         let sine_1 = (low_12 + ((_e31.x() - low_12) * part_27));
         let squared_5 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_15 = (squared_5 * along_44.dot(along_44)).sqrt();
+        let far_18 = (squared_5 * along_44.dot(along_44)).sqrt();
         let _e48 = self.v_from_hit(at_117, hit_40, light_15);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_10 = (_e49 * _e52);
-        let horizon = far_15.max(near_10);
+        let horizon = far_18.max(near_10);
         let up_6 = at_117.normal.dot(light_15.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_15.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
@@ -16638,16 +16814,16 @@ impl<'g> Resources<'g> {
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_110: rt::Scalar<bool>;
+        let mut local_109: rt::Scalar<bool>;
 
         placed_2 = at_134;
         let _e5 = self.v_quadric_slope(at_134.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_110 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_109 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_110 = rt::Scalar(false);
+            local_109 = rt::Scalar(false);
         }
-        let _e15 = local_110;
+        let _e15 = local_109;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
@@ -16763,12 +16939,12 @@ impl<'g> Resources<'g> {
 
         let along_47 = pixel_91.direction.normalize();
         let _e7 = self.v_middle_of(pixel_91, along_47);
-        let t_49 = ((rt::Scalar(path_86.start) + rt::Scalar(hit_57.t)) - _e7);
+        let t_53 = ((rt::Scalar(path_86.start) + rt::Scalar(hit_57.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_91, along_47, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside_1 = (_e17 - t_49).max((t_49 - _e21));
+        beside_1 = (_e17 - t_53).max((t_53 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_17;
@@ -16779,7 +16955,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e30 = number_17;
                     let _e31 = self.v_tetrahedron(pixel_91, along_47, _e7, _e30);
-                    let aside_11 = (_e31.inside.x() - t_49).max((t_49 - _e31.inside.y()));
+                    let aside_11 = (_e31.inside.x() - t_53).max((t_53 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
                         nearest = _e31;
@@ -16792,7 +16968,7 @@ impl<'g> Resources<'g> {
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_8 = (_e45 + (_e47 * t_49));
+        let weights_8 = (_e45 + (_e47 * t_53));
         let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_86.start) + rt::Scalar(hit_57.t))));
         let _e58 = self.v_placed_at(pixel_91, at_137, weights_8.xyz(), point_33, hit_57.uv);
         return _e58;
@@ -16923,18 +17099,18 @@ impl<'g> Resources<'g> {
         params_120: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_111: rt::Scalar<bool>;
+        let mut local_110: rt::Scalar<bool>;
 
         let _e5 = self.v_placed_in_image(pixel_96, at_142, path_91, hit_62);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_111 = _e16.elementwise_ne(CELLS_MASK);
+            local_110 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_111 = rt::Scalar(false);
+            local_110 = rt::Scalar(false);
         }
-        let _e20 = local_111;
+        let _e20 = local_110;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
             let _e26 = self.v_frames_around((-pixel_96.direction.normalize()));
@@ -17148,18 +17324,18 @@ impl<'g> Resources<'g> {
         to_2: rt::Vec3<i32>,
         third: rt::Vec3<i32>,
     ) -> rt::Scalar<i32> {
-        let mut local_112: rt::Scalar<bool>;
+        let mut local_111: rt::Scalar<bool>;
 
         let _e3 = self.v_main_axis(start_4, to_2);
         let _e4 = self.v_axis_of(start_4, _e3);
         let _e5 = self.v_axis_of(to_2, _e3);
         let _e6 = self.v_axis_of(third, _e3);
         if rt::Scalar::into_branch_condition(_e4.min(_e5).elementwise_le(_e6)) {
-            local_112 = _e6.elementwise_le(_e4.max(_e5));
+            local_111 = _e6.elementwise_le(_e4.max(_e5));
         } else {
-            local_112 = rt::Scalar(false);
+            local_111 = rt::Scalar(false);
         }
-        let is_primary = local_112;
+        let is_primary = local_111;
         return ((_e5 - _e4).abs() + rt::Scalar(0i32).select(rt::Scalar(1048576i32), is_primary));
     }
     pub(crate) fn procedure_bumps(
@@ -17194,13 +17370,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e14 = k_39;
                     let _e18 = k_39;
-                    let cell_40 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_40, params_122.x(), seed_5);
+                    let cell_44 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                    let _e29 = self.v_bits_of_point(cell_44, params_122.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
                     let beside_8 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_18 = ((cell_40 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_8 * (rt::Scalar(0.5f32) * params_122.z())));
+                    let middle_18 = ((cell_44 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_8 * (rt::Scalar(0.5f32) * params_122.z())));
                     let away_2 = ((at_167 - middle_18) / rt::Vec2::splat_from_scalar(params_122.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
@@ -17307,10 +17483,10 @@ impl<'g> Resources<'g> {
                     let _e18 = self.v_mixed((seed_7 + (rt::Scalar(4u32) * _e15)));
                     let _e19 = k_40;
                     let part_29 = (_e19.to_f32() / params_124.y());
-                    let size_2 = (params_124.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_29) * part_29)));
-                    let along_48 = (size_2 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let size_4 = (params_124.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_29) * part_29)));
+                    let along_48 = (size_4 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e39 = self.v_unit_of(_e18);
-                    let across_12 = ((((rt::Scalar(2f32) * size_2) * params_124.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
+                    let across_12 = ((((rt::Scalar(2f32) * size_4) * params_124.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
                     let length = ((along_48 * along_48) + (across_12 * across_12)).sqrt();
                     let pace_1 = ((rt::Scalar(2f32) * (length / params_124.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
@@ -18139,17 +18315,17 @@ impl<'g> Resources<'g> {
         b_26: rt::Vec3<i32>,
         c_18: rt::Vec3<i32>,
     ) -> Sweep {
-        let mut local_113: rt::Scalar<bool>;
+        let mut local_112: rt::Scalar<bool>;
 
         let _e3 = self.v_primary_length(a_26, b_26, c_18);
         let _e4 = self.v_primary_length(b_26, c_18, a_26);
         let _e5 = self.v_primary_length(c_18, a_26, b_26);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ge(_e4)) {
-            local_113 = _e3.elementwise_ge(_e5);
+            local_112 = _e3.elementwise_ge(_e5);
         } else {
-            local_113 = rt::Scalar(false);
+            local_112 = rt::Scalar(false);
         }
-        let _e11 = local_113;
+        let _e11 = local_112;
         if rt::Scalar::into_branch_condition(_e11) {
             let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_26, b_26, c_18);
             return _e13;
@@ -18189,9 +18365,9 @@ impl<'g> Resources<'g> {
         &self,
         sweep_7: Sweep,
         column_4: SweptColumn,
-        way_16: impl rt::Into<rt::Scalar<u32>>,
+        way_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> SweptChain {
-        rt::into(self.v_swept_chain(sweep_7, column_4, rt::into(way_16)))
+        rt::into(self.v_swept_chain(sweep_7, column_4, rt::into(way_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -18199,18 +18375,18 @@ impl<'g> Resources<'g> {
         &self,
         sweep_7: Sweep,
         column_4: SweptColumn,
-        way_16: rt::Scalar<u32>,
+        way_18: rt::Scalar<u32>,
     ) -> SweptChain {
-        if rt::Scalar::into_branch_condition(way_16.elementwise_eq(ROOF_UP)) {
+        if rt::Scalar::into_branch_condition(way_18.elementwise_eq(ROOF_UP)) {
             let _e5 = self.v_roof_left(sweep_7, column_4);
-            return <SweptChain>::new(column_4, way_16, (rt::Scalar(1i32) + _e5));
+            return <SweptChain>::new(column_4, way_18, (rt::Scalar(1i32) + _e5));
         }
-        if rt::Scalar::into_branch_condition(way_16.elementwise_eq(ROOF_DOWN)) {
+        if rt::Scalar::into_branch_condition(way_18.elementwise_eq(ROOF_DOWN)) {
             let _e12 = self.v_roof_left(sweep_7, column_4);
-            return <SweptChain>::new(column_4, way_16, (rt::Scalar(column_4.of_top) - _e12));
+            return <SweptChain>::new(column_4, way_18, (rt::Scalar(column_4.of_top) - _e12));
         }
-        let of_top = rt::Scalar(column_4.of_top).min(rt::Scalar(1i32)).select(rt::Scalar(column_4.of_top), rt::Scalar(column_4.top).elementwise_eq(way_16));
-        return <SweptChain>::new(column_4, way_16, ((rt::Scalar(1i32) + rt::Scalar(column_4.inner)) + of_top));
+        let of_top = rt::Scalar(column_4.of_top).min(rt::Scalar(1i32)).select(rt::Scalar(column_4.of_top), rt::Scalar(column_4.top).elementwise_eq(way_18));
+        return <SweptChain>::new(column_4, way_18, ((rt::Scalar(1i32) + rt::Scalar(column_4.inner)) + of_top));
     }
     pub(crate) fn swept_column(
         &self,
@@ -18227,22 +18403,22 @@ impl<'g> Resources<'g> {
         column_5: rt::Scalar<i32>,
         first_8: rt::Scalar<u32>,
     ) -> SweptColumn {
-        let mut local_114: rt::Scalar<bool>;
+        let mut local_113: rt::Scalar<bool>;
 
-        let n_15 = sweep_8.parts.x();
+        let n_16 = sweep_8.parts.x();
         let m_8 = sweep_8.parts.y();
         let _e7 = self.v_first_of_top(sweep_8, column_5);
         let _e10 = self.v_first_of_top(sweep_8, (column_5 + rt::Scalar(1i32)));
-        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_15);
-        let top_12 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_15)), is_behind);
+        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_16);
+        let top_12 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_16)), is_behind);
         let from_top = _e7.max(rt::Scalar(1i32));
-        let of_top_1 = (_e10.min((n_15 + m_8)) - from_top);
+        let of_top_1 = (_e10.min((n_16 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
-            local_114 = column_5.elementwise_ge(sweep_8.end.x());
+            local_113 = column_5.elementwise_ge(sweep_8.end.x());
         } else {
-            local_114 = rt::Scalar(true);
+            local_113 = rt::Scalar(true);
         }
-        let _e34 = local_114;
+        let _e34 = local_113;
         if rt::Scalar::into_branch_condition(_e34) {
             return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_8, from_top, of_top_1, top_12);
         }
@@ -18299,11 +18475,11 @@ impl<'g> Resources<'g> {
         x_5: rt::Scalar<i32>,
         y: rt::Scalar<i32>,
     ) -> rt::Vec3<f32> {
-        let end_21 = sweep_10.end;
+        let end_22 = sweep_10.end;
         let apex_2 = sweep_10.apex;
-        let twice = ((end_21.x() * apex_2.y()) - (end_21.y() * apex_2.x())).to_f32();
+        let twice = ((end_22.x() * apex_2.y()) - (end_22.y() * apex_2.x())).to_f32();
         let of_end = (((x_5 * apex_2.y()) - (y * apex_2.x())).to_f32() / twice);
-        let of_apex = (((end_21.x() * y) - (end_21.y() * x_5)).to_f32() / twice);
+        let of_apex = (((end_22.x() * y) - (end_22.y() * x_5)).to_f32() / twice);
         let of_first = ((rt::Scalar(1f32) - of_end) - of_apex);
         let corners_3 = sweep_10.corners;
         return <rt::Vec3<f32>>::from_scalars(of_apex.select(of_end, corners_3.y().elementwise_eq(rt::Scalar(0u32))).select(of_first, corners_3.x().elementwise_eq(rt::Scalar(0u32))), of_apex.select(of_end, corners_3.y().elementwise_eq(rt::Scalar(1u32))).select(of_first, corners_3.x().elementwise_eq(rt::Scalar(1u32))), of_apex.select(of_end, corners_3.y().elementwise_eq(rt::Scalar(2u32))).select(of_first, corners_3.x().elementwise_eq(rt::Scalar(2u32))));
@@ -18362,9 +18538,9 @@ impl<'g> Resources<'g> {
         let right_7 = (((grid_14.right.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e30) + grid_14.middle.x());
         let _e42 = share;
         let down_4 = (grid_14.middle.y() - ((grid_14.up.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e42));
-        let far_16 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
+        let far_19 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_168 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_16), far_16);
+        let at_168 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_19), far_19);
         let _e60 = share;
         return <Voxel>::new((at_168 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
     }
@@ -18373,11 +18549,11 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_zip_goes_left(&self, zip: Zip) -> rt::Scalar<bool> {
+        let mut local_114: rt::Scalar<bool>;
         let mut local_115: rt::Scalar<bool>;
         let mut local_116: rt::Scalar<bool>;
         let mut local_117: rt::Scalar<bool>;
         let mut local_118: rt::Scalar<bool>;
-        let mut local_119: rt::Scalar<bool>;
 
         let on_left = ((rt::Scalar(zip.left.count) - rt::Scalar(1i32)) - rt::Scalar(zip.i));
         let on_right = ((rt::Scalar(zip.right.count) - rt::Scalar(1i32)) - rt::Scalar(zip.j));
@@ -18388,29 +18564,29 @@ impl<'g> Resources<'g> {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.left.way).elementwise_eq(ROOF_UP)) {
-            local_115 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
+            local_114 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
         } else {
-            local_115 = rt::Scalar(false);
+            local_114 = rt::Scalar(false);
         }
-        let _e29 = local_115;
+        let _e29 = local_114;
         if rt::Scalar::into_branch_condition(_e29) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_right).elementwise_eq(rt::Scalar(1u32))) {
-            local_116 = on_right.elementwise_eq(rt::Scalar(1i32));
+            local_115 = on_right.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_116 = rt::Scalar(false);
+            local_115 = rt::Scalar(false);
         }
-        let _e39 = local_116;
+        let _e39 = local_115;
         if rt::Scalar::into_branch_condition(_e39) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_left).elementwise_eq(rt::Scalar(1u32))) {
-            local_117 = on_left.elementwise_eq(rt::Scalar(1i32));
+            local_116 = on_left.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_117 = rt::Scalar(false);
+            local_116 = rt::Scalar(false);
         }
-        let _e49 = local_117;
+        let _e49 = local_116;
         if rt::Scalar::into_branch_condition(_e49) {
             return rt::Scalar(false);
         }
@@ -18422,16 +18598,16 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0i32))) {
             if rt::Scalar::into_branch_condition((!_e58.elementwise_le(rt::Scalar(0i32)))) {
-                local_119 = _e63;
+                local_118 = _e63;
             } else {
-                local_119 = rt::Scalar(true);
+                local_118 = rt::Scalar(true);
             }
-            let _e75 = local_119;
-            local_118 = _e75;
+            let _e75 = local_118;
+            local_117 = _e75;
         } else {
-            local_118 = rt::Scalar(false);
+            local_117 = rt::Scalar(false);
         }
-        let _e77 = local_118;
+        let _e77 = local_117;
         return _e77;
     }
     pub(crate) fn zip_next(
@@ -18485,9 +18661,9 @@ impl<'g> Resources<'g> {
     ) -> Zip {
         let mut left_1: SweptChain;
         let mut right: SweptChain;
+        let mut local_119: rt::Scalar<bool>;
         let mut local_120: rt::Scalar<bool>;
         let mut local_121: rt::Scalar<bool>;
-        let mut local_122: rt::Scalar<bool>;
 
         let _e5 = self.v_swept_chain(sweep_12, column_7, TOP_NEXT);
         left_1 = _e5;
@@ -18496,11 +18672,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(which.elementwise_ne(rt::Scalar(1u32))) {
             let under_3 = which.elementwise_eq(rt::Scalar(0u32));
             if rt::Scalar::into_branch_condition((!rt::Scalar(column_7.top).elementwise_ne(TOP_ROOF))) {
-                local_120 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
+                local_119 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
             } else {
-                local_120 = rt::Scalar(true);
+                local_119 = rt::Scalar(true);
             }
-            let _e27 = local_120;
+            let _e27 = local_119;
             let has_none = rt::Scalar(next_9.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
             if rt::Scalar::into_branch_condition(under_3) {
                 let _e30 = self.v_swept_chain(sweep_12, column_7, ROOF_UP);
@@ -18523,21 +18699,21 @@ impl<'g> Resources<'g> {
             let _e47 = left_1;
             let _e48 = right;
             let _e49 = self.v_ends_on(sweep_12, _e47, _e48);
-            local_121 = _e49;
+            local_120 = _e49;
         } else {
-            local_121 = rt::Scalar(false);
+            local_120 = rt::Scalar(false);
         }
-        let keeps_left = local_121;
+        let keeps_left = local_120;
         let _e53 = rt::Scalar(right.count);
         if rt::Scalar::into_branch_condition(_e53.elementwise_gt(rt::Scalar(1i32))) {
             let _e58 = right;
             let _e59 = left_1;
             let _e60 = self.v_ends_on(sweep_12, _e58, _e59);
-            local_122 = _e60;
+            local_121 = _e60;
         } else {
-            local_122 = rt::Scalar(false);
+            local_121 = rt::Scalar(false);
         }
-        let keeps_right = local_122;
+        let keeps_right = local_121;
         let _e63 = left_1;
         let _e64 = right;
         let _e65 = left_1;

@@ -220,8 +220,7 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/volume", head: r#"// The trilinear field of a volume: values and normals at a place, and rays from a hit toward a light.
 "# },
-    Module { path: "shared/voxel_walk", head: r#"// A walk over the dual cells of a volume along a path, in order, to the first place where the field reaches the
-// surface.
+    Module { path: "shared/voxel_walk", head: r#"// Walks over the dual cells of a volume along a path, in order.
 //
 // In a cell the field is linear along each axis. So along a path, whose height may bend, it is a polynomial of
 // degree 4, and its first root is found in the cell.
@@ -456,10 +455,11 @@ pub const MODULES: &[Module] = &[
 // `cells` does. `params.x` caps the reads, `params.z` is the number of slices. With `params.y` 0 it
 // is as published: the search ends where the field allows no further step.
 "# },
-    Module { path: "search/voxels", head: r#"// Every dual cell of a volume along the path, in order.
+    Module { path: "search/voxels", head: r#"// The dual cells of a volume along the path, in order, but for the empty ones that the baked distances skip.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 5.2: the ray walks through the voxels of a volume on the surface.
-// `params.x` is the most cells.
+// Cohen and Sheffer 1994: a cell stores how many cells around it are empty, and the ray leaves their box in one
+// step. The map is relief-bake's kind `volume-distance`. `params.x` is the most cells.
 "# },
     Module { path: "refine/binary", head: r#"// Binary search: the interval is halved; its near end stays above the surface and its far end
 // below.
@@ -3411,29 +3411,63 @@ fn volume_size() -> vec3f {
     },
     Declaration {
         module: "shared/height",
-        name: "slice_cell",
+        name: "slice_begin",
         sampling: None,
-        uses: &["height_map", "surface_settings", "wrap_index"],
-        text: r#"// The corners of a dual cell in a slice of a volume, in the order of `height_cell`. The outermost slices
-// continue.
-fn slice_cell(cell: vec2i, slice: i32) -> vec4f {
+        uses: &["surface_settings"],
+        text: r#"// The first texel of a slice of a volume. The outermost slices continue.
+fn slice_begin(slice: i32) -> vec2i {
     let size = vec3i(surface_settings.volume.xyz);
     let in_row = i32(surface_settings.volume.w);
     let k = clamp(slice, 0, size.z - 1);
     // There are few slices, so floats give the whole number of rows before.
     let row = i32((f32(k) + 0.5) / f32(in_row));
-    let x = (k - row * in_row) * size.x;
-    let y = row * size.y;
-    let i0 = x + wrap_index(cell.x, size.x);
-    let i1 = x + wrap_index(cell.x + 1, size.x);
-    let j0 = y + wrap_index(cell.y, size.y);
-    let j1 = y + wrap_index(cell.y + 1, size.y);
+    return vec2i((k - row * in_row) * size.x, row * size.y);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "slice_cell",
+        sampling: None,
+        uses: &["height_map", "slice_begin", "surface_settings", "wrap_index"],
+        text: r#"// The corners of a dual cell in a slice of a volume, in the order of `height_cell`.
+fn slice_cell(cell: vec2i, slice: i32) -> vec4f {
+    let size = vec3i(surface_settings.volume.xyz);
+    let begin = slice_begin(slice);
+    let i0 = begin.x + wrap_index(cell.x, size.x);
+    let i1 = begin.x + wrap_index(cell.x + 1, size.x);
+    let j0 = begin.y + wrap_index(cell.y, size.y);
+    let j1 = begin.y + wrap_index(cell.y + 1, size.y);
     return vec4f(
         textureLoad(height_map, vec2i(i0, j0), 0).x,
         textureLoad(height_map, vec2i(i1, j0), 0).x,
         textureLoad(height_map, vec2i(i0, j1), 0).x,
         textureLoad(height_map, vec2i(i1, j1), 0).x,
     );
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "voxel_texel",
+        sampling: None,
+        uses: &["slice_begin", "surface_settings", "wrap_cell"],
+        text: r#"// The texel of a baked map of a volume that stands for a dual cell.
+fn voxel_texel(cell: vec3i) -> vec2i {
+    let size = vec3i(surface_settings.volume.xyz);
+    return slice_begin(cell.z) + vec2i(wrap_cell(cell.x, size.x), wrap_cell(cell.y, size.y));
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "wrap_cell",
+        sampling: None,
+        uses: &["WRAP_REPEAT", "surface_settings", "wrap_index"],
+        text: r#"// The dual cell that stands for cell i in a row of n. Where a map is mirrored, so are its cells: cell n lies
+// between the images of the texels n - 1 and n - 2.
+fn wrap_cell(i: i32, n: i32) -> i32 {
+    if (surface_settings.wrap == WRAP_REPEAT) {
+        return wrap_index(i, n);
+    }
+    return min(wrap_index(i, n), wrap_index(i + 1, n));
 }"#,
     },
     Declaration {
@@ -9639,6 +9673,17 @@ struct VoxelPath {
     },
     Declaration {
         module: "shared/voxel_walk",
+        name: "RootInCell",
+        sampling: None,
+        uses: &[],
+        text: r#"// The first root in a cell, and the gap where the path enters it.
+struct RootInCell {
+    root: f32,
+    gap: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
         name: "turning_point",
         sampling: None,
         uses: &["NEVER", "VoxelPath"],
@@ -9678,14 +9723,16 @@ fn meets_plane(way: VoxelPath, plane: f32, rises: bool, has_turned: bool) -> f32
         name: "voxel_leave",
         sampling: None,
         uses: &["NEVER", "VoxelPath", "meets_plane", "rises_on"],
-        text: r#"// The parameters where a path leaves a cell along u, v and the height.
-fn voxel_leave(way: VoxelPath, cell: vec3f, has_turned: bool) -> vec3f {
+        text: r#"// The parameters where a path leaves the box of the cells up to `reach` cells from a cell, along u, v and the
+// height.
+fn voxel_leave(way: VoxelPath, cell: vec3f, reach: f32, has_turned: bool) -> vec3f {
     let none = vec2f(0.0, 0.0);
-    let ahead = cell.xy + select(none, vec2f(1.0, 1.0), way.step.xy > none);
+    let last = vec2f(1.0 + reach, 1.0 + reach);
+    let ahead = cell.xy + select(vec2f(0.0 - reach, 0.0 - reach), last, way.step.xy > none);
     let beside = (ahead - way.origin.xy) / way.step.xy;
     let across = select(vec2f(NEVER, NEVER), beside, abs(way.step.xy) > none);
     let rises = rises_on(way, has_turned);
-    let plane = cell.z + select(0.0, 1.0, rises);
+    let plane = cell.z + select(0.0 - reach, 1.0 + reach, rises);
     return vec3f(across, meets_plane(way, plane, rises, has_turned));
 }"#,
     },
@@ -9755,63 +9802,48 @@ fn along_slice(h: vec4f, at: vec2f, dx: f32, dy: f32) -> vec3f {
     },
     Declaration {
         module: "shared/voxel_walk",
+        name: "voxel_cell_at",
+        sampling: None,
+        uses: &["VoxelPath", "voxel_place_on"],
+        text: r#"// The cell at a parameter inside of such a box, which rounding does not take out of it.
+fn voxel_cell_at(way: VoxelPath, cell: vec3f, reach: f32, t: f32) -> vec3f {
+    let far = vec3f(reach, reach, reach);
+    return clamp(floor(voxel_place_on(way, t)), cell - far, cell + far);
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_walk",
         name: "next_voxel_cell",
         sampling: None,
-        uses: &["VoxelPath"],
-        text: r#"// The next cell, behind the side through which the path leaves first.
-fn next_voxel_cell(way: VoxelPath, cell: vec3f, leave: vec3f, rises: bool) -> vec3f {
-    var next = cell;
+        uses: &["VoxelPath", "voxel_cell_at"],
+        text: r#"// The next cell, behind the side through which the path leaves such a box first, at t.
+fn next_voxel_cell(way: VoxelPath, cell: vec3f, reach: f32, leave: vec3f, rises: bool, t: f32) -> vec3f {
+    var next = voxel_cell_at(way, cell, reach, t);
+    let far = reach + 1.0;
     if (leave.x <= leave.y && leave.x <= leave.z) {
-        next.x = cell.x + select(-1.0, 1.0, way.step.x > 0.0);
+        next.x = cell.x + select(0.0 - far, far, way.step.x > 0.0);
     } else if (leave.y <= leave.z) {
-        next.y = cell.y + select(-1.0, 1.0, way.step.y > 0.0);
+        next.y = cell.y + select(0.0 - far, far, way.step.y > 0.0);
     } else {
-        next.z = cell.z + select(-1.0, 1.0, rises);
+        next.z = cell.z + select(0.0 - far, far, rises);
     }
     return next;
 }"#,
     },
     Declaration {
         module: "shared/voxel_walk",
-        name: "walk_voxels",
+        name: "root_in_voxel_cell",
         sampling: None,
-        uses: &["FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "NEVER", "NO_COST", "Path", "STEP", "SURFACE_VALUE", "SearchResult", "VOXELS_READ", "first_root_of_quartic", "gap_in_cell", "greatest_value", "next_voxel_cell", "rises_on", "turning_point", "voxel_cell", "voxel_leave", "voxel_path", "voxel_place_on"],
-        text: r#"// The first place on a path from one parameter to another where the field reaches the surface: a bracket in its
-// cell, whose far end is the root. Gives up after `limit` cells.
-fn walk_voxels(path: Path, from_t: f32, to_t: f32, limit: u32) -> SearchResult {
-    let way = voxel_path(path);
-    let turn = turning_point(way);
-    var has_turned = from_t >= turn;
-    var t = from_t;
-    var cell = floor(voxel_place_on(way, t));
-    var cost = NO_COST;
-    while (cost.y < limit) {
-        cost = cost + STEP + VOXELS_READ;
-        let end_of_part = select(min(turn, to_t), to_t, has_turned);
-        let leave = voxel_leave(way, cell, has_turned);
-        let side = min(min(leave.x, leave.y), leave.z);
-        let end = max(min(side, end_of_part), t);
-        let corners = voxel_cell(vec3i(cell));
-        if (greatest_value(corners) >= SURFACE_VALUE) {
-            let gap = gap_in_cell(way, cell, corners, t, end - t);
-            let root = first_root_of_quartic(gap);
-            if (root < NEVER) {
-                let begins_inside = gap.a < 0.0 && t == from_t;
-                let status = select(FOUND_BRACKET, FOUND_STARTED_BELOW, begins_inside);
-                return SearchResult(status, t, t + root * (end - t), gap.a, min(gap.a, 0.0), cost);
-            }
-        }
-        if (end >= to_t) {
-            return SearchResult(FOUND_MISS, end, end, 1.0, 1.0, cost);
-        }
-        if (side > end_of_part) {
-            has_turned = true;
-        } else {
-            cell = next_voxel_cell(way, cell, leave, rises_on(way, has_turned));
-        }
-        t = end;
+        uses: &["NEVER", "RootInCell", "SURFACE_VALUE", "VoxelPath", "first_root_of_quartic", "gap_in_cell", "greatest_value", "voxel_cell"],
+        text: r#"// The parameter of the first place in a cell where the field reaches the surface, as a part of the way from t
+// to `span` behind it; NEVER without one.
+fn root_in_voxel_cell(way: VoxelPath, cell: vec3f, t: f32, span: f32) -> RootInCell {
+    let corners = voxel_cell(vec3i(cell));
+    if (greatest_value(corners) < SURFACE_VALUE) {
+        return RootInCell(NEVER, 1.0);
     }
-    return SearchResult(FOUND_EXHAUSTED, t, t, 1.0, 1.0, cost);
+    let gap = gap_in_cell(way, cell, corners, t, span);
+    return RootInCell(first_root_of_quartic(gap), gap.a);
 }"#,
     },
     Declaration {
@@ -12663,9 +12695,46 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "search/voxels",
         name: "search_voxels",
         sampling: None,
-        uses: &["Path", "SearchResult", "walk_voxels"],
+        uses: &["FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "NEVER", "NO_COST", "Path", "STEP", "SearchResult", "VOXELS_READ", "map_read", "next_voxel_cell", "rises_on", "root_in_voxel_cell", "search_texel", "turning_point", "voxel_cell_at", "voxel_leave", "voxel_path", "voxel_place_on", "voxel_texel"],
         text: r#"fn search_voxels(path: Path, params: vec4f) -> SearchResult {
-    return walk_voxels(path, 0.0, path.exit, u32(params.x));
+    let way = voxel_path(path);
+    let turn = turning_point(way);
+    var has_turned = false;
+    var t = 0.0;
+    var cell = floor(voxel_place_on(way, t));
+    var cost = NO_COST;
+    let limit = u32(params.x);
+    while (cost.y < limit) {
+        let empty = search_texel(path, voxel_texel(vec3i(cell)), 0, 0).x;
+        cost = cost + STEP + map_read(path, 1u);
+        // In all cells of this box the field stays below the surface, unless the cell itself may reach it.
+        let reach = max(empty - 1.0, 0.0);
+        let end_of_part = select(min(turn, path.exit), path.exit, has_turned);
+        let leave = voxel_leave(way, cell, reach, has_turned);
+        let side = min(min(leave.x, leave.y), leave.z);
+        let end = max(min(side, end_of_part), t);
+        if (empty < 0.5) {
+            cost = cost + VOXELS_READ;
+            let found = root_in_voxel_cell(way, cell, t, end - t);
+            if (found.root < NEVER) {
+                let begins_inside = found.gap < 0.0 && t == 0.0;
+                let status = select(FOUND_BRACKET, FOUND_STARTED_BELOW, begins_inside);
+                let far = t + found.root * (end - t);
+                return SearchResult(status, t, far, found.gap, min(found.gap, 0.0), cost);
+            }
+        }
+        if (end >= path.exit) {
+            return SearchResult(FOUND_MISS, end, end, 1.0, 1.0, cost);
+        }
+        if (side > end_of_part) {
+            has_turned = true;
+            cell = voxel_cell_at(way, cell, reach, end);
+        } else {
+            cell = next_voxel_cell(way, cell, reach, leave, rises_on(way, has_turned), end);
+        }
+        t = end;
+    }
+    return SearchResult(FOUND_EXHAUSTED, t, t, 1.0, 1.0, cost);
 }"#,
     },
     Declaration {
@@ -12933,14 +13002,14 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/trilinear",
         name: "refine_trilinear",
         sampling: None,
-        uses: &["FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_STARTED_BELOW", "Hit", "Path", "SearchResult", "has_interval", "hit_on_path", "miss", "refine_none", "walk_voxels"],
+        uses: &["FOUND_BRACKET", "FOUND_EXHAUSTED", "Hit", "Path", "SearchResult", "first_root_on_path", "has_interval", "hit_on_path", "miss", "refine_none"],
         text: r#"fn refine_trilinear(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (!has_interval(found)) {
         return refine_none(path, found, params);
     }
-    let root = walk_voxels(path, found.near, found.far, u32(params.x));
+    let root = first_root_on_path(path, found.near, found.far, u32(params.x));
     let cost = found.cost + root.cost;
-    if (root.status == FOUND_BRACKET || root.status == FOUND_STARTED_BELOW) {
+    if (root.status == FOUND_BRACKET) {
         return hit_on_path(path, root.far, 0u, cost);
     }
     if (found.status == FOUND_BRACKET) {
@@ -12948,6 +13017,42 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         return hit_on_path(path, found.far, select(0u, 1u, root.status == FOUND_EXHAUSTED), cost);
     }
     return miss(cost);
+}"#,
+    },
+    Declaration {
+        module: "refine/trilinear",
+        name: "first_root_on_path",
+        sampling: None,
+        uses: &["FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "NEVER", "NO_COST", "Path", "STEP", "SearchResult", "VOXELS_READ", "next_voxel_cell", "rises_on", "root_in_voxel_cell", "turning_point", "voxel_leave", "voxel_path", "voxel_place_on"],
+        text: r#"// The first root on a path from one parameter to another, as the far end of a bracket. Every cell is visited.
+fn first_root_on_path(path: Path, from_t: f32, to_t: f32, limit: u32) -> SearchResult {
+    let way = voxel_path(path);
+    let turn = turning_point(way);
+    var has_turned = from_t >= turn;
+    var t = from_t;
+    var cell = floor(voxel_place_on(way, t));
+    var cost = NO_COST;
+    while (cost.y < limit) {
+        cost = cost + STEP + VOXELS_READ;
+        let end_of_part = select(min(turn, to_t), to_t, has_turned);
+        let leave = voxel_leave(way, cell, 0.0, has_turned);
+        let side = min(min(leave.x, leave.y), leave.z);
+        let end = max(min(side, end_of_part), t);
+        let found = root_in_voxel_cell(way, cell, t, end - t);
+        if (found.root < NEVER) {
+            return SearchResult(FOUND_BRACKET, t, t + found.root * (end - t), found.gap, 0.0, cost);
+        }
+        if (end >= to_t) {
+            return SearchResult(FOUND_MISS, end, end, 1.0, 1.0, cost);
+        }
+        if (side > end_of_part) {
+            has_turned = true;
+        } else {
+            cell = next_voxel_cell(way, cell, 0.0, leave, rises_on(way, has_turned), end);
+        }
+        t = end;
+    }
+    return SearchResult(FOUND_EXHAUSTED, t, t, 1.0, 1.0, cost);
 }"#,
     },
     Declaration {

@@ -80,33 +80,33 @@ impl Marked<'_> {
     }
     pub(super) fn v_refine_binary(
         &self,
-        path_23: Path,
+        path_25: Path,
         found_3: SearchResult,
         params_15: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_5: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
-        let mut cost_5: rt::Vec3<u32>;
-        let mut local_20: rt::Scalar<bool>;
+        let mut cost_6: rt::Vec3<u32>;
+        let mut local_22: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_3);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_23, found_3, params_15);
+            let _e5 = self.v_refine_none(path_25, found_3, params_15);
             return _e5;
         }
         near_5 = rt::Scalar(found_3.near);
         far_5 = rt::Scalar(found_3.far);
-        cost_5 = found_3.cost;
+        cost_6 = found_3.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_5;
-            let _e19 = self.v_path_height(path_23, _e18);
-            local_20 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_25, _e18);
+            local_22 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_20 = rt::Scalar(true);
+            local_22 = rt::Scalar(true);
         }
-        let _e23 = local_20;
+        let _e23 = local_22;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -116,8 +116,8 @@ impl Marked<'_> {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = cost_5;
-                    cost_5 = (_e30 + STEP);
+                    let _e30 = cost_6;
+                    cost_6 = (_e30 + STEP);
                     let _e33 = near_5;
                     let _e34 = far_5;
                     let middle_4 = (rt::Scalar(0.5f32) * (_e33 + _e34));
@@ -126,10 +126,10 @@ impl Marked<'_> {
                     let _e39 = far_5;
                     self.v_mark_bracket(_e38, _e39);
                     self.v_mark_sample(middle_4);
-                    let _e40 = cost_5;
-                    let _e42 = self.v_field_cost_stage(rt::Scalar(path_23.level));
-                    cost_5 = (_e40 + _e42);
-                    let _e44 = self.v_path_gap(path_23, middle_4);
+                    let _e40 = cost_6;
+                    let _e42 = self.v_field_cost_stage(rt::Scalar(path_25.level));
+                    cost_6 = (_e40 + _e42);
+                    let _e44 = self.v_path_gap(path_25, middle_4);
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
                         far_5 = middle_4;
                         crossed = rt::Scalar(true);
@@ -143,80 +143,80 @@ impl Marked<'_> {
         }
         let _e51 = crossed;
         if rt::Scalar::into_branch_condition((!_e51)) {
-            let _e53 = cost_5;
+            let _e53 = cost_6;
             let _e54 = self.v_miss(_e53);
             return _e54;
         }
         let _e55 = near_5;
         let _e56 = far_5;
-        let _e61 = cost_5;
-        let _e62 = self.v_hit_on_path(path_23, (rt::Scalar(0.5f32) * (_e55 + _e56)), rt::Scalar(0u32), _e61);
+        let _e61 = cost_6;
+        let _e62 = self.v_hit_on_path(path_25, (rt::Scalar(0.5f32) * (_e55 + _e56)), rt::Scalar(0u32), _e61);
         return _e62;
     }
     pub(super) fn v_refine_half_texel(
         &self,
-        path_24: Path,
+        path_26: Path,
         found_4: SearchResult,
         params_16: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_2: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_24, found_4, params_16);
+            let _e6 = self.v_refine_none(path_26, found_4, params_16);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_24.level));
-        let speed_1 = (path_24.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_24.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_24, found_4, params_16);
+        let _e9 = self.v_height_size(rt::Scalar(path_26.level));
+        let speed_1 = (path_26.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_26.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_26, found_4, params_16);
             return _e17;
         }
         let half = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_4.far) - half).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_24.exit));
-        let _e28 = self.v_path_gap(path_24, backward);
+        let forward_2 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_26.exit));
+        let _e28 = self.v_path_gap(path_26, backward);
         let before_1 = _e28.abs();
-        let _e30 = self.v_path_gap(path_24, forward_2);
+        let _e30 = self.v_path_gap(path_26, forward_2);
         let behind_1 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
             part_2 = (before_1 / (before_1 + behind_1));
         }
         self.v_mark_bracket(backward, forward_2);
         self.v_mark_chord(backward, before_1, forward_2, (rt::Scalar(0f32) - behind_1));
-        let cost_22 = ((found_4.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let cost_23 = ((found_4.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e47 = part_2;
-        let _e51 = self.v_hit_on_path(path_24, (backward + ((forward_2 - backward) * _e47)), rt::Scalar(0u32), cost_22);
+        let _e51 = self.v_hit_on_path(path_26, (backward + ((forward_2 - backward) * _e47)), rt::Scalar(0u32), cost_23);
         return _e51;
     }
     pub(super) fn v_refine_offset(
         &self,
-        path_25: Path,
+        path_27: Path,
         found_5: SearchResult,
         params_17: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_19: rt::Scalar<f32>;
+        let mut t_23: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_25, found_5);
-        let _e9 = self.v_path_uv(path_25, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_25.level));
+        let _e8 = self.v_starting_point(path_27, found_5);
+        let _e9 = self.v_path_uv(path_27, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_27.level));
         self.v_mark_plane(_e8, _e11, rt::Scalar(0f32));
-        let _e13 = self.v_path_slope(path_25, _e8);
-        t_19 = _e8;
+        let _e13 = self.v_path_slope(path_27, _e8);
+        t_23 = _e8;
         if rt::Scalar::into_branch_condition(_e13.elementwise_ne(rt::Scalar(0f32))) {
-            let _e17 = self.v_path_height(path_25, _e8);
-            t_19 = (_e8 + ((_e11 - _e17) / _e13));
+            let _e17 = self.v_path_height(path_27, _e8);
+            t_23 = (_e8 + ((_e11 - _e17) / _e13));
         }
-        let _e21 = t_19;
-        let _e31 = self.v_hit_on_path(path_25, _e21, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e21 = t_23;
+        let _e31 = self.v_hit_on_path(path_27, _e21, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e31;
     }
     pub(super) fn v_refine_offset_limited(
         &self,
-        path_26: Path,
+        path_28: Path,
         found_6: SearchResult,
         params_18: rt::Vec4<f32>,
     ) -> Hit {
@@ -226,14 +226,14 @@ impl Marked<'_> {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_26, found_6);
-        let _e9 = self.v_path_uv(path_26, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_26.level));
+        let _e8 = self.v_starting_point(path_28, found_6);
+        let _e9 = self.v_path_uv(path_28, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_28.level));
         self.v_mark_plane(_e8, _e11, rt::Scalar(0f32));
-        let _e13 = self.v_path_height(path_26, _e8);
-        let rise_m = ((_e11 - _e13) * path_26.metric.w());
+        let _e13 = self.v_path_height(path_28, _e8);
+        let rise_m = ((_e11 - _e13) * path_28.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e28 = self.v_hit_on_path(path_26, (_e8 - rise_m), exhausted_2, (found_6.cost + HEIGHTS_READ));
+        let _e28 = self.v_hit_on_path(path_28, (_e8 - rise_m), exhausted_2, (found_6.cost + HEIGHTS_READ));
         hit = _e28;
         let _e31 = rt::Scalar(hit.found);
         if rt::Scalar::into_branch_condition(_e31.elementwise_eq(rt::Scalar(1u32))) {
@@ -244,105 +244,105 @@ impl Marked<'_> {
     }
     pub(super) fn v_refine_patch(
         &self,
-        path_27: Path,
+        path_29: Path,
         found_7: SearchResult,
         params_19: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_20: rt::Scalar<f32>;
-        let mut cell_26: rt::Vec2<f32>;
-        let mut cost_6: rt::Vec3<u32>;
-        let mut local_21: rt::Scalar<bool>;
+        let mut t_24: rt::Scalar<f32>;
+        let mut cell_30: rt::Vec2<f32>;
+        let mut cost_7: rt::Vec3<u32>;
+        let mut local_23: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_7.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_27, rt::Scalar(found_7.near), rt::Scalar(1u32), found_7.cost);
+            let _e14 = self.v_hit_on_path(path_29, rt::Scalar(found_7.near), rt::Scalar(1u32), found_7.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_27, rt::Scalar(found_7.near), rt::Scalar(0u32), found_7.cost);
+            let _e21 = self.v_hit_on_path(path_29, rt::Scalar(found_7.near), rt::Scalar(0u32), found_7.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_27);
-        t_20 = rt::Scalar(found_7.near);
-        let _e27 = t_20;
+        let _e22 = self.v_grid_of(path_29);
+        t_24 = rt::Scalar(found_7.near);
+        let _e27 = t_24;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_26 = _e30;
-        cost_6 = found_7.cost;
-        let _e35 = cost_6.x();
+        cell_30 = _e30;
+        cost_7 = found_7.cost;
+        let _e35 = cost_7.x();
         let limit_1 = (_e35 + params_19.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = cost_6.x();
+                let _e40 = cost_7.x();
                 if rt::Scalar::into_branch_condition(_e40.elementwise_lt(limit_1)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e42 = cost_6;
-                    cost_6 = (_e42 + STEP);
-                    let _e45 = t_20;
+                    let _e42 = cost_7;
+                    cost_7 = (_e42 + STEP);
+                    let _e45 = t_24;
                     self.v_mark_turn(_e45);
-                    let _e46 = cell_26;
+                    let _e46 = cell_30;
                     let _e47 = self.v_cell_leave(_e22, _e46);
-                    let end_2 = _e47.x().min(_e47.y()).min(rt::Scalar(found_7.far));
-                    let _e53 = t_20;
-                    let span_6 = (end_2 - _e53).max(rt::Scalar(0f32));
-                    let _e57 = cell_26;
-                    let _e58 = t_20;
-                    self.v_mark_patch(_e57, _e58, end_2);
-                    let _e59 = cell_26;
-                    let _e60 = t_20;
-                    let _e61 = self.v_cell_gap(path_27, _e22, _e59, _e60);
-                    let _e62 = cost_6;
-                    cost_6 = (_e62 + HEIGHTS_READ);
+                    let end_3 = _e47.x().min(_e47.y()).min(rt::Scalar(found_7.far));
+                    let _e53 = t_24;
+                    let span_7 = (end_3 - _e53).max(rt::Scalar(0f32));
+                    let _e57 = cell_30;
+                    let _e58 = t_24;
+                    self.v_mark_patch(_e57, _e58, end_3);
+                    let _e59 = cell_30;
+                    let _e60 = t_24;
+                    let _e61 = self.v_cell_gap(path_29, _e22, _e59, _e60);
+                    let _e62 = cost_7;
+                    cost_7 = (_e62 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e61.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e68 = t_20;
-                        let _e70 = cost_6;
-                        let _e71 = self.v_hit_on_path(path_27, _e68, rt::Scalar(0u32), _e70);
+                        let _e68 = t_24;
+                        let _e70 = cost_7;
+                        let _e71 = self.v_hit_on_path(path_29, _e68, rt::Scalar(0u32), _e70);
                         return _e71;
                     }
-                    let _e72 = self.v_first_root(_e61, span_6);
+                    let _e72 = self.v_first_root(_e61, span_7);
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e75 = t_20;
-                        let _e78 = cost_6;
-                        let _e79 = self.v_hit_on_path(path_27, (_e75 + _e72), rt::Scalar(0u32), _e78);
+                        let _e75 = t_24;
+                        let _e78 = cost_7;
+                        let _e79 = self.v_hit_on_path(path_29, (_e75 + _e72), rt::Scalar(0u32), _e78);
                         return _e79;
                     }
-                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(found_7.far))) {
+                    if rt::Scalar::into_branch_condition(end_3.elementwise_ge(rt::Scalar(found_7.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_21 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
+                            local_23 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_21 = rt::Scalar(true);
+                            local_23 = rt::Scalar(true);
                         }
-                        let _e92 = local_21;
+                        let _e92 = local_23;
                         if rt::Scalar::into_branch_condition(_e92) {
-                            let _e95 = cost_6;
-                            let _e96 = self.v_hit_on_path(path_27, rt::Scalar(found_7.far), rt::Scalar(0u32), _e95);
+                            let _e95 = cost_7;
+                            let _e96 = self.v_hit_on_path(path_29, rt::Scalar(found_7.far), rt::Scalar(0u32), _e95);
                             return _e96;
                         }
-                        let _e97 = cost_6;
+                        let _e97 = cost_7;
                         let _e98 = self.v_miss(_e97);
                         return _e98;
                     }
-                    let _e99 = cell_26;
+                    let _e99 = cell_30;
                     let _e100 = self.v_cell_next(_e22, _e99, _e47);
-                    cell_26 = _e100;
-                    let _e101 = t_20;
-                    t_20 = _e101.max(end_2);
+                    cell_30 = _e100;
+                    let _e101 = t_24;
+                    t_24 = _e101.max(end_3);
                 }
             }
         }
-        let _e103 = t_20;
-        let _e105 = cost_6;
-        let _e106 = self.v_hit_on_path(path_27, _e103, rt::Scalar(1u32), _e105);
+        let _e103 = t_24;
+        let _e105 = cost_7;
+        let _e106 = self.v_hit_on_path(path_29, _e103, rt::Scalar(1u32), _e105);
         return _e106;
     }
     pub(super) fn v_refine_secant(
         &self,
-        path_28: Path,
+        path_30: Path,
         found_8: SearchResult,
         params_20: rt::Vec4<f32>,
     ) -> Hit {
@@ -350,40 +350,40 @@ impl Marked<'_> {
         let mut far_6: rt::Scalar<f32>;
         let mut near_gap_2: rt::Scalar<f32>;
         let mut far_gap_2: rt::Scalar<f32>;
-        let mut cost_7: rt::Vec3<u32>;
-        let mut t_21: rt::Scalar<f32>;
+        let mut cost_8: rt::Vec3<u32>;
+        let mut t_25: rt::Scalar<f32>;
         let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_28, found_8, params_20);
+            let _e5 = self.v_refine_none(path_30, found_8, params_20);
             return _e5;
         }
         near_6 = rt::Scalar(found_8.near);
         far_6 = rt::Scalar(found_8.far);
         near_gap_2 = rt::Scalar(found_8.near_gap);
         far_gap_2 = rt::Scalar(found_8.far_gap);
-        cost_7 = found_8.cost;
+        cost_8 = found_8.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_6;
-            let _e20 = self.v_path_gap(path_28, _e19);
+            let _e20 = self.v_path_gap(path_30, _e19);
             near_gap_2 = _e20;
             let _e21 = far_6;
-            let _e22 = self.v_path_gap(path_28, _e21);
+            let _e22 = self.v_path_gap(path_30, _e21);
             far_gap_2 = _e22;
-            let _e23 = cost_7;
-            let _e25 = self.v_field_cost_stage(rt::Scalar(path_28.level));
-            let _e28 = self.v_field_cost_stage(rt::Scalar(path_28.level));
-            cost_7 = ((_e23 + _e25) + _e28);
+            let _e23 = cost_8;
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_30.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_30.level));
+            cost_8 = ((_e23 + _e25) + _e28);
             let _e30 = far_gap_2;
             if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
-                let _e33 = cost_7;
+                let _e33 = cost_8;
                 let _e34 = self.v_miss(_e33);
                 return _e34;
             }
         }
         let _e35 = far_6;
-        t_21 = _e35;
+        t_25 = _e35;
         'naga_break: loop {
             'naga_continue: {
                 let _e39 = k_4;
@@ -392,9 +392,9 @@ impl Marked<'_> {
                     break 'naga_break;
                 }
                 {
-                    let _e42 = cost_7;
-                    cost_7 = (_e42 + STEP);
-                    let _e45 = t_21;
+                    let _e42 = cost_8;
+                    cost_8 = (_e42 + STEP);
+                    let _e45 = t_25;
                     self.v_mark_turn(_e45);
                     let _e46 = near_6;
                     let _e47 = far_6;
@@ -414,22 +414,22 @@ impl Marked<'_> {
                     let _e59 = far_6;
                     let _e60 = near_6;
                     let _e62 = near_gap_2;
-                    t_21 = (_e58 + ((_e59 - _e60) * (_e62 / drop)));
+                    t_25 = (_e58 + ((_e59 - _e60) * (_e62 / drop)));
                     let _e66 = k_4;
                     if rt::Scalar::into_branch_condition(_e66.elementwise_lt(params_20.x())) {
-                        let _e69 = t_21;
+                        let _e69 = t_25;
                         self.v_mark_sample(_e69);
-                        let _e70 = t_21;
-                        let _e71 = self.v_path_gap(path_28, _e70);
-                        let _e72 = cost_7;
-                        let _e74 = self.v_field_cost_stage(rt::Scalar(path_28.level));
-                        cost_7 = (_e72 + _e74);
+                        let _e70 = t_25;
+                        let _e71 = self.v_path_gap(path_30, _e70);
+                        let _e72 = cost_8;
+                        let _e74 = self.v_field_cost_stage(rt::Scalar(path_30.level));
+                        cost_8 = (_e72 + _e74);
                         if rt::Scalar::into_branch_condition(_e71.elementwise_le(rt::Scalar(0f32))) {
-                            let _e78 = t_21;
+                            let _e78 = t_25;
                             far_6 = _e78;
                             far_gap_2 = _e71;
                         } else {
-                            let _e79 = t_21;
+                            let _e79 = t_25;
                             near_6 = _e79;
                             near_gap_2 = _e71;
                         }
@@ -439,61 +439,61 @@ impl Marked<'_> {
                 }
             }
         }
-        let _e83 = t_21;
-        let _e85 = cost_7;
-        let _e86 = self.v_hit_on_path(path_28, _e83, rt::Scalar(0u32), _e85);
+        let _e83 = t_25;
+        let _e85 = cost_8;
+        let _e86 = self.v_hit_on_path(path_30, _e83, rt::Scalar(0u32), _e85);
         return _e86;
     }
     pub(super) fn v_refine_slope(
         &self,
-        path_29: Path,
+        path_31: Path,
         found_9: SearchResult,
         params_21: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_22: rt::Scalar<f32>;
+        let mut t_26: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_9.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_29, found_9);
-        let _e9 = self.v_path_uv(path_29, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_29.level));
-        self.v_mark_plane(_e8, _e11.x(), <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()).dot(path_29.duv));
-        let _e19 = self.v_path_height(path_29, _e8);
+        let _e8 = self.v_starting_point(path_31, found_9);
+        let _e9 = self.v_path_uv(path_31, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_31.level));
+        self.v_mark_plane(_e8, _e11.x(), <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()).dot(path_31.duv));
+        let _e19 = self.v_path_height(path_31, _e8);
         let rise_2 = (_e11.x() - _e19);
-        t_22 = _e8;
+        t_26 = _e8;
         if rt::Scalar::into_branch_condition(params_21.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e25 = self.v_path_slope(path_29, _e8);
-            let closing = (_e25 - ((_e11.y() * path_29.duv.x()) + (_e11.z() * path_29.duv.y())));
+            let _e25 = self.v_path_slope(path_31, _e8);
+            let closing = (_e25 - ((_e11.y() * path_31.duv.x()) + (_e11.z() * path_31.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_22 = (_e8 + (rise_2 / closing));
+                t_26 = (_e8 + (rise_2 / closing));
             }
         } else {
-            let _e46 = self.v_normal_z(path_29, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_22 = (_e8 - ((rise_2 * path_29.metric.w()) * _e46));
+            let _e46 = self.v_normal_z(path_31, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_26 = (_e8 - ((rise_2 * path_31.metric.w()) * _e46));
         }
-        let _e49 = t_22;
-        let _e59 = self.v_hit_on_path(path_29, _e49, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (found_9.cost + HEIGHTS_READ));
+        let _e49 = t_26;
+        let _e59 = self.v_hit_on_path(path_31, _e49, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (found_9.cost + HEIGHTS_READ));
         return _e59;
     }
     pub(super) fn v_refine_slope_iterative(
         &self,
-        path_30: Path,
+        path_32: Path,
         found_10: SearchResult,
         params_22: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_23: rt::Scalar<f32>;
-        let mut cost_8: rt::Vec3<u32>;
+        let mut t_27: rt::Scalar<f32>;
+        let mut cost_9: rt::Vec3<u32>;
         let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_30, found_10);
-        t_23 = _e8;
-        cost_8 = found_10.cost;
+        let _e8 = self.v_starting_point(path_32, found_10);
+        t_27 = _e8;
+        cost_9 = found_10.cost;
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_5;
@@ -502,43 +502,43 @@ impl Marked<'_> {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = cost_8;
-                    cost_8 = (_e17 + STEP);
-                    let _e20 = t_23;
+                    let _e17 = cost_9;
+                    cost_9 = (_e17 + STEP);
+                    let _e20 = t_27;
                     self.v_mark_turn(_e20);
-                    let _e21 = t_23;
-                    let _e22 = self.v_path_uv(path_30, _e21);
-                    let _e24 = self.v_height_and_slope(_e22, rt::Scalar(path_30.level));
-                    let _e25 = cost_8;
-                    cost_8 = (_e25 + HEIGHTS_READ);
-                    let _e28 = t_23;
-                    self.v_mark_plane(_e28, _e24.x(), <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()).dot(path_30.duv));
-                    let _e36 = t_23;
-                    let _e37 = self.v_path_height(path_30, _e36);
+                    let _e21 = t_27;
+                    let _e22 = self.v_path_uv(path_32, _e21);
+                    let _e24 = self.v_height_and_slope(_e22, rt::Scalar(path_32.level));
+                    let _e25 = cost_9;
+                    cost_9 = (_e25 + HEIGHTS_READ);
+                    let _e28 = t_27;
+                    self.v_mark_plane(_e28, _e24.x(), <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()).dot(path_32.duv));
+                    let _e36 = t_27;
+                    let _e37 = self.v_path_height(path_32, _e36);
                     let rise_3 = (_e24.x() - _e37);
                     if rt::Scalar::into_branch_condition(params_22.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e42 = t_23;
-                        let _e43 = self.v_path_slope(path_30, _e42);
-                        let closing_1 = (_e43 - ((_e24.y() * path_30.duv.x()) + (_e24.z() * path_30.duv.y())));
+                        let _e42 = t_27;
+                        let _e43 = self.v_path_slope(path_32, _e42);
+                        let closing_1 = (_e43 - ((_e24.y() * path_32.duv.x()) + (_e24.z() * path_32.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e56 = t_23;
-                            t_23 = (_e56 + (rise_3 / closing_1));
+                            let _e56 = t_27;
+                            t_27 = (_e56 + (rise_3 / closing_1));
                         }
                     } else {
-                        let _e59 = t_23;
-                        let _e66 = self.v_normal_z(path_30, <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()));
-                        t_23 = (_e59 - ((rise_3 * path_30.metric.w()) * _e66));
+                        let _e59 = t_27;
+                        let _e66 = self.v_normal_z(path_32, <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()));
+                        t_27 = (_e59 - ((rise_3 * path_32.metric.w()) * _e66));
                     }
-                    let _e69 = t_23;
-                    t_23 = _e69.clamp(rt::Scalar(0f32), rt::Scalar(path_30.exit));
+                    let _e69 = t_27;
+                    t_27 = _e69.clamp(rt::Scalar(0f32), rt::Scalar(path_32.exit));
                     let _e73 = k_5;
                     k_5 = (_e73 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e76 = t_23;
-        let _e83 = cost_8;
-        let _e84 = self.v_hit_on_path(path_30, _e76, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e83);
+        let _e76 = t_27;
+        let _e83 = cost_9;
+        let _e84 = self.v_hit_on_path(path_32, _e76, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e83);
         return _e84;
     }
     pub(super) fn v_refine_stage(&self, path_35: Path, found_13: SearchResult) -> Hit {
@@ -603,7 +603,7 @@ impl Marked<'_> {
     }
     pub(super) fn v_refine_true_secant(
         &self,
-        path_31: Path,
+        path_33: Path,
         found_11: SearchResult,
         params_23: rt::Vec4<f32>,
     ) -> Hit {
@@ -611,33 +611,33 @@ impl Marked<'_> {
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
-        let mut cost_9: rt::Vec3<u32>;
+        let mut cost_10: rt::Vec3<u32>;
         let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_11);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_31, found_11, params_23);
+            let _e5 = self.v_refine_none(path_33, found_11, params_23);
             return _e5;
         }
         before = rt::Scalar(found_11.near);
         last = rt::Scalar(found_11.far);
         before_gap = rt::Scalar(found_11.near_gap);
         last_gap = rt::Scalar(found_11.far_gap);
-        cost_9 = found_11.cost;
+        cost_10 = found_11.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_31, _e19);
+            let _e20 = self.v_path_gap(path_33, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_31, _e21);
+            let _e22 = self.v_path_gap(path_33, _e21);
             last_gap = _e22;
-            let _e23 = cost_9;
-            let _e25 = self.v_field_cost_stage(rt::Scalar(path_31.level));
-            let _e28 = self.v_field_cost_stage(rt::Scalar(path_31.level));
-            cost_9 = ((_e23 + _e25) + _e28);
+            let _e23 = cost_10;
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_33.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_33.level));
+            cost_10 = ((_e23 + _e25) + _e28);
             let _e30 = last_gap;
             if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
-                let _e33 = cost_9;
+                let _e33 = cost_10;
                 let _e34 = self.v_miss(_e33);
                 return _e34;
             }
@@ -650,8 +650,8 @@ impl Marked<'_> {
                     break 'naga_break;
                 }
                 {
-                    let _e40 = cost_9;
-                    cost_9 = (_e40 + STEP);
+                    let _e40 = cost_10;
+                    cost_10 = (_e40 + STEP);
                     let _e43 = last;
                     self.v_mark_turn(_e43);
                     let _e44 = before;
@@ -669,20 +669,20 @@ impl Marked<'_> {
                     let _e54 = last;
                     let _e55 = before;
                     let _e57 = last_gap;
-                    let t_36 = (_e53 + ((_e54 - _e55) * (_e57 / change))).clamp(rt::Scalar(found_11.near), rt::Scalar(found_11.far));
+                    let t_41 = (_e53 + ((_e54 - _e55) * (_e57 / change))).clamp(rt::Scalar(found_11.near), rt::Scalar(found_11.far));
                     let _e64 = last;
                     before = _e64;
                     let _e65 = last_gap;
                     before_gap = _e65;
-                    last = t_36;
+                    last = t_41;
                     let _e66 = k_6;
                     if rt::Scalar::into_branch_condition(_e66.elementwise_lt(params_23.x())) {
-                        self.v_mark_sample(t_36);
-                        let _e69 = self.v_path_gap(path_31, t_36);
+                        self.v_mark_sample(t_41);
+                        let _e69 = self.v_path_gap(path_33, t_41);
                         last_gap = _e69;
-                        let _e70 = cost_9;
-                        let _e72 = self.v_field_cost_stage(rt::Scalar(path_31.level));
-                        cost_9 = (_e70 + _e72);
+                        let _e70 = cost_10;
+                        let _e72 = self.v_field_cost_stage(rt::Scalar(path_33.level));
+                        cost_10 = (_e70 + _e72);
                     }
                     let _e74 = k_6;
                     k_6 = (_e74 + rt::Scalar(1f32));
@@ -690,8 +690,8 @@ impl Marked<'_> {
             }
         }
         let _e77 = last;
-        let _e79 = cost_9;
-        let _e80 = self.v_hit_on_path(path_31, _e77, rt::Scalar(0u32), _e79);
+        let _e79 = cost_10;
+        let _e80 = self.v_hit_on_path(path_33, _e77, rt::Scalar(0u32), _e79);
         return _e80;
     }
     pub(super) fn v_search_cells(
@@ -699,13 +699,13 @@ impl Marked<'_> {
         path_36: Path,
         params_25: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_29: rt::Vec2<f32>;
-        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_31: rt::Vec2<f32>;
+        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
         let _e2 = self.v_grid_of(path_36);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_29 = _e4;
+        cell_31 = _e4;
         let limit_2 = params_25.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -717,44 +717,44 @@ impl Marked<'_> {
                 {
                     let _e15 = cost_11;
                     cost_11 = (_e15 + STEP);
-                    let _e18 = t_25;
+                    let _e18 = t_28;
                     self.v_mark_turn(_e18);
-                    let _e19 = cell_29;
-                    let _e20 = t_25;
+                    let _e19 = cell_31;
+                    let _e20 = t_28;
                     let _e21 = self.v_cell_gap(path_36, _e2, _e19, _e20);
                     let _e22 = cost_11;
                     cost_11 = (_e22 + HEIGHTS_READ);
-                    let _e25 = cell_29;
+                    let _e25 = cell_31;
                     let _e26 = self.v_cell_leave(_e2, _e25);
                     let end_4 = _e26.x().min(_e26.y()).min(rt::Scalar(path_36.exit));
-                    let _e32 = t_25;
-                    let span_7 = (end_4 - _e32).max(rt::Scalar(0f32));
-                    let _e36 = cell_29;
-                    let _e37 = t_25;
+                    let _e32 = t_28;
+                    let span_8 = (end_4 - _e32).max(rt::Scalar(0f32));
+                    let _e36 = cell_31;
+                    let _e37 = t_28;
                     self.v_mark_patch(_e36, _e37, end_4);
-                    let _e38 = self.v_falls_in_cell(_e21, span_7);
+                    let _e38 = self.v_falls_in_cell(_e21, span_8);
                     if rt::Scalar::into_branch_condition(_e38) {
-                        let _e39 = t_25;
+                        let _e39 = t_28;
                         let _e41 = cost_11.x();
                         let _e44 = cost_11;
-                        let _e45 = self.v_found_in_cell(_e21, _e39, span_7, _e41.elementwise_eq(rt::Scalar(1u32)), _e44);
+                        let _e45 = self.v_found_in_cell(_e21, _e39, span_8, _e41.elementwise_eq(rt::Scalar(1u32)), _e44);
                         return _e45;
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(path_36.exit))) {
-                        let _e49 = t_25;
-                        let _e52 = self.v_quadratic(_e21, span_7);
+                        let _e49 = t_28;
+                        let _e52 = self.v_quadratic(_e21, span_8);
                         let _e53 = cost_11;
                         return <SearchResult>::new(FOUND_MISS, _e49, rt::Scalar(path_36.exit), _e21.x(), _e52, _e53);
                     }
-                    let _e55 = cell_29;
+                    let _e55 = cell_31;
                     let _e56 = self.v_cell_next(_e2, _e55, _e26);
-                    cell_29 = _e56;
-                    let _e57 = t_25;
-                    t_25 = _e57.max(end_4);
+                    cell_31 = _e56;
+                    let _e57 = t_28;
+                    t_28 = _e57.max(end_4);
                 }
             }
         }
-        let _e60 = t_25;
+        let _e60 = t_28;
         let _e62 = cost_11;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e60, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e62);
     }
@@ -763,15 +763,15 @@ impl Marked<'_> {
         path_38: Path,
         params_26: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_30: rt::Vec2<f32>;
-        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_32: rt::Vec2<f32>;
+        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_38);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_30 = _e9;
+        cell_32 = _e9;
         let limit_3 = params_26.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -783,31 +783,31 @@ impl Marked<'_> {
                 {
                     let _e20 = cost_12;
                     cost_12 = (_e20 + STEP);
-                    let _e23 = t_27;
+                    let _e23 = t_30;
                     self.v_mark_turn(_e23);
                     let _e25 = cost_12.x();
                     let first_5 = _e25.elementwise_eq(rt::Scalar(0u32));
-                    let _e28 = cell_30;
+                    let _e28 = cell_32;
                     let _e29 = self.v_whole_cell(_e28);
                     let _e31 = self.v_height_cell(_e29, rt::Scalar(path_38.level));
                     let _e32 = cost_12;
                     cost_12 = (_e32 + HEIGHTS_READ);
-                    let _e35 = cell_30;
+                    let _e35 = cell_32;
                     let _e36 = self.v_cell_leave(_e2, _e35);
                     let end_6 = _e36.x().min(_e36.y()).min(rt::Scalar(path_38.exit));
-                    let _e42 = t_27;
-                    let span_8 = (end_6 - _e42).max(rt::Scalar(0f32));
-                    let _e47 = cell_30;
-                    let _e50 = t_27;
+                    let _e42 = t_30;
+                    let span_9 = (end_6 - _e42).max(rt::Scalar(0f32));
+                    let _e47 = cell_32;
+                    let _e50 = t_30;
                     let at_7 = ((_e2.origin - _e47) + (_e2.step * _e50));
                     let _e53 = self.v_nearest_corner(at_7);
                     let _e54 = self.v_corner_height(_e31, _e53);
-                    let _e55 = t_27;
+                    let _e55 = t_30;
                     next_2 = _e55;
-                    let _e57 = t_27;
+                    let _e57 = t_30;
                     let _e58 = self.v_path_height(path_38, _e57);
                     if rt::Scalar::into_branch_condition(_e58.elementwise_gt(_e54)) {
-                        let _e60 = cell_30;
+                        let _e60 = cell_32;
                         let texel_5 = (_e60 + _e53);
                         let _e62 = self.v_cone_slope(path_38, texel_5);
                         let _e63 = cost_12;
@@ -816,46 +816,46 @@ impl Marked<'_> {
                         if rt::Scalar::into_branch_condition(_e62.elementwise_ge(rt::Scalar(0f32))) {
                             let _e73 = self.v_height_size(rt::Scalar(path_38.level));
                             self.v_mark_cone(((texel_5 + rt::Vec2::splat_from_scalar(rt::Scalar(0.5f32))) / _e73), _e54, _e62);
-                            let _e75 = t_27;
-                            let _e76 = t_27;
+                            let _e75 = t_30;
+                            let _e76 = t_30;
                             let _e77 = self.v_stays_inside(path_38, _e2, texel_5, _e54, _e62, _e76);
                             next_2 = (_e75 + _e77);
                         }
                     }
                     let _e79 = next_2;
                     if rt::Scalar::into_branch_condition(_e79.elementwise_lt(end_6)) {
-                        let _e81 = cell_30;
-                        let _e82 = t_27;
+                        let _e81 = cell_32;
+                        let _e82 = t_30;
                         self.v_mark_patch(_e81, _e82, end_6);
-                        let _e83 = cell_30;
-                        let _e84 = t_27;
+                        let _e83 = cell_32;
+                        let _e84 = t_30;
                         let _e85 = self.v_gap_to(path_38, _e2, _e83, _e31, _e84);
-                        let _e86 = self.v_falls_in_cell(_e85, span_8);
+                        let _e86 = self.v_falls_in_cell(_e85, span_9);
                         if rt::Scalar::into_branch_condition(_e86) {
-                            let _e87 = t_27;
+                            let _e87 = t_30;
                             let _e88 = cost_12;
-                            let _e89 = self.v_found_in_cell(_e85, _e87, span_8, first_5, _e88);
+                            let _e89 = self.v_found_in_cell(_e85, _e87, span_9, first_5, _e88);
                             return _e89;
                         }
-                        let _e90 = t_27;
+                        let _e90 = t_30;
                         next_2 = _e90.max(end_6);
                     }
                     let _e92 = next_2;
                     if rt::Scalar::into_branch_condition(_e92.elementwise_ge(rt::Scalar(path_38.exit))) {
-                        let _e96 = t_27;
+                        let _e96 = t_30;
                         let _e98 = cost_12;
                         return <SearchResult>::new(FOUND_MISS, _e96, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e98);
                     }
-                    let _e102 = cell_30;
+                    let _e102 = cell_32;
                     let _e103 = next_2;
                     let _e104 = self.v_cell_after(_e2, _e102, _e36, forward_3, _e103);
-                    cell_30 = _e104;
+                    cell_32 = _e104;
                     let _e105 = next_2;
-                    t_27 = _e105;
+                    t_30 = _e105;
                 }
             }
         }
-        let _e107 = t_27;
+        let _e107 = t_30;
         let _e109 = cost_12;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e107, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
     }
@@ -864,12 +864,12 @@ impl Marked<'_> {
         path_39: Path,
         params_27: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut k_7: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
 
         let aside_1 = path_39.duv.length();
         'naga_break: loop {
@@ -882,36 +882,36 @@ impl Marked<'_> {
                 {
                     let _e17 = cost_13;
                     cost_13 = (_e17 + STEP);
-                    let _e20 = t_28;
+                    let _e20 = t_31;
                     self.v_mark_turn(_e20);
-                    let _e21 = t_28;
+                    let _e21 = t_31;
                     self.v_mark_sample(_e21);
-                    let _e22 = t_28;
+                    let _e22 = t_31;
                     let _e23 = self.v_path_gap(path_39, _e22);
                     let _e24 = cost_13;
                     cost_13 = (_e24 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e23.elementwise_le(rt::Scalar(0f32))) {
-                        let _e29 = t_28;
+                        let _e29 = t_31;
                         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(0f32))) {
-                            local_27 = _e23.elementwise_lt(rt::Scalar(0f32));
+                            local_25 = _e23.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_27 = rt::Scalar(false);
+                            local_25 = rt::Scalar(false);
                         }
-                        let _e37 = local_27;
+                        let _e37 = local_25;
                         if rt::Scalar::into_branch_condition(_e37) {
                             let _e39 = cost_13;
                             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e23, _e23, _e39);
                         }
                         let _e44 = near_7;
-                        let _e45 = t_28;
+                        let _e45 = t_31;
                         let _e46 = near_gap_3;
                         let _e47 = cost_13;
                         return <SearchResult>::new(FOUND_BRACKET, _e44, _e45, _e46, _e23, _e47);
                     }
-                    let _e49 = t_28;
+                    let _e49 = t_31;
                     near_7 = _e49;
                     near_gap_3 = _e23;
-                    let _e50 = t_28;
+                    let _e50 = t_31;
                     let _e51 = self.v_path_uv(path_39, _e50);
                     let _e53 = self.v_search_texel_between(path_39, _e51, rt::Scalar(0i32));
                     let _e55 = self.v_slope_of(_e53.x());
@@ -921,29 +921,29 @@ impl Marked<'_> {
                     if rt::Scalar::into_branch_condition(_e55.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e62 = t_28;
+                    let _e62 = t_31;
                     let _e63 = self.v_path_uv(path_39, _e62);
-                    let _e64 = t_28;
+                    let _e64 = t_31;
                     let _e65 = self.v_path_height(path_39, _e64);
                     self.v_mark_cone(_e63, (_e65 - _e23), _e55);
-                    let _e68 = t_28;
+                    let _e68 = t_31;
                     let rest_1 = (rt::Scalar(path_39.exit) - _e68);
-                    let _e70 = t_28;
+                    let _e70 = t_31;
                     let _e71 = self.v_path_slope(path_39, _e70);
                     let rise_5 = (_e71 + (path_39.h.z().min(rt::Scalar(0f32)) * rest_1));
                     let terms_1 = (path_39.h.x().abs() + (rt::Scalar(path_39.exit) * (path_39.h.y().abs() + (rt::Scalar(path_39.exit) * path_39.h.z().abs()))));
-                    let far_8 = (((path_39.uv.abs() + (path_39.duv.abs() * rt::Scalar(path_39.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e55);
-                    let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_8.x()) + far_8.y()));
+                    let far_10 = (((path_39.uv.abs() + (path_39.duv.abs() * rt::Scalar(path_39.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e55);
+                    let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_10.x()) + far_10.y()));
                     let nearing = ((_e55 * aside_1) - rise_5);
                     let closing_2 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_2.elementwise_le(rt::Scalar(0f32))) {
-                        let _e119 = t_28;
+                        let _e119 = t_31;
                         let _e121 = cost_13;
                         return <SearchResult>::new(FOUND_MISS, _e119, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e121);
                     }
-                    let _e125 = t_28;
-                    t_28 = (_e125 + ((_e23 - lost_2).max(rt::Scalar(0f32)) / closing_2));
-                    let _e131 = t_28;
+                    let _e125 = t_31;
+                    t_31 = (_e125 + ((_e23 - lost_2).max(rt::Scalar(0f32)) / closing_2));
+                    let _e131 = t_31;
                     if rt::Scalar::into_branch_condition(_e131.elementwise_ge(rt::Scalar(path_39.exit))) {
                         let _e135 = near_7;
                         let _e137 = cost_13;
@@ -954,8 +954,8 @@ impl Marked<'_> {
                 }
             }
         }
-        let _e145 = t_28;
-        let _e147 = t_28;
+        let _e145 = t_31;
+        let _e147 = t_31;
         let _e148 = self.v_path_height(path_39, _e147);
         let _e149 = cost_13;
         return <SearchResult>::new(FOUND_ABOVE, _e145, rt::Scalar(path_39.exit), _e148, rt::Scalar(0f32), _e149);
@@ -965,22 +965,22 @@ impl Marked<'_> {
         path_40: Path,
         params_28: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_31: rt::Vec2<f32>;
-        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_33: rt::Vec2<f32>;
+        let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
         let mut local_28: rt::Scalar<bool>;
         let mut local_29: rt::Scalar<bool>;
-        let mut local_30: rt::Scalar<bool>;
-        let mut local_31: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_40);
         let _e4 = self.v_height_texels(rt::Scalar(path_40.level));
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
-        cell_31 = _e11;
+        cell_33 = _e11;
         let limit_4 = params_28.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -992,26 +992,26 @@ impl Marked<'_> {
                 {
                     let _e24 = cost_14;
                     cost_14 = (_e24 + STEP);
-                    let _e27 = t_29;
+                    let _e27 = t_32;
                     self.v_mark_turn(_e27);
-                    let _e28 = cell_31;
+                    let _e28 = cell_33;
                     let _e29 = self.v_cell_leave(_e2, _e28);
                     let end_7 = _e29.x().min(_e29.y()).min(rt::Scalar(path_40.exit));
-                    let _e35 = t_29;
-                    let span_9 = (end_7 - _e35).max(rt::Scalar(0f32));
-                    let _e39 = t_29;
+                    let _e35 = t_32;
+                    let span_10 = (end_7 - _e35).max(rt::Scalar(0f32));
+                    let _e39 = t_32;
                     next_3 = _e39;
                     looks = params_28.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e45 = cell_31;
+                    let _e45 = cell_33;
                     let _e46 = self.v_whole_cell(_e45);
                     let _e49 = self.v_image_of(_e46.x(), _e4.x());
                     let _e52 = self.v_image_of(_e46.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e49.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_28 = _e52.y().elementwise_eq(rt::Scalar(2i32));
+                        local_26 = _e52.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_28 = rt::Scalar(true);
+                        local_26 = rt::Scalar(true);
                     }
-                    let _e63 = local_28;
+                    let _e63 = local_26;
                     if rt::Scalar::into_branch_condition(_e63) {
                         looks = rt::Scalar(true);
                     } else {
@@ -1019,49 +1019,49 @@ impl Marked<'_> {
                         let _e72 = cost_14;
                         let _e74 = self.v_map_read(path_40, rt::Scalar(1u32));
                         cost_14 = (_e72 + _e74);
-                        let _e76 = cell_31;
-                        let _e80 = cell_31;
+                        let _e76 = cell_33;
+                        let _e80 = cell_33;
                         self.v_mark_box((_e76 - rt::Vec2::splat_from_scalar(params_28.z())), ((_e80 + rt::Vec2::splat_from_scalar(params_28.z())) + rt::Vec2::splat_from_scalar(rt::Scalar(1f32))), _e71.y());
-                        let _e88 = cell_31;
+                        let _e88 = cell_33;
                         let _e90 = self.v_leaves_window(_e2, _e88, params_28.z());
-                        let _e93 = t_29;
-                        let reach = (_e90.min(rt::Scalar(path_40.exit)) - _e93).max(rt::Scalar(0f32));
-                        let _e97 = t_29;
-                        let furthest = (_e97 + reach);
+                        let _e93 = t_32;
+                        let reach_3 = (_e90.min(rt::Scalar(path_40.exit)) - _e93).max(rt::Scalar(0f32));
+                        let _e97 = t_32;
+                        let furthest = (_e97 + reach_3);
                         let rounded = (path_40.h.x().abs() + (furthest * (path_40.h.y().abs() + (furthest * path_40.h.z().abs()))));
-                        let _e112 = t_29;
+                        let _e112 = t_32;
                         let _e113 = self.v_path_height(path_40, _e112);
-                        let _e119 = t_29;
+                        let _e119 = t_32;
                         let _e120 = self.v_path_slope(path_40, _e119);
                         let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e113 - _e71.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e120, path_40.h.z());
                         if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e127 = t_29;
+                            let _e127 = t_32;
                             safe_ = _e127;
-                            let _e128 = t_29;
-                            next_3 = (_e128 + reach);
-                            let _e130 = self.v_least_at(gap_3, reach);
+                            let _e128 = t_32;
+                            next_3 = (_e128 + reach_3);
+                            let _e130 = self.v_least_at(gap_3, reach_3);
                             let _e131 = self.v_quadratic(gap_3, _e130);
                             if rt::Scalar::into_branch_condition(_e131.elementwise_le(rt::Scalar(0f32))) {
-                                let _e134 = t_29;
-                                let _e135 = self.v_first_root(gap_3, reach);
-                                next_3 = (_e134 + _e135.min(reach));
+                                let _e134 = t_32;
+                                let _e135 = self.v_first_root(gap_3, reach_3);
+                                next_3 = (_e134 + _e135.min(reach_3));
                             }
                         }
                         let _e138 = looks;
                         if rt::Scalar::into_branch_condition((!_e138)) {
                             let _e142 = next_3;
-                            local_29 = _e142.elementwise_lt(end_7);
+                            local_27 = _e142.elementwise_lt(end_7);
                         } else {
-                            local_29 = rt::Scalar(false);
+                            local_27 = rt::Scalar(false);
                         }
-                        let _e145 = local_29;
+                        let _e145 = local_27;
                         if rt::Scalar::into_branch_condition(_e145) {
                             let _e148 = self.v_path_height(path_40, end_7);
-                            local_30 = _e148.elementwise_lt(_e71.x());
+                            local_28 = _e148.elementwise_lt(_e71.x());
                         } else {
-                            local_30 = rt::Scalar(false);
+                            local_28 = rt::Scalar(false);
                         }
-                        let _e152 = local_30;
+                        let _e152 = local_28;
                         if rt::Scalar::into_branch_condition(_e152) {
                             let _e153 = safe_;
                             let _e154 = cost_14;
@@ -1071,52 +1071,52 @@ impl Marked<'_> {
                     }
                     let _e156 = next_3;
                     if rt::Scalar::into_branch_condition((!_e156.elementwise_lt(end_7))) {
-                        let _e161 = t_29;
-                        local_31 = (!end_7.elementwise_gt(_e161));
+                        let _e161 = t_32;
+                        local_29 = (!end_7.elementwise_gt(_e161));
                     } else {
-                        local_31 = rt::Scalar(true);
+                        local_29 = rt::Scalar(true);
                     }
-                    let _e165 = local_31;
+                    let _e165 = local_29;
                     if rt::Scalar::into_branch_condition(_e165) {
                         let _e166 = looks;
                         if rt::Scalar::into_branch_condition(_e166) {
                             let _e167 = cost_14;
                             cost_14 = (_e167 + HEIGHTS_READ);
-                            let _e170 = cell_31;
-                            let _e171 = t_29;
+                            let _e170 = cell_33;
+                            let _e171 = t_32;
                             self.v_mark_patch(_e170, _e171, end_7);
                             let _e173 = self.v_height_cell(_e46, rt::Scalar(path_40.level));
-                            let _e174 = cell_31;
-                            let _e175 = t_29;
+                            let _e174 = cell_33;
+                            let _e175 = t_32;
                             let _e176 = self.v_gap_to(path_40, _e2, _e174, _e173, _e175);
-                            let _e177 = self.v_falls_in_cell(_e176, span_9);
+                            let _e177 = self.v_falls_in_cell(_e176, span_10);
                             if rt::Scalar::into_branch_condition(_e177) {
-                                let _e178 = t_29;
-                                let _e179 = t_29;
+                                let _e178 = t_32;
+                                let _e179 = t_32;
                                 let _e182 = cost_14;
-                                let _e183 = self.v_found_in_cell(_e176, _e178, span_9, _e179.elementwise_eq(rt::Scalar(0f32)), _e182);
+                                let _e183 = self.v_found_in_cell(_e176, _e178, span_10, _e179.elementwise_eq(rt::Scalar(0f32)), _e182);
                                 return _e183;
                             }
                         }
-                        let _e184 = t_29;
+                        let _e184 = t_32;
                         next_3 = _e184.max(end_7);
                     }
                     let _e186 = next_3;
                     if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_40.exit))) {
-                        let _e190 = t_29;
+                        let _e190 = t_32;
                         let _e192 = cost_14;
                         return <SearchResult>::new(FOUND_MISS, _e190, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e192);
                     }
-                    let _e196 = cell_31;
+                    let _e196 = cell_33;
                     let _e197 = next_3;
                     let _e198 = self.v_cell_after(_e2, _e196, _e29, forward_4, _e197);
-                    cell_31 = _e198;
+                    cell_33 = _e198;
                     let _e199 = next_3;
-                    t_29 = _e199;
+                    t_32 = _e199;
                 }
             }
         }
-        let _e201 = t_29;
+        let _e201 = t_32;
         let _e203 = cost_14;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e201, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e203);
     }
@@ -1125,17 +1125,17 @@ impl Marked<'_> {
         path_41: Path,
         params_29: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_32: rt::Vec2<f32>;
-        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_34: rt::Vec2<f32>;
+        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
         let mut slope_5: rt::Scalar<f32>;
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_41);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_32 = _e9;
+        cell_34 = _e9;
         let limit_5 = params_29.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -1147,43 +1147,43 @@ impl Marked<'_> {
                 {
                     let _e20 = cost_15;
                     cost_15 = (_e20 + STEP);
-                    let _e23 = t_30;
+                    let _e23 = t_33;
                     self.v_mark_turn(_e23);
                     let _e25 = cost_15.x();
                     let first_6 = _e25.elementwise_eq(rt::Scalar(0u32));
-                    let _e28 = cell_32;
+                    let _e28 = cell_34;
                     let _e29 = self.v_whole_cell(_e28);
                     let _e31 = self.v_height_cell(_e29, rt::Scalar(path_41.level));
                     let _e32 = cost_15;
                     cost_15 = (_e32 + HEIGHTS_READ);
-                    let _e35 = cell_32;
+                    let _e35 = cell_34;
                     let _e36 = self.v_cell_leave(_e2, _e35);
                     let end_8 = _e36.x().min(_e36.y()).min(rt::Scalar(path_41.exit));
-                    let _e42 = t_30;
-                    let span_10 = (end_8 - _e42).max(rt::Scalar(0f32));
+                    let _e42 = t_33;
+                    let span_11 = (end_8 - _e42).max(rt::Scalar(0f32));
                     let top_9 = _e31.x().max(_e31.y()).max(_e31.z().max(_e31.w()));
-                    let _e53 = t_30;
+                    let _e53 = t_33;
                     let _e54 = self.v_path_height(path_41, _e53);
-                    let _e56 = t_30;
+                    let _e56 = t_33;
                     let _e57 = self.v_path_slope(path_41, _e56);
                     let above_4 = <rt::Vec3<f32>>::from_scalars((_e54 - top_9), _e57, path_41.h.z());
-                    let _e64 = t_30;
-                    let _e68 = t_30;
+                    let _e64 = t_33;
+                    let _e68 = t_33;
                     let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_41.h.x().abs() + (_e64 * (path_41.h.y().abs() + (_e68 * path_41.h.z().abs())))));
-                    let _e78 = t_30;
+                    let _e78 = t_33;
                     next_4 = _e78.max(end_8);
                     slope_5 = rt::Scalar(-1f32);
-                    let _e83 = self.v_least_at(above_4, span_10);
+                    let _e83 = self.v_least_at(above_4, span_11);
                     let _e84 = self.v_quadratic(above_4, _e83);
                     if rt::Scalar::into_branch_condition(_e84.elementwise_gt(of_heights_1)) {
-                        local_32 = above_4.x().elementwise_gt(of_heights_1);
+                        local_30 = above_4.x().elementwise_gt(of_heights_1);
                     } else {
-                        local_32 = rt::Scalar(false);
+                        local_30 = rt::Scalar(false);
                     }
-                    let _e91 = local_32;
+                    let _e91 = local_30;
                     if rt::Scalar::into_branch_condition(_e91) {
                         if rt::Scalar::into_branch_condition(end_8.elementwise_lt(rt::Scalar(path_41.exit))) {
-                            let _e94 = cell_32;
+                            let _e94 = cell_34;
                             let _e95 = self.v_whole_cell(_e94);
                             let _e96 = self.v_frustum_slope(path_41, _e95, forward_5);
                             slope_5 = _e96;
@@ -1195,66 +1195,66 @@ impl Marked<'_> {
                             }
                         }
                     } else {
-                        let _e104 = cell_32;
-                        let _e105 = t_30;
+                        let _e104 = cell_34;
+                        let _e105 = t_33;
                         self.v_mark_patch(_e104, _e105, end_8);
-                        let _e106 = cell_32;
-                        let _e107 = t_30;
+                        let _e106 = cell_34;
+                        let _e107 = t_33;
                         let _e108 = self.v_gap_to(path_41, _e2, _e106, _e31, _e107);
-                        let _e109 = self.v_falls_in_cell(_e108, span_10);
+                        let _e109 = self.v_falls_in_cell(_e108, span_11);
                         if rt::Scalar::into_branch_condition(_e109) {
-                            let _e110 = t_30;
+                            let _e110 = t_33;
                             let _e111 = cost_15;
-                            let _e112 = self.v_found_in_cell(_e108, _e110, span_10, first_6, _e111);
+                            let _e112 = self.v_found_in_cell(_e108, _e110, span_11, first_6, _e111);
                             return _e112;
                         }
                     }
                     let _e113 = slope_5;
                     if rt::Scalar::into_branch_condition(_e113.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e116 = cell_32;
+                        let _e116 = cell_34;
                         let _e117 = slope_5;
                         self.v_mark_frustum(_e116, top_9, _e117);
-                        let _e119 = cell_32;
-                        let _e122 = t_30;
+                        let _e119 = cell_34;
+                        let _e122 = t_33;
                         let at_8 = ((_e2.origin - _e119) + (_e2.step * _e122));
                         let left_3 = at_8.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_8), forward_5);
-                        let _e134 = t_30;
-                        let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e134)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e134 = t_33;
+                        let far_11 = ((_e2.origin.abs() + (_e2.step.abs() * _e134)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e142 = slope_5;
-                        let lost_3 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e142) * far_9));
-                        let _e148 = t_30;
+                        let lost_3 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e142) * far_11));
+                        let _e148 = t_33;
                         let rest_2 = (rt::Scalar(path_41.exit) - _e148);
                         let _e150 = slope_5;
                         let _e155 = self.v_stays_above(above_4, _e150, left_3.x(), _e2.step.x(), lost_3.x(), rest_2);
                         let _e156 = slope_5;
                         let _e161 = self.v_stays_above(above_4, _e156, left_3.y(), _e2.step.y(), lost_3.y(), rest_2);
                         let _e162 = next_4;
-                        let _e163 = t_30;
+                        let _e163 = t_33;
                         next_4 = _e162.max((_e163 + _e155.min(_e161)));
                     }
                     let _e167 = next_4;
                     if rt::Scalar::into_branch_condition(_e167.elementwise_ge(rt::Scalar(path_41.exit))) {
-                        let _e171 = t_30;
+                        let _e171 = t_33;
                         let _e173 = cost_15;
                         return <SearchResult>::new(FOUND_MISS, _e171, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e173);
                     }
                     let _e177 = slope_5;
                     if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e180 = cell_32;
+                        let _e180 = cell_34;
                         let _e181 = next_4;
                         let _e182 = self.v_cell_after(_e2, _e180, _e36, forward_5, _e181);
-                        cell_32 = _e182;
+                        cell_34 = _e182;
                     } else {
-                        let _e183 = cell_32;
+                        let _e183 = cell_34;
                         let _e184 = self.v_cell_next(_e2, _e183, _e36);
-                        cell_32 = _e184;
+                        cell_34 = _e184;
                     }
                     let _e185 = next_4;
-                    t_30 = _e185;
+                    t_33 = _e185;
                 }
             }
         }
-        let _e187 = t_30;
+        let _e187 = t_33;
         let _e189 = cost_15;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e187, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e189);
     }
@@ -1292,10 +1292,10 @@ impl Marked<'_> {
                     let _e43 = cost_16;
                     cost_16 = (_e43 + STEP);
                     let _e47 = k_8;
-                    let t_38 = (rt::Scalar(path_42.exit) * (_e47 / steps));
-                    self.v_mark_turn(t_38);
-                    self.v_mark_sample(t_38);
-                    let _e50 = self.v_path_gap(path_42, t_38);
+                    let t_42 = (rt::Scalar(path_42.exit) * (_e47 / steps));
+                    self.v_mark_turn(t_42);
+                    self.v_mark_sample(t_42);
+                    let _e50 = self.v_path_gap(path_42, t_42);
                     let _e51 = cost_16;
                     let _e53 = self.v_field_cost_stage(rt::Scalar(path_42.level));
                     cost_16 = (_e51 + _e53);
@@ -1303,9 +1303,9 @@ impl Marked<'_> {
                         let _e58 = near_8;
                         let _e59 = near_gap_4;
                         let _e60 = cost_16;
-                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_38, _e59, _e50, _e60);
+                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_42, _e59, _e50, _e60);
                     }
-                    near_8 = t_38;
+                    near_8 = t_42;
                     near_gap_4 = _e50;
                     let _e62 = k_8;
                     k_8 = (_e62 + rt::Scalar(1f32));
@@ -1326,13 +1326,13 @@ impl Marked<'_> {
     ) -> SearchResult {
         let mut top_3: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_27: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut cell_33: rt::Vec2<i32>;
+        let mut cell_35: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
+        let mut local_31: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
         let mut local_33: rt::Scalar<bool>;
-        let mut local_34: rt::Scalar<bool>;
-        let mut local_35: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_44);
         let _e4 = self.v_height_texels(rt::Scalar(path_44.level));
@@ -1356,7 +1356,7 @@ impl Marked<'_> {
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
-        cell_33 = _e37.to_i32();
+        cell_35 = _e37.to_i32();
         let limit_6 = params_32.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -1368,11 +1368,11 @@ impl Marked<'_> {
                 {
                     let _e53 = cost_17;
                     cost_17 = (_e53 + STEP);
-                    let _e56 = t_31;
+                    let _e56 = t_34;
                     self.v_mark_turn(_e56);
-                    let _e58 = cell_33.x();
+                    let _e58 = cell_35.x();
                     let _e60 = self.v_image_of(_e58, _e4.x());
-                    let _e62 = cell_33.y();
+                    let _e62 = cell_35.y();
                     let _e64 = self.v_image_of(_e62, _e4.y());
                     let place_3 = <rt::Vec2<i32>>::from_scalars(_e60.x(), _e64.x());
                     let _e68 = level_27;
@@ -1383,58 +1383,58 @@ impl Marked<'_> {
                         let _e83 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e83.elementwise_ne(over.x()))) {
                             let _e90 = parent.y();
-                            local_34 = _e90.elementwise_ne(over.y());
+                            local_32 = _e90.elementwise_ne(over.y());
                         } else {
-                            local_34 = rt::Scalar(true);
+                            local_32 = rt::Scalar(true);
                         }
-                        let _e94 = local_34;
-                        local_33 = _e94;
+                        let _e94 = local_32;
+                        local_31 = _e94;
                     } else {
-                        local_33 = rt::Scalar(false);
+                        local_31 = rt::Scalar(false);
                     }
-                    let left_4 = local_33;
+                    let left_4 = local_31;
                     if rt::Scalar::into_branch_condition(left_4) {
                         let _e99 = level_27;
                         let _e100 = top_3;
-                        local_35 = _e99.elementwise_lt(_e100);
+                        local_33 = _e99.elementwise_lt(_e100);
                     } else {
-                        local_35 = rt::Scalar(false);
+                        local_33 = rt::Scalar(false);
                     }
-                    let _e103 = local_35;
+                    let _e103 = local_33;
                     if rt::Scalar::into_branch_condition(_e103) {
                         level_27 = above_level;
                     }
-                    let _e105 = cell_33.x();
+                    let _e105 = cell_35.x();
                     let _e107 = level_27;
                     let _e108 = self.v_node_extent(_e105, _e60, _e4.x(), _e107);
-                    let _e110 = cell_33.y();
+                    let _e110 = cell_35.y();
                     let _e112 = level_27;
                     let _e113 = self.v_node_extent(_e110, _e64, _e4.y(), _e112);
                     let _e118 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e108);
                     let _e123 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e113);
                     let end_9 = _e118.min(_e123).min(rt::Scalar(path_44.exit));
-                    let _e127 = t_31;
-                    let span_11 = (end_9 - _e127).max(rt::Scalar(0f32));
+                    let _e127 = t_34;
+                    let span_12 = (end_9 - _e127).max(rt::Scalar(0f32));
                     let low_4 = <rt::Vec2<i32>>::from_scalars(_e108.x(), _e113.x());
-                    let last_1 = <rt::Vec2<i32>>::from_scalars((_e108.y() - rt::Scalar(1i32)), (_e113.y() - rt::Scalar(1i32)));
+                    let last_2 = <rt::Vec2<i32>>::from_scalars((_e108.y() - rt::Scalar(1i32)), (_e113.y() - rt::Scalar(1i32)));
                     let _e141 = level_27;
                     if rt::Scalar::into_branch_condition(_e141.elementwise_eq(rt::Scalar(0u32))) {
                         let _e144 = cost_17;
                         cost_17 = (_e144 + HEIGHTS_READ);
-                        let _e147 = cell_33;
-                        let _e149 = t_31;
+                        let _e147 = cell_35;
+                        let _e149 = t_34;
                         self.v_mark_patch(_e147.to_f32(), _e149, end_9);
-                        let _e150 = cell_33;
-                        let _e152 = cell_33;
+                        let _e150 = cell_35;
+                        let _e152 = cell_35;
                         let _e154 = self.v_object_cell_stage(_e152, rt::Scalar(path_44.level));
-                        let _e155 = t_31;
+                        let _e155 = t_34;
                         let _e156 = self.v_gap_to(path_44, _e2, _e150.to_f32(), _e154, _e155);
-                        let _e157 = self.v_falls_in_cell(_e156, span_11);
+                        let _e157 = self.v_falls_in_cell(_e156, span_12);
                         if rt::Scalar::into_branch_condition(_e157) {
-                            let _e158 = t_31;
-                            let _e159 = t_31;
+                            let _e158 = t_34;
+                            let _e159 = t_34;
                             let _e162 = cost_17;
-                            let _e163 = self.v_found_in_cell(_e156, _e158, span_11, _e159.elementwise_eq(rt::Scalar(0f32)), _e162);
+                            let _e163 = self.v_found_in_cell(_e156, _e158, span_12, _e159.elementwise_eq(rt::Scalar(0f32)), _e162);
                             return _e163;
                         }
                     } else {
@@ -1447,25 +1447,25 @@ impl Marked<'_> {
                         let _e176 = level_27;
                         let _e182 = self.v_search_texel(path_44, node, rt::Scalar(0i32), ((_e176 + rt::Scalar(path_44.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e182.y();
-                        self.v_mark_box(low_4.to_f32(), (last_1 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), highest_1);
-                        let _e189 = t_31;
-                        let furthest_1 = (_e189 + span_11);
+                        self.v_mark_box(low_4.to_f32(), (last_2 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), highest_1);
+                        let _e189 = t_34;
+                        let furthest_1 = (_e189 + span_12);
                         let rounded_1 = (path_44.h.x().abs() + (furthest_1 * (path_44.h.y().abs() + (furthest_1 * path_44.h.z().abs()))));
-                        let _e204 = t_31;
+                        let _e204 = t_34;
                         let _e205 = self.v_path_height(path_44, _e204);
-                        let _e210 = t_31;
+                        let _e210 = t_34;
                         let _e211 = self.v_path_slope(path_44, _e210);
                         let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e205 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e211, path_44.h.z());
-                        let _e215 = self.v_falls_in_cell(gap_5, span_11);
+                        let _e215 = self.v_falls_in_cell(gap_5, span_12);
                         if rt::Scalar::into_branch_condition(_e215) {
                             if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e219 = t_31;
-                                let _e220 = self.v_first_root(gap_5, span_11);
-                                t_31 = (_e219 + _e220.min(span_11));
+                                let _e219 = t_34;
+                                let _e220 = self.v_first_root(gap_5, span_12);
+                                t_34 = (_e219 + _e220.min(span_12));
                             }
-                            let _e225 = t_31;
+                            let _e225 = t_34;
                             let _e228 = self.v_cell_of((_e2.origin + (_e2.step * _e225)));
-                            cell_33 = _e228.to_i32().clamp(low_4, last_1);
+                            cell_35 = _e228.to_i32().clamp(low_4, last_2);
                             let _e231 = level_27;
                             level_27 = (_e231 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
@@ -1473,27 +1473,27 @@ impl Marked<'_> {
                         }
                     }
                     if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_44.exit))) {
-                        let _e240 = t_31;
+                        let _e240 = t_34;
                         let _e242 = cost_17;
                         return <SearchResult>::new(FOUND_MISS, _e240, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e242);
                     }
                     let _e250 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
-                    cell_33 = _e250.to_i32().clamp(low_4, last_1);
+                    cell_35 = _e250.to_i32().clamp(low_4, last_2);
                     if rt::Scalar::into_branch_condition(_e118.elementwise_le(end_9)) {
-                        cell_33.set_x((low_4.x() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_35.set_x((low_4.x() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e123.elementwise_le(end_9)) {
-                        cell_33.set_y((low_4.y() - rt::Scalar(1i32)).select(_e113.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_35.set_y((low_4.y() - rt::Scalar(1i32)).select(_e113.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
                     let _e276 = level_27;
                     let _e281 = level_27;
                     parent = <rt::Vec2<i32>>::from_scalars((place_3.x() >> (_e276 + rt::Scalar(1u32))), (place_3.y() >> (_e281 + rt::Scalar(1u32))));
-                    let _e286 = t_31;
-                    t_31 = _e286.max(end_9);
+                    let _e286 = t_34;
+                    t_34 = _e286.max(end_9);
                 }
             }
         }
-        let _e289 = t_31;
+        let _e289 = t_34;
         let _e291 = cost_17;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e289, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e291);
     }
@@ -1504,7 +1504,7 @@ impl Marked<'_> {
     ) -> SearchResult {
         let mut level_29: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
@@ -1546,7 +1546,7 @@ impl Marked<'_> {
                 {
                     let _e45 = cost_18;
                     cost_18 = (_e45 + STEP);
-                    let _e48 = t_32;
+                    let _e48 = t_35;
                     self.v_mark_turn(_e48);
                     let _e50 = texel_3.x();
                     let _e52 = self.v_wrap_index(_e50, _e3.x());
@@ -1580,61 +1580,61 @@ impl Marked<'_> {
                     let _e100 = self.v_leaves_extent(origin_1.x(), step_1.x(), _e92);
                     let _e103 = self.v_leaves_extent(origin_1.y(), step_1.y(), _e97);
                     let leave_6 = <rt::Vec2<f32>>::from_scalars(_e100, _e103);
-                    let _e110 = t_32;
+                    let _e110 = t_35;
                     let end_10 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_45.exit)).max(_e110);
-                    let _e112 = t_32;
+                    let _e112 = t_35;
                     let _e113 = self.v_path_height(path_45, _e112);
                     let _e114 = highest;
-                    let _e116 = t_32;
+                    let _e116 = t_35;
                     let _e117 = self.v_path_slope(path_45, _e116);
                     let gap_6 = <rt::Vec3<f32>>::from_scalars((_e113 - _e114), _e117, path_45.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e126 = t_32;
+                        let _e126 = t_35;
                         let _e128 = self.v_first_root(gap_6, (end_10 - _e126));
                         sinks = _e128;
                     }
                     let low_5 = <rt::Vec2<i32>>::from_scalars(_e92.x(), _e97.x());
-                    let last_3 = <rt::Vec2<i32>>::from_scalars((_e92.y() - rt::Scalar(1i32)), (_e97.y() - rt::Scalar(1i32)));
+                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e92.y() - rt::Scalar(1i32)), (_e97.y() - rt::Scalar(1i32)));
                     let _e144 = highest;
-                    self.v_mark_columns(low_5.to_f32(), (last_3 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), _e144);
+                    self.v_mark_columns(low_5.to_f32(), (last_4 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), _e144);
                     let _e145 = sinks;
                     if rt::Scalar::into_branch_condition(_e145.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e148 = t_32;
+                        let _e148 = t_35;
                         let _e149 = sinks;
-                        t_32 = (_e148 + _e149);
+                        t_35 = (_e148 + _e149);
                         let _e151 = level_29;
                         let _e152 = finest_1;
                         if rt::Scalar::into_branch_condition(_e151.elementwise_eq(_e152)) {
-                            let _e155 = t_32;
+                            let _e155 = t_35;
                             let _e156 = cost_18;
                             return <SearchResult>::new(FOUND_BELOW, rt::Scalar(0f32), _e155, rt::Scalar(0f32), rt::Scalar(0f32), _e156);
                         }
                         let _e161 = level_29;
                         level_29 = (_e161 - rt::Scalar(1u32));
-                        let _e164 = t_32;
+                        let _e164 = t_35;
                         let _e167 = self.v_cell_of((origin_1 + (step_1 * _e164)));
-                        texel_3 = _e167.to_i32().clamp(low_5, last_3);
+                        texel_3 = _e167.to_i32().clamp(low_5, last_4);
                     } else {
                         if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_45.exit))) {
-                            let _e173 = t_32;
+                            let _e173 = t_35;
                             let _e175 = cost_18;
                             return <SearchResult>::new(FOUND_MISS, _e173, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e175);
                         }
                         let _e181 = self.v_cell_of((origin_1 + (step_1 * end_10)));
-                        texel_3 = _e181.to_i32().clamp(low_5, last_3);
+                        texel_3 = _e181.to_i32().clamp(low_5, last_4);
                         if rt::Scalar::into_branch_condition(leave_6.x().elementwise_le(end_10)) {
                             texel_3.set_x((low_5.x() - rt::Scalar(1i32)).select(_e92.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_6.y().elementwise_le(end_10)) {
                             texel_3.set_y((low_5.y() - rt::Scalar(1i32)).select(_e97.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_32 = end_10;
+                        t_35 = end_10;
                     }
                 }
             }
         }
-        let _e207 = t_32;
+        let _e207 = t_35;
         let _e209 = cost_18;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e207, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e209);
     }
@@ -1643,16 +1643,16 @@ impl Marked<'_> {
         path_46: Path,
         params_34: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_34: rt::Vec2<f32>;
-        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_36: rt::Vec2<f32>;
+        let mut t_36: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_9: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
         let mut start: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_46);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -1660,9 +1660,9 @@ impl Marked<'_> {
         let _e11 = self.v_path_slope(path_46, rt::Scalar(0f32));
         let terms_2 = (path_46.h.x().abs() + (rt::Scalar(path_46.exit) * path_46.h.y().abs()));
         let _e33 = self.v_height_size(rt::Scalar(path_46.level));
-        let far_10 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_46.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let far_12 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_46.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
-        cell_34 = _e36;
+        cell_36 = _e36;
         let limit_8 = params_34.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -1674,70 +1674,70 @@ impl Marked<'_> {
                 {
                     let _e51 = cost_19;
                     cost_19 = (_e51 + STEP);
-                    let _e54 = t_33;
+                    let _e54 = t_36;
                     self.v_mark_turn(_e54);
-                    let _e55 = cell_34;
+                    let _e55 = cell_36;
                     let _e56 = self.v_cell_leave(_e2, _e55);
                     let end_11 = _e56.x().min(_e56.y()).min(rt::Scalar(path_46.exit));
-                    let _e62 = t_33;
-                    let span_12 = (end_11 - _e62).max(rt::Scalar(0f32));
-                    let _e66 = cell_34;
-                    let _e67 = cell_34;
+                    let _e62 = t_36;
+                    let span_13 = (end_11 - _e62).max(rt::Scalar(0f32));
+                    let _e66 = cell_36;
+                    let _e67 = cell_36;
                     let _e68 = self.v_whole_cell(_e67);
                     let _e70 = self.v_height_cell(_e68, rt::Scalar(path_46.level));
-                    let _e71 = t_33;
+                    let _e71 = t_36;
                     let _e72 = self.v_gap_to(path_46, _e2, _e66, _e70, _e71);
                     let _e73 = cost_19;
                     cost_19 = (_e73 + HEIGHTS_READ);
-                    let _e76 = t_33;
+                    let _e76 = t_36;
                     self.v_mark_sample(_e76);
                     if rt::Scalar::into_branch_condition(_e72.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e80 = near_9;
-                        let _e81 = t_33;
+                        let _e81 = t_36;
                         if rt::Scalar::into_branch_condition(_e80.elementwise_lt(_e81)) {
                             let _e85 = near_gap_5;
-                            local_37 = _e85.elementwise_gt(rt::Scalar(0f32));
+                            local_35 = _e85.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_37 = rt::Scalar(false);
+                            local_35 = rt::Scalar(false);
                         }
-                        let _e89 = local_37;
+                        let _e89 = local_35;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e90 = near_9;
-                            let _e91 = t_33;
+                            let _e91 = t_36;
                             let _e92 = near_gap_5;
                             let _e94 = cost_19;
                             let _e95 = self.v_entered_once(path_46, _e2, _e90, _e91, _e92, _e72.x(), _e94);
                             return _e95;
                         }
-                        let _e96 = t_33;
-                        let _e97 = t_33;
+                        let _e96 = t_36;
+                        let _e97 = t_36;
                         let _e100 = cost_19;
-                        let _e101 = self.v_found_in_cell(_e72, _e96, span_12, _e97.elementwise_eq(rt::Scalar(0f32)), _e100);
+                        let _e101 = self.v_found_in_cell(_e72, _e96, span_13, _e97.elementwise_eq(rt::Scalar(0f32)), _e100);
                         return _e101;
                     }
-                    let _e102 = t_33;
+                    let _e102 = t_36;
                     start = _e102;
                     gap = _e72.x();
                     if rt::Scalar::into_branch_condition(params_34.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e109 = cell_34;
-                        let _e110 = t_33;
+                        let _e109 = cell_36;
+                        let _e110 = t_36;
                         self.v_mark_patch(_e109, _e110, end_11);
-                        let _e111 = self.v_falls_in_cell(_e72, span_12);
+                        let _e111 = self.v_falls_in_cell(_e72, span_13);
                         if rt::Scalar::into_branch_condition(_e111) {
-                            let _e112 = t_33;
-                            let _e113 = t_33;
+                            let _e112 = t_36;
+                            let _e113 = t_36;
                             let _e116 = cost_19;
-                            let _e117 = self.v_found_in_cell(_e72, _e112, span_12, _e113.elementwise_eq(rt::Scalar(0f32)), _e116);
+                            let _e117 = self.v_found_in_cell(_e72, _e112, span_13, _e113.elementwise_eq(rt::Scalar(0f32)), _e116);
                             return _e117;
                         }
-                        let _e118 = t_33;
+                        let _e118 = t_36;
                         start = _e118.max(end_11);
-                        let _e120 = self.v_quadratic(_e72, span_12);
+                        let _e120 = self.v_quadratic(_e72, span_13);
                         gap = _e120;
                     }
                     let _e121 = start;
                     if rt::Scalar::into_branch_condition(_e121.elementwise_ge(rt::Scalar(path_46.exit))) {
-                        let _e125 = t_33;
+                        let _e125 = t_36;
                         let _e127 = cost_19;
                         return <SearchResult>::new(FOUND_MISS, _e125, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e127);
                     }
@@ -1745,8 +1745,8 @@ impl Marked<'_> {
                     near_9 = _e131;
                     let _e132 = gap;
                     near_gap_5 = _e132;
-                    let _e133 = cell_34;
-                    let _e135 = cell_34;
+                    let _e133 = cell_36;
+                    let _e135 = cell_36;
                     let _e138 = start;
                     let _e141 = self.v_nearest_corner(((_e2.origin - _e135) + (_e2.step * _e138)));
                     let _e143 = self.v_cone_slope(path_46, (_e133 + _e141));
@@ -1765,7 +1765,7 @@ impl Marked<'_> {
                         let nearing_1 = ((_e143 * aside_2) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e163 = gap;
-                        let room = (_e163 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e143 * (far_10.x() + far_10.y())))));
+                        let room = (_e163 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e143 * (far_12.x() + far_12.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e175 = start;
@@ -1774,14 +1774,14 @@ impl Marked<'_> {
                     }
                     if rt::Scalar::into_branch_condition(params_34.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e185 = next_5;
-                        let _e186 = t_33;
-                        local_38 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_46.exit))));
+                        let _e186 = t_36;
+                        local_36 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_46.exit))));
                     } else {
-                        local_38 = rt::Scalar(false);
+                        local_36 = rt::Scalar(false);
                     }
-                    let _e194 = local_38;
+                    let _e194 = local_36;
                     if rt::Scalar::into_branch_condition(_e194) {
-                        let _e196 = t_33;
+                        let _e196 = t_36;
                         let _e198 = gap;
                         let _e199 = cost_19;
                         return <SearchResult>::new(FOUND_ABOVE, _e196, rt::Scalar(path_46.exit), _e198, rt::Scalar(0f32), _e199);
@@ -1802,16 +1802,16 @@ impl Marked<'_> {
                         let _e220 = cost_19;
                         return <SearchResult>::new(FOUND_MISS, _e218, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e220);
                     }
-                    let _e224 = cell_34;
+                    let _e224 = cell_36;
                     let _e225 = next_5;
                     let _e226 = self.v_cell_after(_e2, _e224, _e56, forward_6, _e225);
-                    cell_34 = _e226;
+                    cell_36 = _e226;
                     let _e227 = next_5;
-                    t_33 = _e227;
+                    t_36 = _e227;
                 }
             }
         }
-        let _e229 = t_33;
+        let _e229 = t_36;
         let _e231 = cost_19;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e229, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e231);
     }
@@ -1820,18 +1820,18 @@ impl Marked<'_> {
         path_47: Path,
         params_35: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_35: rt::Vec2<f32>;
-        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_37: rt::Vec2<f32>;
+        let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_39: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_47);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_35 = _e9;
+        cell_37 = _e9;
         let limit_9 = params_35.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -1843,75 +1843,75 @@ impl Marked<'_> {
                 {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
-                    let _e27 = t_34;
+                    let _e27 = t_37;
                     self.v_mark_turn(_e27);
-                    let _e28 = cell_35;
+                    let _e28 = cell_37;
                     let _e29 = self.v_whole_cell(_e28);
                     let _e31 = self.v_height_cell(_e29, rt::Scalar(path_47.level));
                     let _e32 = cost_20;
                     cost_20 = (_e32 + HEIGHTS_READ);
-                    let _e35 = cell_35;
+                    let _e35 = cell_37;
                     let _e36 = self.v_cell_leave(_e2, _e35);
                     let end_12 = _e36.x().min(_e36.y()).min(rt::Scalar(path_47.exit));
-                    let _e42 = t_34;
-                    let span_13 = (end_12 - _e42).max(rt::Scalar(0f32));
-                    let _e46 = cell_35;
-                    let _e47 = t_34;
+                    let _e42 = t_37;
+                    let span_14 = (end_12 - _e42).max(rt::Scalar(0f32));
+                    let _e46 = cell_37;
+                    let _e47 = t_37;
                     let _e48 = self.v_gap_to(path_47, _e2, _e46, _e31, _e47);
-                    let _e49 = t_34;
+                    let _e49 = t_37;
                     self.v_mark_sample(_e49);
                     if rt::Scalar::into_branch_condition(_e48.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e53 = near_10;
-                        let _e54 = t_34;
+                        let _e54 = t_37;
                         if rt::Scalar::into_branch_condition(_e53.elementwise_lt(_e54)) {
                             let _e58 = near_gap_6;
-                            local_39 = _e58.elementwise_gt(rt::Scalar(0f32));
+                            local_37 = _e58.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_39 = rt::Scalar(false);
+                            local_37 = rt::Scalar(false);
                         }
-                        let _e62 = local_39;
+                        let _e62 = local_37;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = near_10;
-                            let _e64 = t_34;
+                            let _e64 = t_37;
                             let _e65 = near_gap_6;
                             let _e67 = cost_20;
                             let _e68 = self.v_entered_once(path_47, _e2, _e63, _e64, _e65, _e48.x(), _e67);
                             return _e68;
                         }
-                        let _e69 = t_34;
-                        let _e70 = t_34;
+                        let _e69 = t_37;
+                        let _e70 = t_37;
                         let _e73 = cost_20;
-                        let _e74 = self.v_found_in_cell(_e48, _e69, span_13, _e70.elementwise_eq(rt::Scalar(0f32)), _e73);
+                        let _e74 = self.v_found_in_cell(_e48, _e69, span_14, _e70.elementwise_eq(rt::Scalar(0f32)), _e73);
                         return _e74;
                     }
-                    let _e75 = cell_35;
-                    let _e76 = t_34;
+                    let _e75 = cell_37;
+                    let _e76 = t_37;
                     self.v_mark_patch(_e75, _e76, end_12);
-                    let _e77 = self.v_falls_in_cell(_e48, span_13);
+                    let _e77 = self.v_falls_in_cell(_e48, span_14);
                     if rt::Scalar::into_branch_condition(_e77) {
-                        let _e78 = t_34;
-                        let _e79 = t_34;
+                        let _e78 = t_37;
+                        let _e79 = t_37;
                         let _e82 = cost_20;
-                        let _e83 = self.v_found_in_cell(_e48, _e78, span_13, _e79.elementwise_eq(rt::Scalar(0f32)), _e82);
+                        let _e83 = self.v_found_in_cell(_e48, _e78, span_14, _e79.elementwise_eq(rt::Scalar(0f32)), _e82);
                         return _e83;
                     }
-                    let _e84 = t_34;
+                    let _e84 = t_37;
                     let start_1 = _e84.max(end_12);
                     if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_47.exit))) {
-                        let _e89 = t_34;
+                        let _e89 = t_37;
                         let _e91 = cost_20;
                         return <SearchResult>::new(FOUND_MISS, _e89, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
                     near_10 = start_1;
-                    let _e95 = self.v_quadratic(_e48, span_13);
+                    let _e95 = self.v_quadratic(_e48, span_14);
                     near_gap_6 = _e95;
-                    let _e97 = cell_35;
+                    let _e97 = cell_37;
                     let _e102 = self.v_nearest_corner(((_e2.origin - _e97) + (_e2.step * start_1)));
                     let _e103 = self.v_corner_height(_e31, _e102);
                     next_6 = start_1;
                     let _e105 = self.v_path_height(path_47, start_1);
                     if rt::Scalar::into_branch_condition(_e105.elementwise_gt(_e103)) {
-                        let _e107 = cell_35;
+                        let _e107 = cell_37;
                         let texel_6 = (_e107 + _e102);
                         let _e109 = self.v_cone_slope(path_47, texel_6);
                         let _e110 = cost_20;
@@ -1938,16 +1938,16 @@ impl Marked<'_> {
                         let _e140 = cost_20;
                         return <SearchResult>::new(FOUND_MISS, start_1, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e140);
                     }
-                    let _e144 = cell_35;
+                    let _e144 = cell_37;
                     let _e145 = next_6;
                     let _e146 = self.v_cell_after(_e2, _e144, _e36, forward_7, _e145);
-                    cell_35 = _e146;
+                    cell_37 = _e146;
                     let _e147 = next_6;
-                    t_34 = _e147;
+                    t_37 = _e147;
                 }
             }
         }
-        let _e149 = t_34;
+        let _e149 = t_37;
         let _e151 = cost_20;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e149, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
     }
@@ -1956,11 +1956,11 @@ impl Marked<'_> {
         path_48: Path,
         params_36: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cell_36: rt::Vec2<f32>;
-        let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_38: rt::Vec2<f32>;
+        let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut next_7: rt::Scalar<f32>;
-        let mut local_40: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_48);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -1969,11 +1969,11 @@ impl Marked<'_> {
         let climb_1 = _e9.abs().max(_e12.abs());
         let fastest = <rt::Vec3<f32>>::new_21(path_48.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_11 = (path_48.uv.abs() + (path_48.duv.abs() * rt::Scalar(path_48.exit)));
+        let far_13 = (path_48.uv.abs() + (path_48.duv.abs() * rt::Scalar(path_48.exit)));
         let height_terms = (path_48.h.x().abs() + (rt::Scalar(path_48.exit) * (path_48.h.y().abs() + (rt::Scalar(path_48.exit) * path_48.h.z().abs()))));
-        let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_11.x() + far_11.y()) + height_terms) + rt::Scalar(1f32)));
+        let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_13.x() + far_13.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
-        cell_36 = _e52;
+        cell_38 = _e52;
         let limit_10 = params_36.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -1985,16 +1985,16 @@ impl Marked<'_> {
                 {
                     let _e63 = cost_21;
                     cost_21 = (_e63 + STEP);
-                    let _e66 = t_35;
+                    let _e66 = t_38;
                     self.v_mark_turn(_e66);
-                    let _e67 = cell_36;
+                    let _e67 = cell_38;
                     let _e68 = self.v_cell_leave(_e2, _e67);
                     let end_13 = _e68.x().min(_e68.y()).min(rt::Scalar(path_48.exit));
-                    let _e74 = t_35;
-                    let span_14 = (end_13 - _e74).max(rt::Scalar(0f32));
-                    let _e78 = t_35;
+                    let _e74 = t_38;
+                    let span_15 = (end_13 - _e74).max(rt::Scalar(0f32));
+                    let _e78 = t_38;
                     let _e79 = self.v_path_uv(path_48, _e78);
-                    let _e80 = t_35;
+                    let _e80 = t_38;
                     let _e81 = self.v_path_height(path_48, _e80);
                     let _e83 = self.v_distance_at(path_48, _e79, _e81, params_36.z());
                     let free = (_e83 - lost_4);
@@ -2002,71 +2002,71 @@ impl Marked<'_> {
                     let _e87 = self.v_map_read(path_48, rt::Scalar(4u32));
                     let _e90 = self.v_map_read(path_48, rt::Scalar(4u32));
                     cost_21 = ((_e85 + _e87) + _e90);
-                    let _e92 = t_35;
+                    let _e92 = t_38;
                     next_7 = _e92;
                     if rt::Scalar::into_branch_condition(free.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e96 = t_35;
+                        let _e96 = t_38;
                         self.v_mark_ball(_e96, free);
-                        let _e97 = t_35;
+                        let _e97 = t_38;
                         next_7 = (_e97 + (free / speed_2));
                     }
                     if rt::Scalar::into_branch_condition(params_36.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e103 = next_7;
-                        let _e104 = t_35;
+                        let _e104 = t_38;
                         if rt::Scalar::into_branch_condition((!(_e103 - _e104).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_48.exit))))) {
-                            let _e112 = t_35;
+                            let _e112 = t_38;
                             let _e114 = cost_21;
                             return <SearchResult>::new(FOUND_ABOVE, _e112, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                         }
                     } else {
                         let _e118 = next_7;
                         if rt::Scalar::into_branch_condition((!_e118.elementwise_lt(end_13))) {
-                            let _e123 = t_35;
-                            local_40 = (!end_13.elementwise_gt(_e123));
+                            let _e123 = t_38;
+                            local_38 = (!end_13.elementwise_gt(_e123));
                         } else {
-                            local_40 = rt::Scalar(true);
+                            local_38 = rt::Scalar(true);
                         }
-                        let _e127 = local_40;
+                        let _e127 = local_38;
                         if rt::Scalar::into_branch_condition(_e127) {
                             let _e128 = cost_21;
                             cost_21 = (_e128 + HEIGHTS_READ);
-                            let _e131 = cell_36;
-                            let _e132 = t_35;
+                            let _e131 = cell_38;
+                            let _e132 = t_38;
                             self.v_mark_patch(_e131, _e132, end_13);
-                            let _e133 = cell_36;
-                            let _e134 = cell_36;
+                            let _e133 = cell_38;
+                            let _e134 = cell_38;
                             let _e135 = self.v_whole_cell(_e134);
                             let _e137 = self.v_height_cell(_e135, rt::Scalar(path_48.level));
-                            let _e138 = t_35;
+                            let _e138 = t_38;
                             let _e139 = self.v_gap_to(path_48, _e2, _e133, _e137, _e138);
-                            let _e140 = self.v_falls_in_cell(_e139, span_14);
+                            let _e140 = self.v_falls_in_cell(_e139, span_15);
                             if rt::Scalar::into_branch_condition(_e140) {
-                                let _e141 = t_35;
-                                let _e142 = t_35;
+                                let _e141 = t_38;
+                                let _e142 = t_38;
                                 let _e145 = cost_21;
-                                let _e146 = self.v_found_in_cell(_e139, _e141, span_14, _e142.elementwise_eq(rt::Scalar(0f32)), _e145);
+                                let _e146 = self.v_found_in_cell(_e139, _e141, span_15, _e142.elementwise_eq(rt::Scalar(0f32)), _e145);
                                 return _e146;
                             }
-                            let _e147 = t_35;
+                            let _e147 = t_38;
                             next_7 = _e147.max(end_13);
                         }
                     }
                     let _e149 = next_7;
                     if rt::Scalar::into_branch_condition(_e149.elementwise_ge(rt::Scalar(path_48.exit))) {
-                        let _e153 = t_35;
+                        let _e153 = t_38;
                         let _e155 = cost_21;
                         return <SearchResult>::new(FOUND_MISS, _e153, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e155);
                     }
-                    let _e159 = cell_36;
+                    let _e159 = cell_38;
                     let _e160 = next_7;
                     let _e161 = self.v_cell_after(_e2, _e159, _e68, forward_8, _e160);
-                    cell_36 = _e161;
+                    cell_38 = _e161;
                     let _e162 = next_7;
-                    t_35 = _e162;
+                    t_38 = _e162;
                 }
             }
         }
-        let _e164 = t_35;
+        let _e164 = t_38;
         let _e166 = cost_21;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e164, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e166);
     }

@@ -144,6 +144,24 @@ lanes! { fn zero_quartic() -> Quartic {
 } }
 
 #[derive(Clone, Copy)]
+pub struct RootInCell {
+    pub root: F,
+    pub gap: F,
+}
+lanes! { fn sel_root_in_cell(m: M, a: &RootInCell, b: &RootInCell) -> RootInCell {
+    RootInCell {
+        root: sel(m, a.root, b.root),
+        gap: sel(m, a.gap, b.gap),
+    }
+} }
+lanes! { fn zero_root_in_cell() -> RootInCell {
+    RootInCell {
+        root: splat(0f32),
+        gap: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct SearchResult {
     pub status: U,
     pub near: F,
@@ -354,28 +372,31 @@ lanes! { fn field_heights_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1
     let e_6 = height_at(r, ex, e_4, path_a0.level);
     return sub(e_3, e_6);
 } }
+lanes! { fn slice_begin(r: &Resources<'_>, slice_a0: I) -> Vec2<I> {
+    let size_5 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
+    let in_row_10 = (r.surface_settings.volume.w as i32);
+    let k_15 = min_i(max_i(slice_a0, splat_i(0i32)), splat_i(size_5.z.wrapping_sub(1i32)));
+    let row_21 = i_of_f(div(add(f_of_i(k_15), splat(0.5f32)), splat((in_row_10 as f32))));
+    return Vec2 { x: mul_i(sub_i(k_15, mul_i(row_21, splat_i(in_row_10))), splat_i(size_5.x)), y: mul_i(row_21, splat_i(size_5.y)) };
+} }
 lanes! { fn slice_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, slice_a1: I) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let size_6 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
-    let in_row_11 = (r.surface_settings.volume.w as i32);
-    let k_16 = min_i(max_i(slice_a1, splat_i(0i32)), splat_i(size_6.z.wrapping_sub(1i32)));
-    let row_22 = i_of_f(div(add(f_of_i(k_16), splat(0.5f32)), splat((in_row_11 as f32))));
-    let x_26 = mul_i(sub_i(k_16, mul_i(row_22, splat_i(in_row_11))), splat_i(size_6.x));
-    let y_28 = mul_i(row_22, splat_i(size_6.y));
-    let e_31 = wrap_index(r, ex, cell_a0.x, size_6.x);
-    let i0_32 = add_i(x_26, e_31);
-    let e_37 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), size_6.x);
-    let i1_38 = add_i(x_26, e_37);
-    let e_41 = wrap_index(r, ex, cell_a0.y, size_6.y);
-    let j0_42 = add_i(y_28, e_41);
-    let e_47 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), size_6.y);
-    let j1_48 = add_i(y_28, e_47);
-    let e_52 = height_texel(&r.height_map, i0_32, j0_42, 0i32);
-    let e_57 = height_texel(&r.height_map, i1_38, j0_42, 0i32);
-    let e_62 = height_texel(&r.height_map, i0_32, j1_48, 0i32);
-    let e_67 = height_texel(&r.height_map, i1_38, j1_48, 0i32);
-    return Vec4 { x: e_52.x, y: e_57.x, z: e_62.x, w: e_67.x };
+    let begin_7 = slice_begin(r, slice_a1);
+    let e_11 = wrap_index(r, ex, cell_a0.x, size_6.x);
+    let i0_12 = add_i(begin_7.x, e_11);
+    let e_18 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), size_6.x);
+    let i1_19 = add_i(begin_7.x, e_18);
+    let e_23 = wrap_index(r, ex, cell_a0.y, size_6.y);
+    let j0_24 = add_i(begin_7.y, e_23);
+    let e_30 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), size_6.y);
+    let j1_31 = add_i(begin_7.y, e_30);
+    let e_35 = height_texel(&r.height_map, i0_12, j0_24, 0i32);
+    let e_40 = height_texel(&r.height_map, i1_19, j0_24, 0i32);
+    let e_45 = height_texel(&r.height_map, i0_12, j1_31, 0i32);
+    let e_50 = height_texel(&r.height_map, i1_19, j1_31, 0i32);
+    return Vec4 { x: e_35.x, y: e_40.x, z: e_45.x, w: e_50.x };
 } }
 lanes! { fn voxel_cell(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> VoxelCell {
     let mut ex = within;
@@ -1556,17 +1577,18 @@ lanes! { fn meets_plane(r: &Resources<'_>, within: M, way_a0: &VoxelPath, plane_
     let both_35 = add(way_a0.step.z, root_25);
     return sel(ex, sel(ne(both_35, splat(0.0f32)), div(mul(splat(2.0f32), gap_6), both_35), splat(3e38f32)), ret);
 } }
-lanes! { fn voxel_leave(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, has_turned_a2: M) -> Vec3<F> {
+lanes! { fn voxel_leave(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, reach_a2: F, has_turned_a3: M) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let none_5 = Vec2 { x: 0.0f32, y: 0.0f32 };
-    let ahead_14 = Vec2 { x: add(cell_a1.x, sel(gt(way_a0.step.x, splat(none_5.x)), splat(1.0f32), splat(none_5.x))), y: add(cell_a1.y, sel(gt(way_a0.step.y, splat(none_5.y)), splat(1.0f32), splat(none_5.y))) };
-    let beside_20 = Vec2 { x: div(sub(ahead_14.x, way_a0.origin.x), way_a0.step.x), y: div(sub(ahead_14.y, way_a0.origin.y), way_a0.step.y) };
-    let across_28 = Vec2 { x: sel(gt(abs(way_a0.step.x), splat(none_5.x)), beside_20.x, splat(3e38f32)), y: sel(gt(abs(way_a0.step.y), splat(none_5.y)), beside_20.y, splat(3e38f32)) };
-    let rises_29 = rises_on(r, ex, way_a0, has_turned_a2);
-    let plane_34 = add(cell_a1.z, sel(rises_29, splat(1.0f32), splat(0.0f32)));
-    let e_35 = meets_plane(r, ex, way_a0, plane_34, rises_29, has_turned_a2);
-    return Vec3 { x: across_28.x, y: across_28.y, z: e_35 };
+    let none_6 = Vec2 { x: 0.0f32, y: 0.0f32 };
+    let last_11 = Vec2 { x: add(splat(1.0f32), reach_a2), y: add(splat(1.0f32), reach_a2) };
+    let ahead_22 = Vec2 { x: add(cell_a1.x, sel(gt(way_a0.step.x, splat(none_6.x)), last_11.x, sub(splat(0.0f32), reach_a2))), y: add(cell_a1.y, sel(gt(way_a0.step.y, splat(none_6.y)), last_11.y, sub(splat(0.0f32), reach_a2))) };
+    let beside_28 = Vec2 { x: div(sub(ahead_22.x, way_a0.origin.x), way_a0.step.x), y: div(sub(ahead_22.y, way_a0.origin.y), way_a0.step.y) };
+    let across_36 = Vec2 { x: sel(gt(abs(way_a0.step.x), splat(none_6.x)), beside_28.x, splat(3e38f32)), y: sel(gt(abs(way_a0.step.y), splat(none_6.y)), beside_28.y, splat(3e38f32)) };
+    let rises_37 = rises_on(r, ex, way_a0, has_turned_a3);
+    let plane_44 = add(cell_a1.z, sel(rises_37, add(splat(1.0f32), reach_a2), sub(splat(0.0f32), reach_a2)));
+    let e_45 = meets_plane(r, ex, way_a0, plane_44, rises_37, has_turned_a3);
+    return Vec3 { x: across_36.x, y: across_36.y, z: e_45 };
 } }
 lanes! { fn greatest_value(r: &Resources<'_>, cell_a0: &VoxelCell) -> F {
     let most_3 = Vec4 { x: max(cell_a0.low.x, cell_a0.high.x), y: max(cell_a0.low.y, cell_a0.high.y), z: max(cell_a0.low.z, cell_a0.high.z), w: max(cell_a0.low.w, cell_a0.high.w) };
@@ -1724,30 +1746,61 @@ stage! { fn first_root_of_quartic(r: &Resources<'_>, within: M, q_a0: &Quartic) 
     ex = and(b4, alive);
     return sel(ex, splat(3e38f32), ret);
 } }
-lanes! { fn next_voxel_cell(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, leave_a2: Vec3<F>, rises_a3: M) -> Vec3<F> {
+lanes! { fn root_in_voxel_cell(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, t_a2: F, span_a3: F) -> RootInCell {
+    let mut ex = within;
+    let mut ret: RootInCell = zero_root_in_cell();
+    let corners_5 = voxel_cell(r, ex, Vec3 { x: i_of_f(cell_a1.x), y: i_of_f(cell_a1.y), z: i_of_f(cell_a1.z) });
+    let e_6 = greatest_value(r, &corners_5);
+    let (b1, c2) = (ex, lt(e_6, splat(0.5f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = RootInCell { root: splat(3e38f32), gap: splat(1.0f32), };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let gap_12 = gap_in_cell(r, way_a0, cell_a1, &corners_5, t_a2, span_a3);
+    let e_13 = first_root_of_quartic(r, ex, &gap_12);
+    return sel_root_in_cell(ex, &RootInCell { root: e_13, gap: gap_12.a, }, &ret);
+} }
+lanes! { fn voxel_cell_at(r: &Resources<'_>, way_a0: &VoxelPath, cell_a1: Vec3<F>, reach_a2: F, t_a3: F) -> Vec3<F> {
+    let far_4 = Vec3 { x: reach_a2, y: reach_a2, z: reach_a2 };
+    let e_5 = voxel_place_on(r, way_a0, t_a3);
+    return Vec3 { x: min(max(floor(e_5.x), sub(cell_a1.x, far_4.x)), add(cell_a1.x, far_4.x)), y: min(max(floor(e_5.y), sub(cell_a1.y, far_4.y)), add(cell_a1.y, far_4.y)), z: min(max(floor(e_5.z), sub(cell_a1.z, far_4.z)), add(cell_a1.z, far_4.z)) };
+} }
+lanes! { fn next_voxel_cell(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, reach_a2: F, leave_a3: Vec3<F>, rises_a4: M, t_a5: F) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let mut next_v0: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let mut both_v1: M = splat_m(false);
-    next_v0 = cell_a1;
-    both_v1 = and(le(leave_a2.x, leave_a2.y), le(leave_a2.x, leave_a2.z));
-    let e_14 = both_v1;
-    let (b1, c2) = (ex, e_14);
+    let e_6 = voxel_cell_at(r, way_a0, cell_a1, reach_a2, t_a5);
+    next_v0 = e_6;
+    let far_9 = add(reach_a2, splat(1.0f32));
+    both_v1 = and(le(leave_a3.x, leave_a3.y), le(leave_a3.x, leave_a3.z));
+    let e_19 = both_v1;
+    let (b1, c2) = (ex, e_19);
     ex = and(b1, c2);
     if any(ex) {
-        next_v0.x = sel(ex, add(cell_a1.x, sel(gt(way_a0.step.x, splat(0.0f32)), splat(1.0f32), splat((-1.0f32)))), next_v0.x);
+        next_v0.x = sel(ex, add(cell_a1.x, sel(gt(way_a0.step.x, splat(0.0f32)), far_9, sub(splat(0.0f32), far_9))), next_v0.x);
     }
     ex = and_not(b1, c2);
     if any(ex) {
-        let c3 = le(leave_a2.y, leave_a2.z);
-        next_v0.y = sel(and(ex, c3), add(cell_a1.y, sel(gt(way_a0.step.y, splat(0.0f32)), splat(1.0f32), splat((-1.0f32)))), next_v0.y);
-        next_v0.z = sel(and(ex, not(c3)), add(cell_a1.z, sel(rises_a3, splat(1.0f32), splat((-1.0f32)))), next_v0.z);
+        let (b3, c4) = (ex, le(leave_a3.y, leave_a3.z));
+        ex = and(b3, c4);
+        if any(ex) {
+            next_v0.y = sel(ex, add(cell_a1.y, sel(gt(way_a0.step.y, splat(0.0f32)), far_9, sub(splat(0.0f32), far_9))), next_v0.y);
+        }
+        ex = and_not(b3, c4);
+        if any(ex) {
+            next_v0.z = sel(ex, add(cell_a1.z, sel(rises_a4, far_9, sub(splat(0.0f32), far_9))), next_v0.z);
+        }
+        ex = b3;
     }
     ex = b1;
-    let e_44 = next_v0;
-    return e_44;
+    let e_49 = next_v0;
+    return e_49;
 } }
-stage! { fn walk_voxels(r: &Resources<'_>, within: M, path_a0: &Path, from_t_a1: F, to_t_a2: F, limit_a3: u32) -> SearchResult {
+stage! { fn first_root_on_path(r: &Resources<'_>, within: M, path_a0: &Path, from_t_a1: F, to_t_a2: F, limit_a3: u32) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
@@ -1755,7 +1808,6 @@ stage! { fn walk_voxels(r: &Resources<'_>, within: M, path_a0: &Path, from_t_a1:
     let mut t_v1: F = splat(0f32);
     let mut cell_v2: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let mut cost_v3: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
-    let mut both_v4: M = splat_m(false);
     let way_4 = voxel_path(r, path_a0);
     let turn_5 = turning_point(r, ex, &way_4);
     has_turned_v0 = ge(from_t_a1, turn_5);
@@ -1774,81 +1826,65 @@ stage! { fn walk_voxels(r: &Resources<'_>, within: M, path_a0: &Path, from_t_a1:
         let e_24 = has_turned_v0;
         let end_of_part_25 = sel(e_24, to_t_a2, min(turn_5, to_t_a2));
         let e_26 = cell_v2;
-        let e_27 = has_turned_v0;
+        let e_28 = has_turned_v0;
         if none(ex) { break 'l1; }
-        let leave_28 = voxel_leave(r, ex, &way_4, e_26, e_27);
-        let side_33 = min(min(leave_28.x, leave_28.y), leave_28.z);
-        let e_35 = t_v1;
-        let end_36 = max(min(side_33, end_of_part_25), e_35);
-        let e_37 = cell_v2;
-        let corners_39 = voxel_cell(r, ex, Vec3 { x: i_of_f(e_37.x), y: i_of_f(e_37.y), z: i_of_f(e_37.z) });
-        let e_40 = greatest_value(r, &corners_39);
-        let (b6, c7) = (ex, ge(e_40, splat(0.5f32)));
+        let leave_29 = voxel_leave(r, ex, &way_4, e_26, splat(0.0f32), e_28);
+        let side_34 = min(min(leave_29.x, leave_29.y), leave_29.z);
+        let e_36 = t_v1;
+        let end_37 = max(min(side_34, end_of_part_25), e_36);
+        let e_38 = cell_v2;
+        let e_39 = t_v1;
+        let e_40 = t_v1;
+        let found_42 = root_in_voxel_cell(r, ex, &way_4, e_38, e_39, sub(end_37, e_40));
+        let (b6, c7) = (ex, lt(found_42.root, splat(3e38f32)));
         ex = and(b6, c7);
         if any(ex) {
-            let e_43 = cell_v2;
-            let e_44 = t_v1;
-            let e_45 = t_v1;
-            let gap_47 = gap_in_cell(r, &way_4, e_43, &corners_39, e_44, sub(end_36, e_45));
-            let root_48 = first_root_of_quartic(r, ex, &gap_47);
-            let (b8, c9) = (ex, lt(root_48, splat(3e38f32)));
-            ex = and(b8, c9);
-            if any(ex) {
-                let e_56 = t_v1;
-                both_v4 = and(lt(gap_47.a, splat(0.0f32)), eq(e_56, from_t_a1));
-                let begins_inside_59 = both_v4;
-                let status_62 = sel_u(begins_inside_59, splat_u(5u32), splat_u(3u32));
-                let e_63 = t_v1;
-                let e_64 = t_v1;
-                let e_65 = t_v1;
-                let e_73 = cost_v3;
-                ret = sel_search_result(ex, &SearchResult { status: status_62, near: e_63, far: add(e_64, mul(root_48, sub(end_36, e_65))), near_gap: gap_47.a, far_gap: min_with(gap_47.a, splat(0.0f32)), cost: e_73, }, &ret);
-                alive = and_not(alive, ex);
-                ex = no_lane();
-            }
-            ex = and_not(b8, c9);
-        }
-        let x10 = ex;
-        ex = and_not(b6, c7);
-        ex = or(ex, x10);
-        if none(ex) { break 'l1; }
-        let (b11, c12) = (ex, ge(end_36, to_t_a2));
-        ex = and(b11, c12);
-        if any(ex) {
-            let e_77 = cost_v3;
-            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: end_36, far: end_36, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_77, }, &ret);
+            let e_47 = t_v1;
+            let e_48 = t_v1;
+            let e_50 = t_v1;
+            let e_55 = cost_v3;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(3u32), near: e_47, far: add(e_48, mul(found_42.root, sub(end_37, e_50))), near_gap: found_42.gap, far_gap: splat(0.0f32), cost: e_55, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
-        ex = and_not(b11, c12);
+        ex = and_not(b6, c7);
         if none(ex) { break 'l1; }
-        let (b13, c14) = (ex, gt(side_33, end_of_part_25));
-        ex = and(b13, c14);
+        let (b8, c9) = (ex, ge(end_37, to_t_a2));
+        ex = and(b8, c9);
+        if any(ex) {
+            let e_60 = cost_v3;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: end_37, far: end_37, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_60, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b8, c9);
+        if none(ex) { break 'l1; }
+        let (b10, c11) = (ex, gt(side_34, end_of_part_25));
+        ex = and(b10, c11);
         if any(ex) {
             has_turned_v0 = sel_m(ex, splat_m(true), has_turned_v0);
         }
-        ex = and_not(b13, c14);
+        ex = and_not(b10, c11);
         if any(ex) {
-            let e_83 = cell_v2;
-            let e_84 = has_turned_v0;
-            let e_85 = rises_on(r, ex, &way_4, e_84);
-            let e_86 = next_voxel_cell(r, ex, &way_4, e_83, leave_28, e_85);
-            let (m15, y16) = (ex, e_86);
-            cell_v2 = Vec3 { x: sel(m15, y16.x, cell_v2.x), y: sel(m15, y16.y, cell_v2.y), z: sel(m15, y16.z, cell_v2.z) };
+            let e_66 = cell_v2;
+            let e_68 = has_turned_v0;
+            let e_69 = rises_on(r, ex, &way_4, e_68);
+            let e_70 = next_voxel_cell(r, ex, &way_4, e_66, splat(0.0f32), leave_29, e_69, end_37);
+            let (m12, y13) = (ex, e_70);
+            cell_v2 = Vec3 { x: sel(m12, y13.x, cell_v2.x), y: sel(m12, y13.y, cell_v2.y), z: sel(m12, y13.z, cell_v2.z) };
         }
-        ex = b13;
-        t_v1 = sel(ex, end_36, t_v1);
+        ex = b10;
+        t_v1 = sel(ex, end_37, t_v1);
     }
     ex = and(b2, alive);
-    let e_88 = t_v1;
-    let e_89 = t_v1;
-    let e_90 = cost_v3;
-    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_88, far: e_89, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_90, }, &ret);
+    let e_72 = t_v1;
+    let e_73 = t_v1;
+    let e_74 = cost_v3;
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_72, far: e_73, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_74, }, &ret);
 } }
 lanes! { fn refine_trilinear(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
-    let mut both_v0: M = splat_m(false);
     let e_3 = has_interval(r, ex, found_a1);
     let (b1, c2) = (ex, not(e_3));
     ex = and(b1, c2);
@@ -1859,15 +1895,13 @@ lanes! { fn refine_trilinear(r: &Resources<'_>, within: M, path_a0: &Path, found
     }
     ex = and_not(b1, c2);
     if none(ex) { return ret; }
-    let root_10 = walk_voxels(r, ex, path_a0, found_a1.near, found_a1.far, (params_a2.x as u32));
+    let root_10 = first_root_on_path(r, ex, path_a0, found_a1.near, found_a1.far, (params_a2.x as u32));
     let cost_13 = Vec3 { x: add_u(found_a1.cost.x, root_10.cost.x), y: add_u(found_a1.cost.y, root_10.cost.y), z: add_u(found_a1.cost.z, root_10.cost.z) };
-    both_v0 = or(eq_u(root_10.status, splat_u(3u32)), eq_u(root_10.status, splat_u(5u32)));
-    let e_24 = both_v0;
-    let (b3, c4) = (ex, e_24);
+    let (b3, c4) = (ex, eq_u(root_10.status, splat_u(3u32)));
     ex = and(b3, c4);
     if any(ex) {
-        let e_27 = hit_on_path(r, ex, path_a0, root_10.far, splat_u(0u32), cost_13);
-        ret = sel_hit(ex, &e_27, &ret);
+        let e_19 = hit_on_path(r, ex, path_a0, root_10.far, splat_u(0u32), cost_13);
+        ret = sel_hit(ex, &e_19, &ret);
         ex = no_lane();
     }
     ex = and_not(b3, c4);
@@ -1875,14 +1909,14 @@ lanes! { fn refine_trilinear(r: &Resources<'_>, within: M, path_a0: &Path, found
     let (b5, c6) = (ex, eq_u(found_a1.status, splat_u(3u32)));
     ex = and(b5, c6);
     if any(ex) {
-        let e_38 = hit_on_path(r, ex, path_a0, found_a1.far, sel_u(eq_u(root_10.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32)), cost_13);
-        ret = sel_hit(ex, &e_38, &ret);
+        let e_30 = hit_on_path(r, ex, path_a0, found_a1.far, sel_u(eq_u(root_10.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32)), cost_13);
+        ret = sel_hit(ex, &e_30, &ret);
         ex = no_lane();
     }
     ex = and_not(b5, c6);
     if none(ex) { return ret; }
-    let e_39 = miss(r, cost_13);
-    return sel_hit(ex, &e_39, &ret);
+    let e_31 = miss(r, cost_13);
+    return sel_hit(ex, &e_31, &ret);
 } }
 lanes! { fn refine_stage(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult) -> Hit {
     let mut ex = within;
@@ -3701,11 +3735,131 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
     let e_141 = cost_v4;
     return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_139, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_141, }, &ret);
 } }
-lanes! { fn search_voxels(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+lanes! { fn wrap_cell(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> I {
+    let mut ex = within;
+    let mut ret: I = splat_i(0i32);
+    if (r.surface_settings.wrap == 0u32) {
+        let e_7 = wrap_index(r, ex, i_a0, n_a1);
+        return e_7;
+    }
+    let e_8 = wrap_index(r, ex, i_a0, n_a1);
+    let e_11 = wrap_index(r, ex, add_i(i_a0, splat_i(1i32)), n_a1);
+    return min_i(e_8, e_11);
+} }
+lanes! { fn voxel_texel(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> Vec2<I> {
+    let mut ex = within;
+    let mut ret: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
+    let size_5 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
+    let e_7 = slice_begin(r, cell_a0.z);
+    let e_10 = wrap_cell(r, ex, cell_a0.x, size_5.x);
+    let e_13 = wrap_cell(r, ex, cell_a0.y, size_5.y);
+    return Vec2 { x: add_i(e_7.x, e_10), y: add_i(e_7.y, e_13) };
+} }
+stage! { fn search_voxels(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
-    let e_6 = walk_voxels(r, ex, path_a0, splat(0.0f32), path_a0.exit, (params_a1.x as u32));
-    return e_6;
+    let mut alive = ex;
+    let mut has_turned_v0: M = splat_m(false);
+    let mut t_v1: F = splat(0.0f32);
+    let mut cell_v2: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut cost_v3: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut both_v4: M = splat_m(false);
+    let way_2 = voxel_path(r, path_a0);
+    let turn_3 = turning_point(r, ex, &way_2);
+    let e_8 = t_v1;
+    let e_9 = voxel_place_on(r, &way_2, e_8);
+    cell_v2 = Vec3 { x: floor(e_9.x), y: floor(e_9.y), z: floor(e_9.z) };
+    let limit_15 = (params_a1.x as u32);
+    let b2 = ex;
+    'l1: loop {
+        let e_17 = cost_v3.y;
+        let c3 = lt_u(e_17, splat_u(limit_15));
+        ex = and(ex, c3);
+        let e_19 = cell_v2;
+        if none(ex) { break 'l1; }
+        let e_21 = voxel_texel(r, ex, Vec3 { x: i_of_f(e_19.x), y: i_of_f(e_19.y), z: i_of_f(e_19.z) });
+        let e_24 = search_texel_llss(r, path_a0, e_21, 0i32, 0i32);
+        let e_26 = cost_v3;
+        let e_30 = map_read(r, path_a0, 1u32);
+        let (m4, y5) = (ex, Vec3 { x: add_u(add_u(e_26.x, splat_u(0u32)), e_30.x), y: add_u(add_u(e_26.y, splat_u(1u32)), e_30.y), z: add_u(add_u(e_26.z, splat_u(0u32)), e_30.z) });
+        cost_v3 = Vec3 { x: sel_u(m4, y5.x, cost_v3.x), y: sel_u(m4, y5.y, cost_v3.y), z: sel_u(m4, y5.z, cost_v3.z) };
+        let reach_35 = max_with(sub(e_24.x, splat(1.0f32)), splat(0.0f32));
+        let e_39 = has_turned_v0;
+        let end_of_part_40 = sel(e_39, path_a0.exit, min(turn_3, path_a0.exit));
+        let e_41 = cell_v2;
+        let e_42 = has_turned_v0;
+        let leave_43 = voxel_leave(r, ex, &way_2, e_41, reach_35, e_42);
+        let side_48 = min(min(leave_43.x, leave_43.y), leave_43.z);
+        let e_50 = t_v1;
+        let end_51 = max(min(side_48, end_of_part_40), e_50);
+        let (b6, c7) = (ex, lt(e_24.x, splat(0.5f32)));
+        ex = and(b6, c7);
+        if any(ex) {
+            let e_54 = cost_v3;
+            let (m8, y9) = (ex, Vec3 { x: add_u(e_54.x, splat_u(1u32)), y: add_u(e_54.y, splat_u(0u32)), z: add_u(e_54.z, splat_u(32u32)) });
+            cost_v3 = Vec3 { x: sel_u(m8, y9.x, cost_v3.x), y: sel_u(m8, y9.y, cost_v3.y), z: sel_u(m8, y9.z, cost_v3.z) };
+            let e_57 = cell_v2;
+            let e_58 = t_v1;
+            let e_59 = t_v1;
+            let found_61 = root_in_voxel_cell(r, ex, &way_2, e_57, e_58, sub(end_51, e_59));
+            let (b10, c11) = (ex, lt(found_61.root, splat(3e38f32)));
+            ex = and(b10, c11);
+            if any(ex) {
+                let e_70 = t_v1;
+                both_v4 = and(lt(found_61.gap, splat(0.0f32)), eq(e_70, splat(0.0f32)));
+                let begins_inside_74 = both_v4;
+                let status_77 = sel_u(begins_inside_74, splat_u(5u32), splat_u(3u32));
+                let e_78 = t_v1;
+                let e_80 = t_v1;
+                let far_83 = add(e_78, mul(found_61.root, sub(end_51, e_80)));
+                let e_84 = t_v1;
+                let e_89 = cost_v3;
+                ret = sel_search_result(ex, &SearchResult { status: status_77, near: e_84, far: far_83, near_gap: found_61.gap, far_gap: min_with(found_61.gap, splat(0.0f32)), cost: e_89, }, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b10, c11);
+        }
+        let x12 = ex;
+        ex = and_not(b6, c7);
+        ex = or(ex, x12);
+        if none(ex) { break 'l1; }
+        let (b13, c14) = (ex, ge(end_51, path_a0.exit));
+        ex = and(b13, c14);
+        if any(ex) {
+            let e_94 = cost_v3;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: end_51, far: end_51, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_94, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b13, c14);
+        if none(ex) { break 'l1; }
+        let (b15, c16) = (ex, gt(side_48, end_of_part_40));
+        ex = and(b15, c16);
+        if any(ex) {
+            has_turned_v0 = sel_m(ex, splat_m(true), has_turned_v0);
+            let e_100 = cell_v2;
+            let e_101 = voxel_cell_at(r, &way_2, e_100, reach_35, end_51);
+            let (m17, y18) = (ex, e_101);
+            cell_v2 = Vec3 { x: sel(m17, y18.x, cell_v2.x), y: sel(m17, y18.y, cell_v2.y), z: sel(m17, y18.z, cell_v2.z) };
+        }
+        ex = and_not(b15, c16);
+        if any(ex) {
+            let e_102 = cell_v2;
+            let e_103 = has_turned_v0;
+            let e_104 = rises_on(r, ex, &way_2, e_103);
+            let e_105 = next_voxel_cell(r, ex, &way_2, e_102, reach_35, leave_43, e_104, end_51);
+            let (m19, y20) = (ex, e_105);
+            cell_v2 = Vec3 { x: sel(m19, y20.x, cell_v2.x), y: sel(m19, y20.y, cell_v2.y), z: sel(m19, y20.z, cell_v2.z) };
+        }
+        ex = b15;
+        t_v1 = sel(ex, end_51, t_v1);
+    }
+    ex = and(b2, alive);
+    let e_107 = t_v1;
+    let e_108 = t_v1;
+    let e_109 = cost_v3;
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_107, far: e_108, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_109, }, &ret);
 } }
 lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> SearchResult {
     let mut ex = within;

@@ -2128,28 +2128,31 @@ lanes! { fn field_heights_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1
     let e_6 = height_at_ll(r, ex, e_4, path_a0.level);
     return sub(e_3, e_6);
 } }
+lanes! { fn slice_begin(r: &Resources<'_>, slice_a0: I) -> Vec2<I> {
+    let size_5 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
+    let in_row_10 = (r.surface_settings.volume.w as i32);
+    let k_15 = min_i(max_i(slice_a0, splat_i(0i32)), splat_i(size_5.z.wrapping_sub(1i32)));
+    let row_21 = i_of_f(div(add(f_of_i(k_15), splat(0.5f32)), splat((in_row_10 as f32))));
+    return Vec2 { x: mul_i(sub_i(k_15, mul_i(row_21, splat_i(in_row_10))), splat_i(size_5.x)), y: mul_i(row_21, splat_i(size_5.y)) };
+} }
 lanes! { fn slice_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, slice_a1: I) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let size_6 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
-    let in_row_11 = (r.surface_settings.volume.w as i32);
-    let k_16 = min_i(max_i(slice_a1, splat_i(0i32)), splat_i(size_6.z.wrapping_sub(1i32)));
-    let row_22 = i_of_f(div(add(f_of_i(k_16), splat(0.5f32)), splat((in_row_11 as f32))));
-    let x_26 = mul_i(sub_i(k_16, mul_i(row_22, splat_i(in_row_11))), splat_i(size_6.x));
-    let y_28 = mul_i(row_22, splat_i(size_6.y));
-    let e_31 = wrap_index(r, ex, cell_a0.x, splat_i(size_6.x));
-    let i0_32 = add_i(x_26, e_31);
-    let e_37 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), splat_i(size_6.x));
-    let i1_38 = add_i(x_26, e_37);
-    let e_41 = wrap_index(r, ex, cell_a0.y, splat_i(size_6.y));
-    let j0_42 = add_i(y_28, e_41);
-    let e_47 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), splat_i(size_6.y));
-    let j1_48 = add_i(y_28, e_47);
-    let e_52 = height_texel(&r.height_map, i0_32, j0_42, 0i32);
-    let e_57 = height_texel(&r.height_map, i1_38, j0_42, 0i32);
-    let e_62 = height_texel(&r.height_map, i0_32, j1_48, 0i32);
-    let e_67 = height_texel(&r.height_map, i1_38, j1_48, 0i32);
-    return Vec4 { x: e_52.x, y: e_57.x, z: e_62.x, w: e_67.x };
+    let begin_7 = slice_begin(r, slice_a1);
+    let e_11 = wrap_index(r, ex, cell_a0.x, splat_i(size_6.x));
+    let i0_12 = add_i(begin_7.x, e_11);
+    let e_18 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), splat_i(size_6.x));
+    let i1_19 = add_i(begin_7.x, e_18);
+    let e_23 = wrap_index(r, ex, cell_a0.y, splat_i(size_6.y));
+    let j0_24 = add_i(begin_7.y, e_23);
+    let e_30 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), splat_i(size_6.y));
+    let j1_31 = add_i(begin_7.y, e_30);
+    let e_35 = height_texel(&r.height_map, i0_12, j0_24, 0i32);
+    let e_40 = height_texel(&r.height_map, i1_19, j0_24, 0i32);
+    let e_45 = height_texel(&r.height_map, i0_12, j1_31, 0i32);
+    let e_50 = height_texel(&r.height_map, i1_19, j1_31, 0i32);
+    return Vec4 { x: e_35.x, y: e_40.x, z: e_45.x, w: e_50.x };
 } }
 lanes! { fn voxel_cell(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> VoxelCell {
     let mut ex = within;

@@ -25,7 +25,7 @@ use crate::volumes::{VolumeDistance, volume_distance};
 use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture};
 
 /// Most columns, rows or slices.
-const MOST: f64 = 32768.0;
+const MOST: f32 = 32768.0;
 
 const COLUMNS: Param = Param {
     name: "columns",

@@ -85,7 +85,23 @@ pub struct HeightArguments {
     pub wrap: Option<Wrap>,
 }
 
+/// Returns the first flag that is given.
+fn first_given(flags: &[(&'static str, bool)]) -> Option<&'static str> {
+    flags.iter().find(|(_, given)| *given).map(|(flag, _)| *flag)
+}
+
 impl FileArguments {
+    /// Returns the first of these flags that is given: all are about height maps.
+    pub fn flag_of_heights(&self) -> Option<&'static str> {
+        first_given(&[
+            ("--channel", self.channel.is_some()),
+            ("--raw", self.raw.is_some()),
+            ("--unit", self.unit.is_some()),
+            ("--nodata", self.nodata.is_some()),
+            ("--fill", self.fill),
+        ])
+    }
+
     /// Returns what happens to holes, where filling must be asked for.
     pub fn fill(&self) -> Fill {
         if self.fill { Fill::Always } else { Fill::Never }
@@ -97,16 +113,11 @@ impl HeightArguments {
     /// wrap.
     pub fn flag_of_heights(&self) -> Option<&'static str> {
         let of_heights = [
-            ("--channel", self.file.channel.is_some()),
-            ("--raw", self.file.raw.is_some()),
-            ("--unit", self.file.unit.is_some()),
-            ("--nodata", self.file.nodata.is_some()),
-            ("--fill", self.file.fill),
             ("--depth", self.depth),
             ("--range", self.range.is_some()),
             ("--elevation", self.elevation.is_some()),
         ];
-        of_heights.into_iter().find(|(_, given)| *given).map(|(flag, _)| flag)
+        self.file.flag_of_heights().or(first_given(&of_heights))
     }
 
     /// Returns the reader's options.

@@ -205,6 +205,6 @@ impl Arguments {
             max_memory: self.max_memory,
             ..SceneSpec::of_surface(surface)
         };
-        Ok(spec.load().map_err(of_scene)?.surfaces()[0].mesh().clone())
+        Ok(spec.load().map_err(of_scene)?.surfaces()[0].mesh().as_ref().clone())
     }
 }

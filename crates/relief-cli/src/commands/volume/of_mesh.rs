@@ -4,8 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use relief_bake::volumes::{Fit, MeshVolumeSettings, volume_from_mesh};
 use relief_core::Watch;
-use relief_io::{read_node_extras, read_raw_mesh};
-use serde_json::{Map, Value, json};
+use relief_io::read_raw_mesh;
+use serde_json::{Map, json};
 
 use super::{Arguments, Made, of_volumes};
 use crate::commands::motif::depth_in;
