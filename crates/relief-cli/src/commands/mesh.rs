@@ -56,7 +56,12 @@ type Materials = (Vec<MeshMaterial>, Vec<u32>);
 pub struct Arguments {
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw; or a folder of
     /// textures, whose heights are displaced and whose material goes into a GLB
-    #[arg(default_value_if("motif", ArgPredicate::IsPresent, ""), hide_default_value = true)]
+    #[arg(
+        required = false,
+        required_unless_present = "motif",
+        default_value_if("motif", ArgPredicate::IsPresent, NO_MAP),
+        hide_default_value = true
+    )]
     height: PathBuf,
     /// Closed mesh in the space of a tile, in place of a height map: chain mail, cloth or grass of
     /// `relief motif`, or one's own. It is repeated over the mesh, on top of it, in the shells that

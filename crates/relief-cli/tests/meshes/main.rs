@@ -10,4 +10,5 @@ mod mesh;
 mod mesh_files;
 mod mesh_keys;
 mod mesh_solids;
+mod motif_shells;
 mod slices;

@@ -132,6 +132,20 @@ pub enum FramingError {
     Mesh(#[from] MeshError),
 }
 
+impl From<&Mesh> for RawMesh {
+    /// Takes the positions and normals of a mesh, without its texture coordinates.
+    fn from(mesh: &Mesh) -> Self {
+        let vertices = mesh.vertices();
+        let corner = |number| RawCorner { position: number, normal: number, uv: RawCorner::NONE };
+        Self {
+            positions: vertices.iter().map(|vertex| vertex.position).collect(),
+            normals: vertices.iter().map(|vertex| vertex.normal).collect(),
+            uvs: Vec::new(),
+            triangles: mesh.triangles().iter().map(|corners| corners.map(corner)).collect(),
+        }
+    }
+}
+
 impl RawMesh {
     /// Most memory that [`framed`](Self::framed) takes per triangle, in bytes, including its
     /// result.

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use glam::DVec3;
-use relief_core::mesh::Mesh;
+use glam::{DVec3, Vec3};
+use relief_core::mesh::{RawCorner, RawMesh};
 
 use super::ShellMapError;
 use super::predicates::Point;
@@ -48,15 +48,14 @@ pub struct Lattice {
 
 impl Lattice {
     /// Rounds a motif. It is moved by a way of its own for every attempt, so that no point lies on a face.
-    pub fn new(motif: &Mesh, attempt: u32) -> Result<Self, ShellMapError> {
-        let vertices = motif.vertices();
+    pub fn new(motif: &RawMesh, attempt: u32) -> Result<Self, ShellMapError> {
+        let turned = |at: Vec3| DVec3::new(at.x.into(), at.z.into(), at.y.into());
         let moved = moved(attempt);
         let mut numbers: HashMap<Point, u32> = HashMap::new();
-        let mut places = Vec::with_capacity(vertices.len());
+        let mut places = Vec::with_capacity(motif.positions.len());
         let mut beyond = 0u64;
-        for (at, vertex) in vertices.iter().enumerate() {
-            let position = vertex.position.as_dvec3();
-            let position = DVec3::new(position.x, position.z, position.y);
+        for (at, position) in motif.positions.iter().enumerate() {
+            let position = turned(*position);
             if !(position.abs().max_element() <= FAR) {
                 return Err(ShellMapError::FarMotif(at));
             }
@@ -73,11 +72,13 @@ impl Lattice {
             places.push((Place { number, tile }, [0, 1, 2].map(|axis| point[axis] + moved[axis])));
         }
         let mut triangles = Vec::new();
-        for corners in motif.triangles() {
-            let of = corners.map(|corner| places[corner as usize]);
-            let normal = |corner: u32| {
-                let normal = vertices[corner as usize].normal.as_dvec3();
-                DVec3::new(normal.x, normal.z, normal.y)
+        for corners in &motif.triangles {
+            let of = corners.map(|corner| places[corner.position as usize]);
+            let [a, b, c] = corners.map(|corner| motif.positions[corner.position as usize]);
+            let of_face = (b - a).cross(c - a).normalize_or_zero();
+            let normal = |corner: RawCorner| {
+                let own = motif.normals.get(corner.normal as usize).copied().filter(|own| own.is_finite());
+                turned(own.filter(|own| *own != Vec3::ZERO).unwrap_or(of_face))
             };
             let (places, points) = (of.map(|(place, _)| place), of.map(|(_, point)| point));
             if has_area(points) {
@@ -94,7 +95,7 @@ impl Lattice {
             all().fold([i64::MAX; 3], |low, at| [0, 1, 2].map(|axis| low[axis].min(at[axis]))),
             all().fold([i64::MIN; 3], |high, at| [0, 1, 2].map(|axis| high[axis].max(at[axis]))),
         ];
-        let beyond = beyond as f64 / vertices.len().max(1) as f64;
+        let beyond = beyond as f64 / motif.positions.len().max(1) as f64;
         Ok(Self { triangles, widest: widest.unwrap_or_default(), extent, beyond, doubled })
     }
 

@@ -22,7 +22,7 @@ mod shell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
-use relief_core::mesh::{Mesh, MeshError};
+use relief_core::mesh::{Mesh, MeshError, RawMesh};
 use relief_core::{Cancelled, Watch};
 
 use self::lattice::Lattice;
@@ -75,7 +75,7 @@ pub enum ShellMapError {
     /// Nothing of the motif lies between the heights 0 and 1 over the base.
     #[error("nothing of the motif lies on the mesh: its heights must be between 0 and 1, and the mesh needs texture coordinates")]
     Nothing,
-    /// The motif has a place that is not finite, or lies more than 16 tiles away.
+    /// The motif has a vertex that is not finite, or lies more than 16 tiles away.
     #[error("vertex {0} of the motif lies more than 16 tiles away: x and z are 0 to 1 along the tile, y is the height from 0 to 1")]
     FarMotif(usize),
     /// A base triangle spans too many tiles.
@@ -134,7 +134,7 @@ pub struct ShellMap {
 ///
 /// let mail = motif(&MotifSettings { detail: 4, ..MotifSettings::new(MotifKind::Mail) })?;
 /// let torus = torus(16, 8)?.tiled(glam::Vec2::new(4.0, 2.0))?;
-/// let made = map_shells(&torus, &mail.mesh, &ShellMapSettings::default(), &Watch::none())?;
+/// let made = map_shells(&torus, &(&mail.mesh).into(), &ShellMapSettings::default(), &Watch::none())?;
 /// assert_eq!(made.open_edges, 0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -145,7 +145,7 @@ pub struct ShellMap {
 /// or the work is cancelled.
 pub fn map_shells(
     base: &Mesh,
-    motif: &Mesh,
+    motif: &RawMesh,
     settings: &ShellMapSettings,
     watch: &Watch,
 ) -> Result<ShellMap, ShellMapError> {
@@ -169,7 +169,7 @@ const ATTEMPTS: u32 = 24;
 /// exactly on a face.
 fn attempted(
     base: &Mesh,
-    motif: &Mesh,
+    motif: &RawMesh,
     settings: &ShellMapSettings,
     attempt: u32,
     watch: &Watch,

@@ -13,7 +13,7 @@ fn motif_of(kind: MotifKind) -> Mesh {
 }
 
 fn made(base: &Mesh, motif: &Mesh, settings: &ShellMapSettings) -> ShellMap {
-    map_shells(base, motif, settings, &Watch::none()).expect("a shell map")
+    map_shells(base, &motif.into(), settings, &Watch::none()).expect("a shell map")
 }
 
 fn ring() -> Mesh {
@@ -185,7 +185,7 @@ fn any_number_of_threads_makes_the_same_mesh() {
 fn what_cannot_be_is_refused() {
     let (ring, mail) = (ring(), motif_of(MotifKind::Mail));
     let refused = |base: &Mesh, motif: &Mesh, settings: &ShellMapSettings| {
-        map_shells(base, motif, settings, &Watch::none()).expect_err("it is refused")
+        map_shells(base, &motif.into(), settings, &Watch::none()).expect_err("it is refused")
     };
     for scale_m in [0.0, f64::NAN, f64::INFINITY] {
         let error = refused(&ring, &mail, &ShellMapSettings { scale_m, ..SETTINGS });

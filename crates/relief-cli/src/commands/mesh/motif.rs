@@ -7,10 +7,10 @@ use std::time::Instant;
 
 use glam::Vec2;
 use relief_core::Watch;
-use relief_core::mesh::{Mesh, MeshBlock};
-use relief_io::{MeshCounts, MeshFormat, MeshOptions, MeshSink, read_mesh, write_mesh};
+use relief_core::mesh::{Mesh, MeshBlock, RawMesh};
+use relief_io::{MeshCounts, MeshFormat, MeshSink, read_raw_mesh, write_mesh};
 use relief_mesh::shell_map::{BYTES_PER_TRIANGLE, ShellMap, ShellMapError, ShellMapSettings, map_shells};
-use relief_scene::{MeshChoice, SceneSpec, SurfaceSpec};
+use relief_scene::{MeshChoice, NO_MAP, SceneSpec, SurfaceSpec};
 use serde_json::json;
 
 use super::{Arguments, FORMATS};
@@ -32,13 +32,12 @@ const MOST_NUMBERS: usize = 5;
 /// Reads the motif and the mesh, and writes the motif on all of the mesh.
 pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
     let started = Instant::now();
-    let inputs = [motif].into_iter().chain(arguments.inputs()).collect::<Vec<_>>();
+    let inputs: Vec<&Path> = [motif].into_iter().chain(arguments.inputs()).collect();
     let (_, format) = format_of("--output", &arguments.output, &FORMATS, &inputs)?;
     arguments.refuse_with_motif()?;
     let (base, mesh, depth) = {
         let _reading = Progress::spinner("reading", arguments.json);
-        let options = MeshOptions { max_bytes: arguments.limit(), ..MeshOptions::default() };
-        let mesh = read_mesh(motif, &options).map_err(Failure::of_mesh)?.mesh;
+        let mesh = read_raw_mesh(motif, arguments.limit()).map_err(Failure::of_mesh)?;
         (arguments.base()?, mesh, depth_in(motif, arguments.limit())?)
     };
     let scale_m = match (arguments.placement.scale, depth) {
@@ -88,7 +87,7 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
 
 fn made(
     base: &Mesh,
-    motif: &Mesh,
+    motif: &RawMesh,
     settings: &ShellMapSettings,
     is_quiet: bool,
     cancel: &AtomicBool,
@@ -162,7 +161,7 @@ impl Arguments {
     fn refuse_with_motif(&self) -> Result<(), Failure> {
         let placement = &self.placement;
         let given = [
-            ("a height map", self.height != Path::new("")),
+            ("a height map", self.height != Path::new(NO_MAP)),
             ("--exaggerate", placement.exaggerate.is_some()),
             ("--tile-size", placement.tile_size.is_some()),
             ("--wrap", self.reading.wrap.is_some()),

@@ -1,0 +1,73 @@
+//! `relief mesh --motif`: a closed mesh in the shells of another.
+
+use crate::common::command::json_of;
+use crate::common::refused::{assert_refused, with_out};
+use relief_io::{MeshOptions, read_mesh};
+
+#[test]
+fn a_motif_is_put_on_a_mesh_in_every_format() {
+    let folder = with_out();
+    folder.relief("motif mail --detail 4 -o mail.glb").fine();
+    let line = "mesh --motif mail.glb --mesh torus --tile 6,3";
+    let about = json_of(&folder.relief(&format!("{line} -o out/a.glb --json")).fine());
+    assert_eq!([&about["open_edges"], &about["without_area"]], [0, 0]);
+    assert!(about["beyond"] == 0.0 && about["folded"].as_array().is_some_and(Vec::is_empty), "{about}");
+    let mesh = read_mesh(folder.path("out/a.glb").as_path(), &MeshOptions::default()).expect("a mesh").mesh;
+    // Readers leave out slivers without an area.
+    let triangles = about["triangles"].as_u64().expect("a number");
+    assert!((triangles - mesh.triangles().len() as u64) * 1000 < triangles, "{about}");
+    for ending in ["ply", "obj", "stl"] {
+        let other = json_of(&folder.relief(&format!("{line} -o out/a.{ending} --json")).fine());
+        assert_eq!(other["triangles"], about["triangles"], "{ending}");
+    }
+    folder.relief(&format!("{line} --threads 1 -o out/b.glb")).fine();
+    let [a, b] = ["out/a.glb", "out/b.glb"].map(|name| std::fs::read(folder.path(name)).expect("a file"));
+    assert!(a == b);
+    // Its depth follows the tiles: they are half as long, so it is half as deep.
+    let half = json_of(&folder.relief("mesh --motif mail.glb --mesh torus --tile 12,6 -o out/c.glb --json").fine());
+    let [whole, half] = [&about, &half].map(|about| about["scale_m"].as_f64().expect("a length"));
+    assert!((whole / half - 2.0).abs() < 1e-5, "{whole} {half}");
+    // A file of its own may be the base, and any mesh the motif.
+    folder.relief("mesh --motif mail.glb --mesh out/a.ply --project box --scale 1mm -o out/d.glb").fine();
+    folder.relief("render --mesh out/a.glb --size 32x24 --backend cpu -o out/a.png").fine();
+}
+
+#[test]
+fn what_is_unusual_is_said() {
+    let folder = with_out();
+    folder.relief("motif grass --blades 4 -o grass.glb").fine();
+    let ran = folder.relief("mesh --motif grass.glb --mesh plane --tile 2,2 -o out/a.glb");
+    assert!(ran.code == Some(0) && !ran.stderr.contains("fold"), "{}", ran.stderr);
+    let ran = folder.relief("mesh --motif grass.glb --mesh sphere --tile 8,4 --bias -1 --scale 3 -o out/b.glb");
+    assert!(ran.code == Some(0) && ran.stderr.contains("fold") && ran.stderr.contains("--scale"), "{}", ran.stderr);
+}
+
+#[test]
+fn what_cannot_be_a_motif_is_refused() {
+    let folder = with_out();
+    folder.relief("motif mail --detail 4 -o mail.glb").fine();
+    folder.write("h.pgm", "P2 2 1 255 51 255");
+    folder.write("cut.glb", &std::fs::read(folder.path("mail.glb")).expect("a file")[..300]);
+    folder.write("far.obj", "v 0 0.5 0\nv 99 0.5 0\nv 0 0.5 1\nf 1 2 3\n");
+    folder.write("above.obj", "v 0 5 0\nv 1 5 0\nv 0 6 1\nf 1 2 3\n");
+    for (line, code, words) in [
+        ("mesh -o out/a.glb", 2, &["HEIGHT"][..]),
+        ("mesh h.pgm --motif mail.glb -o out/a.glb", 2, &["--motif", "height map"]),
+        ("mesh --motif no.glb -o out/a.glb", 1, &["no.glb"]),
+        ("mesh --motif cut.glb -o out/a.glb", 1, &["cut.glb"]),
+        ("mesh --motif h.pgm -o out/a.glb", 1, &["h.pgm"]),
+        ("mesh --motif far.obj -o out/a.glb", 1, &["16 tiles"]),
+        ("mesh --motif above.obj -o out/a.glb", 1, &["heights"]),
+        ("mesh --motif mail.glb --error 1% -o out/a.glb", 2, &["--error"]),
+        ("mesh --motif mail.glb --wrap clamp -o out/a.glb", 2, &["--wrap"]),
+        ("mesh --motif mail.glb --scale 0 -o out/a.glb", 2, &["--scale"]),
+        ("mesh --motif mail.glb --tile 0,1 -o out/a.glb", 2, &["--tile"]),
+        ("mesh --motif mail.glb --tile 900,900 -o out/a.glb", 1, &["tiles"]),
+        ("mesh --motif mail.glb --mesh torus --tile 500,500 --max-memory 8MiB -o out/a.glb", 1, &["triangles"]),
+        ("mesh --motif mail.glb --mesh nothing -o out/a.glb", 2, &["nothing"]),
+        ("mesh --motif mail.glb -o out/a.txt", 2, &["--output"]),
+        ("mesh --motif mail.glb -o mail.glb", 2, &["mail.glb"]),
+    ] {
+        assert_refused(&folder, &folder.relief(line), code, words);
+    }
+}
