@@ -212,9 +212,13 @@ impl Selection {
                         settings: input
                             .settings
                             .iter()
-                            .map(|(name, value)| (*name, choice.map_value(value, self.has_levels(), self.volume_size)))
+                            .map(|(name, value)| {
+                                (*name, choice.map_value(value, self.has_levels(), self.volume_size))
+                            })
                             .collect(),
-                        side: input.side.map(|side| choice.map_value(&side, self.has_levels(), self.volume_size) as u32),
+                        side: input
+                            .side
+                            .map(|side| choice.map_value(&side, self.has_levels(), self.volume_size) as u32),
                     }
                 }));
             }

@@ -58,9 +58,9 @@ impl MachineArguments {
 /// Scene file and flags that describe a scene.
 #[derive(Args)]
 pub struct SceneArguments {
-    /// File to render: a scene (TOML), a height map, a mesh, or an object.toml. Keys of a scene are
-    /// named like the flags, and flags override them. Paths in a scene file start at its folder;
-    /// with - (standard input) they start at the current folder
+    /// File to render: a scene (TOML), a height map, a volume (KTX2), a mesh, or an object.toml.
+    /// Keys of a scene are named like the flags, and flags override them. Paths in a scene file
+    /// start at its folder; with - (standard input) they start at the current folder
     #[arg(value_name = "FILE")]
     scene: Option<PathBuf>,
     /// Width and height of the picture in pixels, 1 to 32768 each. map: one pixel per texel, with

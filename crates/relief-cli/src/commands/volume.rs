@@ -235,10 +235,7 @@ impl Arguments {
     /// Refuses flags that the input does not use, and sizes that are impossible.
     fn check(&self, origin: Origin) -> Result<(), Failure> {
         let reading = &self.reading;
-        let of_meshes = [
-            ("--fit", self.fit.is_some()),
-            ("--margin", self.margin.is_some()),
-        ];
+        let of_meshes = [("--fit", self.fit.is_some()), ("--margin", self.margin.is_some())];
         if self.reach.is_some() && !matches!(origin, Origin::Mesh | Origin::Sponge) {
             return Err(Failure::usage("--reach is for meshes and the sponge: leave it out"));
         }

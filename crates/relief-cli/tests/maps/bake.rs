@@ -109,7 +109,8 @@ fn distances_are_baked_from_volumes_alone() {
     fails(&["map.png", "--kind", "volume-distance", "-o", "out"], 2, &["relief volume", "slices"]);
     // A cube in the middle of the tile, of 16x12x8 voxels.
     let cube = |[u, v, h]: [f64; 3]| f64::from([u, v, h].iter().all(|part| (part - 0.5).abs() < 0.2));
-    let volume = relief_core::Volume::from_fn([16, 12, 8], relief_core::Wrap::Repeat, cube).expect("a volume");
+    let volume =
+        relief_core::Volume::from_fn([16, 12, 8], relief_core::Wrap::Repeat, cube).expect("a volume");
     let file = room.path().join("cube.ktx2");
     relief_io::write_volume(&file, &volume, &relief_io::VolumeFormat::default()).expect("a file");
     fails(&["cube.ktx2", "--kind", "normal", "-o", "out"], 2, &["volume", "normal"]);
@@ -118,9 +119,16 @@ fn distances_are_baked_from_volumes_alone() {
     let output = run(&[&line[..], &["--format", "ktx2", "-o", "out"]].concat(), room.path());
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let baked = read_ktx2(&room.path().join("out/cube.volume-distance.ktx2"), 1 << 20).expect("a texture");
-    let distance = relief_bake::volumes::volume_distance(&volume, &relief_core::Watch::none()).expect("distances");
+    let distance =
+        relief_bake::volumes::volume_distance(&volume, &relief_core::Watch::none()).expect("distances");
     let values = &baked.levels[0].planes[0];
-    assert!(distance.texels().iter().zip(values).all(|(cells, value)| (f32::from(*cells) / 255.0 - value).abs() < 1e-6));
+    assert!(
+        distance
+            .texels()
+            .iter()
+            .zip(values)
+            .all(|(cells, value)| (f32::from(*cells) / 255.0 - value).abs() < 1e-6)
+    );
     assert!(distance.texels().iter().any(|cells| *cells > 2));
     // The slices of a picture lie as its settings say; they must fit it.
     let wrong = ["map.png", "--kind", "volume-distance", "--set", "volume-distance.slices=3", "-o", "out"];

@@ -24,12 +24,15 @@ fn a_motif_is_put_on_a_mesh_in_every_format() {
     let [a, b] = ["out/a.glb", "out/b.glb"].map(|name| std::fs::read(folder.path(name)).expect("a file"));
     assert!(a == b);
     // Its depth follows the tiles: they are half as long, so it is half as deep.
-    let half = json_of(&folder.relief("mesh --motif mail.glb --mesh torus --tile 12,6 -o out/c.glb --json").fine());
+    let half =
+        json_of(&folder.relief("mesh --motif mail.glb --mesh torus --tile 12,6 -o out/c.glb --json").fine());
     let [whole, half] = [&about, &half].map(|about| about["scale_m"].as_f64().expect("a length"));
     assert!((whole / half - 2.0).abs() < 1e-5, "{whole} {half}");
-    // A file of its own may be the base, and any mesh the motif.
-    folder.relief("mesh --motif mail.glb --mesh out/a.ply --project box --scale 1mm -o out/d.glb").fine();
-    folder.relief("render --mesh out/a.glb --size 32x24 --backend cpu -o out/a.png").fine();
+    // A file may be the base, with coordinates that a projection makes.
+    folder.write("base.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n");
+    let ran = folder.relief("mesh --motif mail.glb --mesh base.obj --project box --scale 1mm -o out/d.glb");
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    folder.relief("render --mesh out/d.glb --size 32x24 --backend cpu -o out/d.png").fine();
 }
 
 #[test]
@@ -38,8 +41,13 @@ fn what_is_unusual_is_said() {
     folder.relief("motif grass --blades 4 -o grass.glb").fine();
     let ran = folder.relief("mesh --motif grass.glb --mesh plane --tile 2,2 -o out/a.glb");
     assert!(ran.code == Some(0) && !ran.stderr.contains("fold"), "{}", ran.stderr);
-    let ran = folder.relief("mesh --motif grass.glb --mesh sphere --tile 8,4 --bias -1 --scale 3 -o out/b.glb");
-    assert!(ran.code == Some(0) && ran.stderr.contains("fold") && ran.stderr.contains("--scale"), "{}", ran.stderr);
+    let ran =
+        folder.relief("mesh --motif grass.glb --mesh sphere --tile 8,4 --bias -1 --scale 3 -o out/b.glb");
+    assert!(
+        ran.code == Some(0) && ran.stderr.contains("fold") && ran.stderr.contains("--scale"),
+        "{}",
+        ran.stderr
+    );
 }
 
 #[test]
@@ -63,7 +71,11 @@ fn what_cannot_be_a_motif_is_refused() {
         ("mesh --motif mail.glb --scale 0 -o out/a.glb", 2, &["--scale"]),
         ("mesh --motif mail.glb --tile 0,1 -o out/a.glb", 2, &["--tile"]),
         ("mesh --motif mail.glb --tile 900,900 -o out/a.glb", 1, &["tiles"]),
-        ("mesh --motif mail.glb --mesh torus --tile 500,500 --max-memory 8MiB -o out/a.glb", 1, &["triangles"]),
+        (
+            "mesh --motif mail.glb --mesh torus --tile 500,500 --max-memory 8MiB -o out/a.glb",
+            1,
+            &["triangles"],
+        ),
         ("mesh --motif mail.glb --mesh nothing -o out/a.glb", 2, &["nothing"]),
         ("mesh --motif mail.glb -o out/a.txt", 2, &["--output"]),
         ("mesh --motif mail.glb -o mail.glb", 2, &["mail.glb"]),

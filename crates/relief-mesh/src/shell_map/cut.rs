@@ -239,12 +239,16 @@ impl Piece<'_> {
     /// The corners in the triangle's turn; `None` if there is no piece.
     fn ring(&self, of_triangle: usize, corner_sides: &[i128; 4]) -> Option<Vec<Corner>> {
         let first = *self.links.first()?;
-        let (begin, mut at) =
-            if of_triangle > 0 || self.runs_with_triangle(first, corner_sides) { first } else { (first.1, first.0) };
+        let (begin, mut at) = if of_triangle > 0 || self.runs_with_triangle(first, corner_sides) {
+            first
+        } else {
+            (first.1, first.0)
+        };
         let mut ring = vec![begin, at];
         let mut last = 0;
         while at != begin {
-            let is_next = |number: usize| number != last && [self.links[number].0, self.links[number].1].contains(&at);
+            let is_next =
+                |number: usize| number != last && [self.links[number].0, self.links[number].1].contains(&at);
             let next = (0..self.links.len()).find(|number| is_next(*number))?;
             let (a, b) = self.links[next];
             at = if a == at { b } else { a };

@@ -70,16 +70,24 @@ pub enum ShellMapError {
         bias_m: f64,
     },
     /// Faces of the motif lie on faces of the shells, however it is moved.
-    #[error("faces of the motif lie exactly on the shells' faces, however it is moved: turn or move the motif a little")]
+    #[error(
+        "faces of the motif lie exactly on the shells' faces, however it is moved: turn or move the motif a little"
+    )]
     Aligned,
     /// Nothing of the motif lies between the heights 0 and 1 over the base.
-    #[error("nothing of the motif lies on the mesh: its heights must be between 0 and 1, and the mesh needs texture coordinates")]
+    #[error(
+        "nothing of the motif lies on the mesh: its heights must be between 0 and 1, and the mesh needs texture coordinates"
+    )]
     Nothing,
     /// The motif has a vertex that is not finite, or lies more than 16 tiles away.
-    #[error("vertex {0} of the motif lies more than 16 tiles away: x and z are 0 to 1 along the tile, y is the height from 0 to 1")]
+    #[error(
+        "vertex {0} of the motif lies more than 16 tiles away: x and z are 0 to 1 along the tile, y is the height from 0 to 1"
+    )]
     FarMotif(usize),
     /// A base triangle spans too many tiles.
-    #[error("triangle {triangle} of the mesh spans {tiles} tiles, more than {MAX_TILES_OF_A_TRIANGLE}: give larger tiles, or a finer mesh")]
+    #[error(
+        "triangle {triangle} of the mesh spans {tiles} tiles, more than {MAX_TILES_OF_A_TRIANGLE}: give larger tiles, or a finer mesh"
+    )]
     TooWide {
         /// The triangle.
         triangle: usize,
@@ -90,7 +98,9 @@ pub enum ShellMapError {
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// The result would be too large.
-    #[error("the mesh would have about {expected} triangles, more than {most}: give larger tiles, or a simpler motif")]
+    #[error(
+        "the mesh would have about {expected} triangles, more than {most}: give larger tiles, or a simpler motif"
+    )]
     TooLarge {
         /// About how many triangles there would be.
         expected: u64,

@@ -59,9 +59,8 @@ impl<'a> Shell<'a> {
         if tiles > f64::from(MAX_TILES_OF_A_TRIANGLE) {
             return Err(ShellMapError::TooWide { triangle, tiles: tiles as u64 });
         }
-        let uv = |vertex: &Vertex| {
-            [0, 1].map(|axis| (f64::from(vertex.uv[axis]) * STEPS as f64).round() as i64)
-        };
+        let uv =
+            |vertex: &Vertex| [0, 1].map(|axis| (f64::from(vertex.uv[axis]) * STEPS as f64).round() as i64);
         let turn = area(vertices.map(uv));
         if turn == 0 {
             return Ok(None);
@@ -88,7 +87,10 @@ impl<'a> Shell<'a> {
     /// Least and greatest texture coordinates on the lattice.
     pub fn extent(&self) -> [[i64; 2]; 2] {
         let [a, b, c] = self.uvs;
-        [[0, 1].map(|axis| a[axis].min(b[axis]).min(c[axis])), [0, 1].map(|axis| a[axis].max(b[axis]).max(c[axis]))]
+        [
+            [0, 1].map(|axis| a[axis].min(b[axis]).min(c[axis])),
+            [0, 1].map(|axis| a[axis].max(b[axis]).max(c[axis])),
+        ]
     }
 
     /// The position of a corner.
@@ -104,7 +106,8 @@ impl<'a> Shell<'a> {
     /// The corners' tangents and bitangents by their weights.
     pub fn tangents(&self, weights: [f64; 3]) -> [Vec3; 2] {
         let sum = |part: fn(&Vertex) -> Vec3| {
-            let each = self.vertices.iter().zip(weights).map(|(vertex, weight)| part(vertex).as_dvec3() * weight);
+            let each =
+                self.vertices.iter().zip(weights).map(|(vertex, weight)| part(vertex).as_dvec3() * weight);
             each.sum::<DVec3>().as_vec3()
         };
         [sum(|vertex| vertex.tangent), sum(|vertex| vertex.bitangent)]

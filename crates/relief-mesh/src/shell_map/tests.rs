@@ -76,9 +76,8 @@ fn places_are_those_of_the_tetrahedra() {
             let shell = Shell::new(at, vertices, numbers, lengths).expect("few tiles").expect("an area");
             TETRAHEDRA.map(|corners| {
                 let uv = corners.map(|corner| shell.uv(corner));
-                let place = [0, 1, 2, 3].map(|at| {
-                    DVec3::new(uv[at].x, uv[at].y, f64::from(u8::from(corners[at].is_upper)))
-                });
+                let place = [0, 1, 2, 3]
+                    .map(|at| DVec3::new(uv[at].x, uv[at].y, f64::from(u8::from(corners[at].is_upper))));
                 (place, corners.map(|corner| shell.position(corner)))
             })
         })
@@ -102,9 +101,11 @@ fn places_are_those_of_the_tetrahedra() {
                     + positions[1] * weights[0]
                     + positions[2] * weights[1]
                     + positions[3] * weights[2];
-                let near = map.mesh.vertices().iter().any(|vertex| {
-                    (vertex.position.as_dvec3() - moved).length() < 1e-6
-                });
+                let near = map
+                    .mesh
+                    .vertices()
+                    .iter()
+                    .any(|vertex| (vertex.position.as_dvec3() - moved).length() < 1e-6);
                 assert!(near, "{at} in tile {i} {j} is missing at {moved}");
                 found += 1;
             }
@@ -148,8 +149,8 @@ fn the_outside_stays_outside() {
 
 fn map_centre(mesh: &Mesh) -> Vec3 {
     let places = mesh.vertices().iter().map(|vertex| vertex.position);
-    let (low, high) = places
-        .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+    let (low, high) =
+        places.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
     0.5 * (low + high)
 }
 
@@ -160,14 +161,20 @@ fn a_sheet_of_one_height_is_a_sheet_above_the_base() {
         &[[0.0, 0.25, 0.0], [1.0, 0.25, 0.0], [0.0, 0.25, 1.0], [1.0, 0.25, 1.0]],
         &[[0, 2, 1], [1, 2, 3]],
     );
-    let plane = Builtin::Plane.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(Vec2::new(3.0, 2.0))).expect("a plane");
+    let plane =
+        Builtin::Plane.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(Vec2::new(3.0, 2.0))).expect("a plane");
     let map = made(&plane, &sheet, &SETTINGS);
     let heights = map.mesh.vertices().iter().map(|vertex| f64::from(vertex.position.y));
     assert!(heights.into_iter().all(|height| (height - 0.025).abs() < 1e-6));
-    let area: f64 = map.mesh.triangles().iter().map(|corners| {
-        let [a, b, c] = corners.map(|corner| map.mesh.vertices()[corner as usize].position.as_dvec3());
-        0.5 * (b - a).cross(c - a).length()
-    }).sum();
+    let area: f64 = map
+        .mesh
+        .triangles()
+        .iter()
+        .map(|corners| {
+            let [a, b, c] = corners.map(|corner| map.mesh.vertices()[corner as usize].position.as_dvec3());
+            0.5 * (b - a).cross(c - a).length()
+        })
+        .sum();
     assert!((area - 1.0).abs() < 1e-5, "{area}");
     assert!(map.open_edges > 0, "a sheet has a border");
 }
@@ -197,7 +204,8 @@ fn what_cannot_be_is_refused() {
     assert_eq!(refused(&ring, &far, &SETTINGS), ShellMapError::FarMotif(1));
     let few = ShellMapSettings { triangles: 1000, ..SETTINGS };
     assert!(matches!(refused(&ring, &mail, &few), ShellMapError::TooLarge { .. }));
-    let wide = Builtin::Plane.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(Vec2::splat(500.0))).expect("a plane");
+    let wide =
+        Builtin::Plane.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(Vec2::splat(500.0))).expect("a plane");
     assert!(matches!(refused(&wide, &mail, &SETTINGS), ShellMapError::TooWide { .. }));
     // A texture without an area.
     let vertices = ring.vertices().iter().map(|vertex| Vertex { uv: Vec2::ZERO, ..*vertex }).collect();

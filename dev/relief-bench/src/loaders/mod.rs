@@ -132,7 +132,12 @@ fn tell(answer: &Value) -> Result<ExitCode, String> {
         let verdict = if is_right { "as written" } else { "WRONG" }.to_owned();
         table.add_row([text(0), text(1), text(2), verdict, text(4)]);
     }
-    println!("three.js {}, {}. {wrong} of {} read wrongly.\n\n{table}", three::VERSION, answer["versions"], rows.len());
+    println!(
+        "three.js {}, {}. {wrong} of {} read wrongly.\n\n{table}",
+        three::VERSION,
+        answer["versions"],
+        rows.len()
+    );
     for change in unnoticed {
         println!("Not noticed: {change}");
     }

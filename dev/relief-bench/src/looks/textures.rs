@@ -6,7 +6,9 @@ use std::path::Path;
 
 use png::{BitDepth, ColorType};
 
-use Part::{Color, Height, MaskMap, Metalness, MetallicSmoothness, NormalDown, NormalUp, Occlusion, Orm, Roughness};
+use Part::{
+    Color, Height, MaskMap, MetallicSmoothness, Metalness, NormalDown, NormalUp, Occlusion, Orm, Roughness,
+};
 
 /// What a texture holds.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -224,8 +226,12 @@ impl Material {
             Roughness => (ColorType::Grayscale, of(1)),
             Metalness => (ColorType::Grayscale, of(2)),
             Orm => (ColorType::Rgb, self.orm.as_flattened().to_vec()),
-            MaskMap => (ColorType::Rgba, four(|[occlusion, rough, metal]| [metal, occlusion, 0, 255 - rough])),
-            MetallicSmoothness => (ColorType::Rgba, four(|[_, rough, metal]| [metal, metal, metal, 255 - rough])),
+            MaskMap => {
+                (ColorType::Rgba, four(|[occlusion, rough, metal]| [metal, occlusion, 0, 255 - rough]))
+            }
+            MetallicSmoothness => {
+                (ColorType::Rgba, four(|[_, rough, metal]| [metal, metal, metal, 255 - rough]))
+            }
         }
     }
 }
@@ -250,8 +256,9 @@ pub fn write(set: &Set, data: &Path, folder: &Path) -> Result<(), String> {
 fn read(path: &Path) -> Result<([u32; 2], Vec<u8>, usize), String> {
     let told = |error: String| format!("{}: {error}", path.display());
     let file = File::open(path).map_err(|error| told(error.to_string()))?;
-    let mut reader =
-        png::Decoder::new(std::io::BufReader::new(file)).read_info().map_err(|error| told(error.to_string()))?;
+    let mut reader = png::Decoder::new(std::io::BufReader::new(file))
+        .read_info()
+        .map_err(|error| told(error.to_string()))?;
     let bytes = reader.output_buffer_size().ok_or_else(|| told("too large".to_owned()))?;
     let mut samples = vec![0; bytes];
     let frame = reader.next_frame(&mut samples).map_err(|error| told(error.to_string()))?;

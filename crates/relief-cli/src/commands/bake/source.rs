@@ -27,7 +27,8 @@ pub fn read<'k>(
         return Ok((map, kinds, BTreeSet::new()));
     }
     let name = volume_distance::KIND.name;
-    let is_atlas = arguments.set.iter().any(|(key, _)| key.strip_prefix(name).is_some_and(|key| key == ".slices"));
+    let is_atlas =
+        arguments.set.iter().any(|(key, _)| key.strip_prefix(name).is_some_and(|key| key == ".slices"));
     if !is_atlas && kinds.iter().any(|(kind, _)| kind.name == name) {
         let file = arguments.height.display();
         return Err(Failure::Usage(format!(

@@ -58,8 +58,10 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
     if !arguments.json {
         notes.iter().for_each(say::note);
     }
-    let counts =
-        MeshCounts { vertices: map.mesh.vertices().len() as u64, triangles: map.mesh.triangles().len() as u64 };
+    let counts = MeshCounts {
+        vertices: map.mesh.vertices().len() as u64,
+        triangles: map.mesh.triangles().len() as u64,
+    };
     format.check(counts).map_err(Failure::work)?;
     let aside = staged.aside(&arguments.output)?;
     let bytes = written(&aside, format, counts, &map.mesh)
@@ -78,7 +80,10 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
             });
             return Ok(writeln!(out, "{about:#}")?);
         }
-        writeln!(out, "{output}: {triangles} triangles, {vertices} vertices, {bytes} bytes, in {seconds:.2} s")?;
+        writeln!(
+            out,
+            "{output}: {triangles} triangles, {vertices} vertices, {bytes} bytes, in {seconds:.2} s"
+        )?;
         writeln!(out, "  scale       {} m between the heights 0 and 1", values::six_digits(scale_m))?;
         writeln!(out, "  open edges  {}", map.open_edges)?;
         Ok(())
