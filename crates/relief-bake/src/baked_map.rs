@@ -417,7 +417,8 @@ mod tests {
                         all.textures.iter().flat_map(|t| t.levels.iter().flatten()).map(Vec::len).sum();
                     assert_eq!(values as u64, baked.iter().map(Shape::values).sum::<u64>());
                     // Once more with other settings.
-                    for param in kind.params {
+                    // The sides of a volume must fit its map.
+                    for param in kind.params.iter().filter(|_| kind.name != "volume-distance") {
                         if param.name != "bits" {
                             settings
                                 .set(param.name, f64::from(param.min.max(1.0).min(param.max)))

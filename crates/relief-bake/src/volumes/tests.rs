@@ -30,7 +30,7 @@ fn block(low: [f32; 3], high: [f32; 3]) -> RawMesh {
 }
 
 fn tile(size: [u32; 3]) -> MeshVolumeSettings {
-    MeshVolumeSettings { fit: Fit::Tile, ..MeshVolumeSettings::new(size) }
+    MeshVolumeSettings { fit: Fit::Tile, reach: 0.5, ..MeshVolumeSettings::new(size) }
 }
 
 fn made(mesh: &RawMesh, settings: &MeshVolumeSettings) -> MeshVolume {
@@ -196,7 +196,8 @@ fn volumes_of_heights_show_the_relief() {
 
 #[test]
 fn sponges_tile_and_have_a_floor() {
-    let sponge = volume_of_sponge(&Sponge::default(), [24, 24, 12], &Watch::none()).expect("a sponge");
+    let sharp = Sponge { reach: 0.5, ..Sponge::default() };
+    let sponge = volume_of_sponge(&sharp, [24, 24, 12], &Watch::none()).expect("a sponge");
     assert!((0..24).all(|j| (0..24).all(|i| sponge.voxel(i, j, 0) > 0.9)));
     let solid = sponge.values().iter().filter(|value| **value >= 0.5).count();
     assert!((0.2..0.8).contains(&(solid as f64 / 6912.0)), "{solid}");
