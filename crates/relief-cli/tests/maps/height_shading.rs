@@ -149,7 +149,7 @@ fn known_maps(folder: &Folder) -> Vec<Known> {
     let mut files = Vec::new();
     for name in ["waves", "fbm", "bumps"] {
         folder.relief(&format!("height procedure {name} --size 256x256 -o {name}.exr")).fine();
-        files.push((name, folder.path(&format!("{name}.exr")), None));
+        files.push((name, folder.path(format!("{name}.exr")), None));
     }
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     files.push(("cobbles", root.join("data/cobbles.png"), None));

@@ -290,7 +290,8 @@ fn a_height_map_must_be_clear() -> Outcome {
     let set = find(&["w_albedo.png", "w_normal.png", "notes.png"])?;
     let text = message(set.height());
     let wanted = "the set 'w' has no height map, which is needed; it has w_albedo.png (colour), \
-                  w_normal.png (normals): add one, named as NAME_height.png";
+                  w_normal.png (normals): if notes.png is the height map, name it as the height, or rename \
+                  it as in NAME_height.png";
     assert_eq!(text, wanted);
     for two in [
         ["w_height.png", "w_displacement.png"],

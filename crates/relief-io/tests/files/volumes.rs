@@ -15,7 +15,7 @@ fn ball(size: [u32; 3], wrap: Wrap) -> Volume {
         let [x, y, z] = [u - 0.4, v - 0.5, h - 0.6];
         0.5 + 3.0 * (0.3 - (x * x + y * y + z * z).sqrt())
     });
-    volume.and_then(|volume| Ok(volume.with_displacement(0.25, -0.125)?)).expect("a volume")
+    volume.and_then(|volume| volume.with_displacement(0.25, -0.125)).expect("a volume")
 }
 
 fn written(volume: &Volume, format: &VolumeFormat) -> Vec<u8> {
@@ -107,7 +107,8 @@ const NOTE: [(&str, &str); 6] = [
 fn textures_that_are_no_volumes_are_refused() {
     let folder = Folder::new();
     let path = folder.path().join("a.ktx2");
-    let cases: [(TexelFormat, [u32; 3], u32, &[(&str, &str)], f32, &str); 8] = [
+    type Case<'a> = (TexelFormat, [u32; 3], u32, &'a [(&'a str, &'a str)], f32, &'a str);
+    let cases: [Case; 8] = [
         (TexelFormat::R16, [4, 4, 1], 1, &[], 0.5, "a 2-D texture"),
         (TexelFormat::R16, [4, 4, 4], 2, &[], 0.5, "2 mip levels"),
         (TexelFormat::Rgba8, [4, 4, 4], 1, &[], 0.5, "R8_UNORM"),

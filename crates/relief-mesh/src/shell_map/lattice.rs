@@ -56,7 +56,7 @@ impl Lattice {
         let mut beyond = 0u64;
         for (at, position) in motif.positions.iter().enumerate() {
             let position = turned(*position);
-            if !(position.abs().max_element() <= FAR) {
+            if !position.is_finite() || position.abs().max_element() > FAR {
                 return Err(ShellMapError::FarMotif(at));
             }
             let [u, v, height] = (position * COARSE as f64).round().to_array().map(|part| part as i64);

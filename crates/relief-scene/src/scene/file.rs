@@ -164,7 +164,9 @@ fn check_keys(table: &DeTable, known: impl Fn(&str) -> bool, others: &[&[&str]])
     for (key, value) in table {
         let name = key.get_ref().as_ref();
         let is_value = !matches!(value.get_ref(), DeValue::String(_));
-        if is_value && keys_of::<SurfaceSpec>().contains(&name) && MaterialSpec::PARTS.contains(&name) {
+        // The base of a block is a length.
+        let is_map = keys_of::<SurfaceSpec>().contains(&name) && name != "base";
+        if is_value && is_map && MaterialSpec::PARTS.contains(&name) {
             let what = format!(
                 "{name} names the file of a map; a value is part of the material, as in material = {{ {name} = {} }}",
                 if name == "emission" { "[1, 1, 1]" } else { "0.5" }

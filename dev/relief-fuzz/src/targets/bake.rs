@@ -40,7 +40,10 @@ fn make() -> Vec<Vec<u8>> {
     let mut random = Random::new(1);
     let input = |kind: usize| {
         let [width, height] = [random.below(8) + 4, random.below(8) + 4].map(|side| side as u8);
-        let head = [kind as u8, kind as u8, width, height, 128, 112, random.below(4) as u8, 1];
+        // The sides of a volume must fit its map: of that kind the last setting is changed, the bits.
+        let setting = random.below(4) as u8;
+        let setting = if KINDS[kind].name == "volume-distance" { 3 } else { setting };
+        let head = [kind as u8, kind as u8, width, height, 128, 112, setting, 1];
         let texels = (0..144).map(|_| random.below(256) as u8);
         head.into_iter().chain(texels).collect()
     };
