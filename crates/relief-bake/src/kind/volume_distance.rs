@@ -6,7 +6,7 @@
 //! * Cohen and Sheffer 1994, "Proximity clouds: an acceleration technique for 3D grid traversal".
 //! * Szirmay-Kalos and Umenhoffer 2008, section 5.2: volumes on surfaces.
 //!
-//! The distances themselves are [`volume_distance`](crate::volumes::volume_distance).
+//! The distances themselves are [`volume_distance`].
 //!
 //! # Guarantee
 //!
