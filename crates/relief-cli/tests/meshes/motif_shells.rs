@@ -8,7 +8,7 @@ use relief_io::{MeshOptions, read_mesh};
 fn a_motif_is_put_on_a_mesh_in_every_format() {
     let folder = with_out();
     folder.relief("motif mail --detail 4 -o mail.glb").fine();
-    let line = "mesh --motif mail.glb --mesh torus --tile 6,3";
+    let line = "mesh --motif mail.glb --mesh torus --tile 2,1";
     let about = json_of(&folder.relief(&format!("{line} -o out/a.glb --json")).fine());
     assert_eq!([&about["open_edges"], &about["without_area"]], [0, 0]);
     assert!(about["beyond"] == 0.0 && about["folded"].as_array().is_some_and(Vec::is_empty), "{about}");
@@ -25,7 +25,7 @@ fn a_motif_is_put_on_a_mesh_in_every_format() {
     assert!(a == b);
     // Its depth follows the tiles: they are half as long, so it is half as deep.
     let half =
-        json_of(&folder.relief("mesh --motif mail.glb --mesh torus --tile 12,6 -o out/c.glb --json").fine());
+        json_of(&folder.relief("mesh --motif mail.glb --mesh torus --tile 4,2 -o out/c.glb --json").fine());
     let [whole, half] = [&about, &half].map(|about| about["scale_m"].as_f64().expect("a length"));
     assert!((whole / half - 2.0).abs() < 1e-5, "{whole} {half}");
     // A file may be the base, with coordinates that a projection makes.
