@@ -104,7 +104,8 @@ const AFTER_HELP: &str = "Examples:\n  relief volume spot.obj --size 128x128x128
     relief volume slice_%03d.png -o scan.ktx2\n  \
     relief volume sponge --size 64x64x32 -o sponge.ktx2\n\n\
     A value is ½ less the distance to the surface in voxels, negative inside, divided by twice --reach, between 0 and \
-    1: the surface is at ½, and greater values are solid. Of pictures it is the opacity, or the grey of pictures without opacity; the first is \
+    1: the surface is at ½, and greater values are solid. Of pictures it is the opacity, or the grey of pictures \
+    without opacity; the first is \
     number 0 or 1, and the last is before the first number without a file.\n\n\
     A mesh must be closed. Where it is not, what lies below an odd number of faces is solid, and the open edges are \
     counted. With --wrap repeat, parts beyond the tile's edges come back on the other side.\n\n\

@@ -153,7 +153,8 @@ fn without_doubled(triangles: Vec<MotifTriangle>) -> Vec<MotifTriangle> {
     triangles.into_iter().filter(|_| !is_out.next().unwrap_or_default()).collect()
 }
 
-/// The corners in order, moved by whole tiles so that the first one's tile is 0. True if their turn is another.
+/// The corners in order, moved by whole tiles so that the first one's tile is 0. True if they turn
+/// the other way then.
 fn in_first_tile(places: [Place; 3]) -> ([Place; 3], bool) {
     let least = places.iter().map(|place| (place.number, place.tile)).min().unwrap_or_default().1;
     let mut places =

@@ -1,4 +1,5 @@
-//! Shell maps: a closed mesh in the space of one tile, which every triangle of a base mesh repeats in its shell.
+//! Shell maps: a closed mesh in the space of one tile, which every triangle of a base mesh repeats
+//! in its shell.
 //!
 //! The shell of a base triangle is the space between its corners and the same corners moved along
 //! their normals. It is cut into three tetrahedra, and in each of them positions are linear in
@@ -71,22 +72,26 @@ pub enum ShellMapError {
     },
     /// Faces of the motif lie on faces of the shells, however it is moved.
     #[error(
-        "faces of the motif lie exactly on the shells' faces, however it is moved: turn or move the motif a little"
+        "faces of the motif lie exactly on the shells' faces, however it is moved: turn or move the \
+         motif a little"
     )]
     Aligned,
     /// Nothing of the motif lies between the heights 0 and 1 over the base.
     #[error(
-        "nothing of the motif lies on the mesh: its heights must be between 0 and 1, and the mesh needs texture coordinates"
+        "nothing of the motif lies on the mesh: its heights must be between 0 and 1, and the mesh needs \
+         texture coordinates"
     )]
     Nothing,
     /// The motif has a vertex that is not finite, or lies more than 16 tiles away.
     #[error(
-        "vertex {0} of the motif lies more than 16 tiles away: x and z are 0 to 1 along the tile, y is the height from 0 to 1"
+        "vertex {0} of the motif lies more than 16 tiles away: x and z are 0 to 1 along the tile, y is \
+         the height from 0 to 1"
     )]
     FarMotif(usize),
     /// A base triangle spans too many tiles.
     #[error(
-        "triangle {triangle} of the mesh spans {tiles} tiles, more than {MAX_TILES_OF_A_TRIANGLE}: give larger tiles, or a finer mesh"
+        "triangle {triangle} of the mesh spans {tiles} tiles, more than {MAX_TILES_OF_A_TRIANGLE}: give \
+         larger tiles, or a finer mesh"
     )]
     TooWide {
         /// The triangle.

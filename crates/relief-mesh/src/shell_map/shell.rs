@@ -22,8 +22,8 @@ const fn upper(of: usize) -> ShellCorner {
     ShellCorner { of, is_upper: true }
 }
 
-/// The tetrahedra. Their corners come in an order that all neighbours agree on: lower before upper, each by the
-/// vertices' numbers.
+/// The tetrahedra. Their corners come in an order that all neighbours agree on: lower ones before
+/// upper ones, and both by the vertices' numbers.
 pub const TETRAHEDRA: [[ShellCorner; 4]; 3] = [
     [lower(0), lower(1), lower(2), upper(2)],
     [lower(0), lower(1), upper(1), upper(2)],
@@ -113,8 +113,8 @@ impl<'a> Shell<'a> {
         [sum(|vertex| vertex.tangent), sum(|vertex| vertex.bitangent)]
     }
 
-    /// How the normals of the motif turn in a tetrahedron: the columns are the images of the normals along `u`,
-    /// `v` and the height, times a positive factor. Zero where the tetrahedron is flat.
+    /// How the motif's normals turn in a tetrahedron: the images of the normals along `u`, `v` and
+    /// the height, times one positive factor. Zero where the tetrahedron is flat.
     pub fn normals_in(&self, corners: &[ShellCorner; 4]) -> [DVec3; 3] {
         let place = corners.map(|corner| {
             let uv = self.uv(corner);
