@@ -3,7 +3,8 @@
 //
 //     node tint.mjs PATH/TO/relief
 //
-// Exported are all methods, and on the method `relief` every variant of the other stages, in both samplings.
+// Exported are all methods, and every variant of the other stages on the method `relief`, or on `voxels` where it
+// needs a volume, in both samplings.
 
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
@@ -46,6 +47,9 @@ async function errors(code) {
     return wrong.map(({ lineNum, message }) => `${lineNum}: ${message}`);
 }
 
+// Methods that variants of the other stages are exported with: the first that goes with a variant.
+const METHODS = ["relief", "voxels"];
+
 // The export of a selection, by the flags that make it.
 function exported(flags) {
     const folder = mkdtempSync(join(tmpdir(), "relief-tint-"));
@@ -61,23 +65,33 @@ function exported(flags) {
 
 const all = execFileSync(relief, ["methods", "--json"], { encoding: "utf8", maxBuffer: 1 << 26 });
 const known = JSON.parse(all);
-const selections = known.methods.map(({ name }) => ["--method", name]);
+// For each selection lists of flags; the first that go together are taken.
+const selections = known.methods.map(({ name }) => [["--method", name]]);
 for (const [stage, flag] of Object.entries(STAGES)) {
     for (const { name } of known[stage]) {
-        selections.push(["--method", "relief", ...(BESIDE[stage] ?? []), flag, name]);
+        selections.push(METHODS.map((method) => ["--method", method, ...(BESIDE[stage] ?? []), flag, name]));
     }
+}
+
+// The first of some selections that can be exported, and its texts; no texts where the command says of each that
+// its variants do not go together.
+function firstExport(selections, sampling) {
+    for (const selection of selections) {
+        const flags = [...selection, "--sampling", sampling];
+        try {
+            return [flags, exported(flags)];
+        } catch (error) {
+            if (error.status !== 2) throw error;
+        }
+    }
+    return [];
 }
 
 let [compiled, failed, refused] = [0, 0, 0];
 for (const selection of selections) {
     for (const sampling of ["exact", "fast"]) {
-        const flags = [...selection, "--sampling", sampling];
-        let texts;
-        try {
-            texts = exported(flags);
-        } catch (error) {
-            // Variants of stages that belong to another method; the command says so.
-            if (error.status !== 2) throw error;
+        const [flags, texts] = firstExport(selection, sampling);
+        if (texts === undefined) {
             refused += 1;
             continue;
         }

@@ -12,7 +12,7 @@ use relief_shaders::surface::Shown;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{
     AMBIENT, DETAIL, Entry, GEOMETRY, METHODS, MapNeed, Method, REFINE, SEARCH, SHADOW, SHADOW_SEARCH,
-    STAGES, SURFACE, Selection, SelectionError, Stage,
+    STAGES, SURFACE, Selection, Stage,
 };
 use serde_json::{Value, json};
 
@@ -285,15 +285,14 @@ fn bake_line(need: &MapNeed) -> String {
 
 /// Turns an error of the export into a failure, with the flag that helps.
 fn of_export(error: ExportError) -> Failure {
+    let at_odds = match &error {
+        ExportError::Selection(error) => error.keys(),
+        _ => Vec::new(),
+    };
+    if let Some(key) = at_odds.first() {
+        return Failure::Usage(format!("--{key}: {error}"));
+    }
     match &error {
-        ExportError::Selection(
-            SelectionError::Impossible { key, .. }
-            | SelectionError::Surface { key, .. }
-            | SelectionError::OneLevel { key, .. },
-        ) => Failure::Usage(format!("--{key}: {error}")),
-        ExportError::Selection(SelectionError::Pair { taker: (key, _), .. }) => {
-            Failure::Usage(format!("--{key}: {error}"))
-        }
         ExportError::Displaced { .. } => {
             Failure::Usage(format!("--method: {error}: `relief mesh` makes meshes, {} shades them", facets()))
         }
