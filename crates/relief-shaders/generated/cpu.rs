@@ -762,6 +762,21 @@ impl Mirrored {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// The two layers that the normal map has from level 1 on.
+pub struct NormalLayers {
+    pub first: rt::Vec4<f32>,
+    pub second: rt::Vec4<f32>,
+}
+impl NormalLayers {
+    pub fn new(
+        first: impl rt::Into<rt::Vec4<f32>>,
+        second: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { first: rt::into(first), second: rt::into(second) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The means of the normals n and the slopes s in an area, in tangent space. n is (-sx, -sy, 1) nz.
 pub struct Normals {
     /// nx, ny, nz, sx
@@ -1080,6 +1095,23 @@ impl SeenNormals {
         table: impl rt::Into<SeenTable>,
     ) -> Self {
         Self { normal: rt::into(normal), length: rt::into(length), differ: rt::into(differ), middle: rt::into(middle), along: rt::into(along), across: rt::into(across), slope: rt::into(slope), slope_along: rt::into(slope_along), slope_across: rt::into(slope_across), upright: rt::into(upright), middle_seen: rt::into(middle_seen), others_seen: rt::into(others_seen), table_part: rt::into(table_part), table: rt::into(table) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A place between two levels of detail: the texels around it in either.
+pub struct SeenPlace {
+    pub fine: Around,
+    pub coarse: Around,
+    pub levels: Levels,
+}
+impl SeenPlace {
+    pub fn new(
+        fine: impl rt::Into<Around>,
+        coarse: impl rt::Into<Around>,
+        levels: impl rt::Into<Levels>,
+    ) -> Self {
+        Self { fine: rt::into(fine), coarse: rt::into(coarse), levels: rt::into(levels) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -2221,64 +2253,99 @@ impl<'g> Resources<'g> {
     pub(super) fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
         return point.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1073741800f32), rt::Scalar(-1073741800f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1073741800f32), rt::Scalar(1073741800f32)));
     }
-    pub(crate) fn wrap_index(
+    pub(crate) fn unfolded(
         &self,
         i: impl rt::Into<rt::Scalar<i32>>,
         n_1: impl rt::Into<rt::Scalar<i32>>,
+        period: impl rt::Into<rt::Scalar<i32>>,
     ) -> i32 {
-        rt::into(self.v_wrap_index(rt::into(i), rt::into(n_1)))
+        rt::into(self.v_unfolded(rt::into(i), rt::into(n_1), rt::into(period)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_wrap_index(
+    #[inline(always)]
+    pub(super) fn v_unfolded(
         &self,
         i: rt::Scalar<i32>,
         n_1: rt::Scalar<i32>,
+        period: rt::Scalar<i32>,
     ) -> rt::Scalar<i32> {
+        return ((period - rt::Scalar(1i32)) - i).select(i, i.elementwise_lt(n_1));
+    }
+    pub(crate) fn continued_pair(
+        &self,
+        i_1: impl rt::Into<rt::Scalar<i32>>,
+        n_2: impl rt::Into<rt::Scalar<i32>>,
+        wrap: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_continued_pair(rt::into(i_1), rt::into(n_2), rt::into(wrap)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_continued_pair(
+        &self,
+        i_1: rt::Scalar<i32>,
+        n_2: rt::Scalar<i32>,
+        wrap: rt::Scalar<u32>,
+    ) -> rt::Vec2<i32> {
         let mut local_4: rt::Scalar<bool>;
 
-        let _e4 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(WRAP_CLAMP)) {
-            return i.clamp(rt::Scalar(0i32), (n_1 - rt::Scalar(1i32)));
+        if rt::Scalar::into_branch_condition(wrap.elementwise_eq(WRAP_CLAMP)) {
+            return <rt::Vec2<i32>>::from_scalars(i_1.clamp(rt::Scalar(0i32), (n_2 - rt::Scalar(1i32))), (i_1 + rt::Scalar(1i32)).clamp(rt::Scalar(0i32), (n_2 - rt::Scalar(1i32))));
         }
-        if rt::Scalar::into_branch_condition(i.elementwise_ge(rt::Scalar(0i32))) {
-            local_4 = i.elementwise_lt(n_1);
+        if rt::Scalar::into_branch_condition(i_1.elementwise_ge(rt::Scalar(0i32))) {
+            local_4 = (i_1 + rt::Scalar(1i32)).elementwise_lt(n_2);
         } else {
             local_4 = rt::Scalar(false);
         }
-        let _e17 = local_4;
-        if rt::Scalar::into_branch_condition(_e17) {
-            return i;
+        let _e24 = local_4;
+        if rt::Scalar::into_branch_condition(_e24) {
+            return <rt::Vec2<i32>>::from_scalars(i_1, (i_1 + rt::Scalar(1i32)));
         }
-        let _e20 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e20.elementwise_eq(WRAP_REPEAT)) {
-            return (((i % n_1) + n_1) % n_1);
-        }
-        let period = (rt::Scalar(2i32) * n_1);
-        let folded = (((i % period) + period) % period);
-        return ((period - rt::Scalar(1i32)) - folded).select(folded, folded.elementwise_lt(n_1));
+        let period_1 = (rt::Scalar(2i32) * n_2).select(n_2, wrap.elementwise_eq(WRAP_REPEAT));
+        let rest_3 = (i_1 % period_1);
+        let first_10 = rest_3.select((rest_3 + period_1), rest_3.elementwise_lt(rt::Scalar(0i32)));
+        let second_1 = (first_10 + rt::Scalar(1i32)).select(rt::Scalar(0i32), (first_10 + rt::Scalar(1i32)).elementwise_eq(period_1));
+        let _e45 = self.v_unfolded(first_10, n_2, period_1);
+        let _e46 = self.v_unfolded(second_1, n_2, period_1);
+        return <rt::Vec2<i32>>::from_scalars(_e45, _e46);
+    }
+    pub(crate) fn wrap_pair(
+        &self,
+        i_2: impl rt::Into<rt::Scalar<i32>>,
+        n_3: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_wrap_pair(rt::into(i_2), rt::into(n_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_wrap_pair(
+        &self,
+        i_2: rt::Scalar<i32>,
+        n_3: rt::Scalar<i32>,
+    ) -> rt::Vec2<i32> {
+        let _e4 = rt::Scalar(self.surface_settings.wrap);
+        let _e5 = self.v_continued_pair(i_2, n_3, _e4);
+        return _e5;
     }
     pub(crate) fn texels_around(
         &self,
         uv: impl rt::Into<rt::Vec2<f32>>,
-        n_2: impl rt::Into<rt::Vec2<i32>>,
+        n_4: impl rt::Into<rt::Vec2<i32>>,
     ) -> Around {
-        rt::into(self.v_texels_around(rt::into(uv), rt::into(n_2)))
+        rt::into(self.v_texels_around(rt::into(uv), rt::into(n_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_texels_around(
         &self,
         uv: rt::Vec2<f32>,
-        n_2: rt::Vec2<i32>,
+        n_4: rt::Vec2<i32>,
     ) -> Around {
-        let point_22 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_22 = ((uv * n_4.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_22);
-        let i_4 = _e8.to_i32();
-        let _e12 = self.v_wrap_index(i_4.x(), n_2.x());
-        let _e17 = self.v_wrap_index((i_4.x() + rt::Scalar(1i32)), n_2.x());
-        let _e21 = self.v_wrap_index(i_4.y(), n_2.y());
-        let _e26 = self.v_wrap_index((i_4.y() + rt::Scalar(1i32)), n_2.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_22 - _e8));
+        let i_7 = _e8.to_i32();
+        let _e12 = self.v_wrap_pair(i_7.x(), n_4.x());
+        let _e15 = self.v_wrap_pair(i_7.y(), n_4.y());
+        return <Around>::new(_e12, _e15, (point_22 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -2384,11 +2451,11 @@ impl<'g> Resources<'g> {
         uv_1: rt::Vec2<f32>,
         level_3: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let first_10 = rt::Scalar(self.surface_settings.maps[4usize].first_level);
-        let seen_6 = first_10.select(level_3, level_3.elementwise_gt(first_10));
+        let first_11 = rt::Scalar(self.surface_settings.maps[4usize].first_level);
+        let seen_6 = first_11.select(level_3, level_3.elementwise_gt(first_11));
         let _e9 = self.v_height_texels(seen_6);
         let _e10 = self.v_texels_around(uv_1, _e9);
-        let k_44 = (seen_6 - first_10).to_i32();
+        let k_44 = (seen_6 - first_11).to_i32();
         let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_44);
         let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_44);
         let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_44);
@@ -2548,10 +2615,10 @@ impl<'g> Resources<'g> {
         let b1_ = (rt::Scalar(-0.6771f32) + (roughness * (rt::Scalar(5.7828f32) + (roughness * (rt::Scalar(-8.8951f32) + (roughness * rt::Scalar(4.2115f32)))))));
         let b2_ = (rt::Scalar(0.558f32) + (roughness * (rt::Scalar(-7.0899f32) + (roughness * rt::Scalar(4.2721f32)))));
         let b3_ = (rt::Scalar(0.1714f32) + (roughness * rt::Scalar(5.0718f32)));
-        let rest_3 = (b0_ + (x_6 * (b1_ + (x_6 * (b2_ + (x_6 * (b3_ + (x_6 * rt::Scalar(-0.1958f32)))))))));
+        let rest_4 = (b0_ + (x_6 * (b1_ + (x_6 * (b2_ + (x_6 * (b3_ + (x_6 * rt::Scalar(-0.1958f32)))))))));
         let slant = (rt::Scalar(1f32) - cosine_3.min(rt::Scalar(1f32)));
         let squared = (slant * slant);
-        let grazing = (((squared * squared) * slant) * rest_3);
+        let grazing = (((squared * squared) * slant) * rest_4);
         return <rt::Vec2<f32>>::from_scalars(all_1, grazing);
     }
     pub(crate) fn reflected_by(
@@ -2824,11 +2891,11 @@ impl<'g> Resources<'g> {
         let mut light: rt::Vec3<f32>;
 
         let mean_9 = normal_4.length();
-        let n_12 = normal_4.normalize();
-        let cosine_10 = n_12.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let n_15 = normal_4.normalize();
+        let cosine_10 = n_15.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let _e12 = self.v_shade_mirrored_stage(material_6, mean_9, cosine_10);
-        let reflected = ((n_12 * (rt::Scalar(2f32) * cosine_10)) - view_3);
-        let axis_4 = (reflected + ((n_12 - reflected) * rt::Scalar(_e12.turn)));
+        let reflected = ((n_15 * (rt::Scalar(2f32) * cosine_10)) - view_3);
+        let axis_4 = (reflected + ((n_15 - reflected) * rt::Scalar(_e12.turn)));
         let _e23 = self.v_environment_in_lobe(axis_4, _e12.lobes.x());
         light = _e23;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e12.second).elementwise_gt(rt::Scalar(0f32))) {
@@ -2841,14 +2908,14 @@ impl<'g> Resources<'g> {
         light = (_e37 * _e12.part);
         let enters = (<rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32)) - _e12.part);
         let _e46 = light;
-        let _e47 = self.v_environment_on(n_12);
+        let _e47 = self.v_environment_on(n_15);
         light = (_e46 + ((_e47 * material_6.diffuse) * enters));
         let _e54 = rt::Scalar(self.surface_settings.transmission);
         if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0f32))) {
             let _e59 = rt::Scalar(self.surface_settings.ior);
             let eta_1 = (rt::Scalar(1f32) / _e59);
             let _e63 = self.v_cosine_inside(cosine_10);
-            let refracted = ((n_12 * ((eta_1 * cosine_10) - _e63)) - (view_3 * eta_1));
+            let refracted = ((n_15 * ((eta_1 * cosine_10) - _e63)) - (view_3 * eta_1));
             let _e72 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta_1) * rt::Scalar(_e12.lean)));
             let _e73 = light;
             light = (_e73 + (_e72 * (material_6.transmitted * enters)));
@@ -3166,15 +3233,13 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
         let k_46 = level_8.to_i32();
-        let _e6 = self.v_wrap_index(cell.x(), _e2.x());
-        let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
-        let _e14 = self.v_wrap_index(cell.y(), _e2.y());
-        let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_46));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_46));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_46));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_46));
-        return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
+        let _e6 = self.v_wrap_pair(cell.x(), _e2.x());
+        let _e9 = self.v_wrap_pair(cell.y(), _e2.y());
+        let _e14 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_46));
+        let _e20 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_46));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_46));
+        let _e32 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_46));
+        return <rt::Vec4<f32>>::from_scalars(_e14.x(), _e20.x(), _e26.x(), _e32.x());
     }
     pub(crate) fn height_cell(
         &self,
@@ -3376,9 +3441,9 @@ impl<'g> Resources<'g> {
         let normal_27 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
         let place_29 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
         let t_45 = place_29.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
+        let second_2 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
-        let volume = (second_1.cross(third_1).dot(normal_27) * rt::Scalar(way.turn));
+        let volume = (second_2.cross(third_1).dot(normal_27) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_17 = (((offset - low_2) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
         return <WayPoint>::new(<ShellPoint>::new(w_3, height_17), t_45, (place_29 - (along * t_45)).length(), volume);
@@ -3563,8 +3628,8 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         let is_first_1 = number.elementwise_eq(rt::Scalar(0u32));
         let is_second = number.elementwise_eq(rt::Scalar(1u32));
-        let second_2 = c_2.select(b_1, <rt::Vec3<bool>>::from_scalars(is_second, is_second, is_second));
-        return second_2.select(a_1, <rt::Vec3<bool>>::from_scalars(is_first_1, is_first_1, is_first_1));
+        let second_3 = c_2.select(b_1, <rt::Vec3<bool>>::from_scalars(is_second, is_second, is_second));
+        return second_3.select(a_1, <rt::Vec3<bool>>::from_scalars(is_first_1, is_first_1, is_first_1));
     }
     pub(crate) fn ordered(
         &self,
@@ -3803,6 +3868,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_slice_cell(rt::into(cell_2), rt::into(slice_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     pub(super) fn v_slice_cell(
         &self,
         cell_2: rt::Vec2<i32>,
@@ -3811,19 +3877,15 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.volume;
         let size_2 = _e4.xyz().to_i32();
         let _e7 = self.v_slice_begin(slice_1);
-        let _e11 = self.v_wrap_index(cell_2.x(), size_2.x());
-        let i0_ = (_e7.x() + _e11);
-        let _e18 = self.v_wrap_index((cell_2.x() + rt::Scalar(1i32)), size_2.x());
-        let i1_ = (_e7.x() + _e18);
-        let _e23 = self.v_wrap_index(cell_2.y(), size_2.y());
-        let j0_ = (_e7.y() + _e23);
-        let _e30 = self.v_wrap_index((cell_2.y() + rt::Scalar(1i32)), size_2.y());
-        let j1_ = (_e7.y() + _e30);
-        let _e35 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i0_, j0_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e40 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i1_, j0_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e45 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i0_, j1_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e50 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i1_, j1_), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        return <rt::Vec4<f32>>::from_scalars(_e35.x(), _e40.x(), _e45.x(), _e50.x());
+        let _e13 = self.v_wrap_pair(cell_2.x(), size_2.x());
+        let i_8 = (<rt::Vec2<i32>>::from_scalars(_e7.x(), _e7.x()) + _e13);
+        let _e20 = self.v_wrap_pair(cell_2.y(), size_2.y());
+        let j_1 = (<rt::Vec2<i32>>::from_scalars(_e7.y(), _e7.y()) + _e20);
+        let _e27 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i_8.x(), j_1.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i_8.y(), j_1.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e41 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i_8.x(), j_1.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e48 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i_8.y(), j_1.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        return <rt::Vec4<f32>>::from_scalars(_e27.x(), _e34.x(), _e41.x(), _e48.x());
     }
     pub(crate) fn voxel_cell(&self, cell_3: impl rt::Into<rt::Vec3<i32>>) -> VoxelCell {
         rt::into(self.v_voxel_cell(rt::into(cell_3)))
@@ -3859,9 +3921,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_at_voxel(&self, place_4: rt::Vec3<f32>) -> rt::Scalar<f32> {
-        let first_11 = place_4.floor();
-        let part_13 = (place_4 - first_11);
-        let _e4 = self.v_voxel_cell(first_11.to_i32());
+        let first_12 = place_4.floor();
+        let part_13 = (place_4 - first_12);
+        let _e4 = self.v_voxel_cell(first_12.to_i32());
         let _e7 = self.v_in_slice(_e4.low, part_13.xy());
         let _e10 = self.v_in_slice(_e4.high, part_13.xy());
         return (_e7 + ((_e10 - _e7) * part_13.z()));
@@ -4041,10 +4103,10 @@ impl<'g> Resources<'g> {
         let bx_1 = (h_2.y() - h_2.x());
         let by_4 = (h_2.z() - h_2.x());
         let twist_1 = ((h_2.x() - h_2.y()) + (h_2.w() - h_2.z()));
-        let at_159 = ((grid_1.origin - cell_5) + (grid_1.step * t_13));
+        let at_163 = ((grid_1.origin - cell_5) + (grid_1.step * t_13));
         let z_1 = (path_9.h.x() + (t_13 * (path_9.h.y() + (t_13 * path_9.h.z()))));
         let dz = (path_9.h.y() + ((rt::Scalar(2f32) * t_13) * path_9.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_2.x() + (bx_1 * at_159.x())) + (by_4 * at_159.y())) + ((twist_1 * at_159.x()) * at_159.y()))), (dz - (((bx_1 * grid_1.step.x()) + (by_4 * grid_1.step.y())) + (twist_1 * ((at_159.x() * grid_1.step.y()) + (at_159.y() * grid_1.step.x()))))), (path_9.h.z() - ((twist_1 * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_2.x() + (bx_1 * at_163.x())) + (by_4 * at_163.y())) + ((twist_1 * at_163.x()) * at_163.y()))), (dz - (((bx_1 * grid_1.step.x()) + (by_4 * grid_1.step.y())) + (twist_1 * ((at_163.x() * grid_1.step.y()) + (at_163.y() * grid_1.step.x()))))), (path_9.h.z() - ((twist_1 * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn object_none_cell(
         &self,
@@ -4374,15 +4436,15 @@ impl<'g> Resources<'g> {
         sweep_1: Sweep,
         number_1: rt::Scalar<i32>,
     ) -> SweptPoint {
-        let n_13 = sweep_1.parts.x();
+        let n_16 = sweep_1.parts.x();
         let m_4 = sweep_1.parts.y();
         let apex_1 = sweep_1.apex;
-        if rt::Scalar::into_branch_condition(number_1.elementwise_le(n_13)) {
-            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_1, n_13);
-            let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_13));
-            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_13, sides);
+        if rt::Scalar::into_branch_condition(number_1.elementwise_le(n_16)) {
+            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_1, n_16);
+            let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_16));
+            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_16, sides);
         }
-        let k_48 = (number_1 - n_13);
+        let k_48 = (number_1 - n_16);
         let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_48, m_4);
         let x_8 = ((apex_1.x() * (m_4 - k_48)) + (sweep_1.end.x() * k_48));
         let y_2 = ((apex_1.y() * (m_4 - k_48)) + (sweep_1.end.y() * k_48));
@@ -4894,7 +4956,7 @@ impl<'g> Resources<'g> {
         let mut path_15: Path;
 
         let heights_1 = pixel_6.shell.heights;
-        let first_12 = ends.x();
+        let first_13 = ends.x();
         let long = (ends.y() - ends.x());
         let _e16 = self.v_uv_of(pixel_6, a_5.weights);
         let _e18 = self.v_uv_of(pixel_6, b_5.weights);
@@ -4902,7 +4964,7 @@ impl<'g> Resources<'g> {
         let slope_7 = ((rt::Scalar(b_5.height) - rt::Scalar(a_5.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_6, middle_1);
         let change_3 = ((b_5.weights - a_5.weights) / rt::Vec3::splat_from_scalar(long));
-        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_12)), long);
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_13)), long);
         let _e39 = inside;
         let _e44 = self.v_where_positive(_e39, a_5.weights.x(), change_3.x(), beyond.x());
         inside = _e44;
@@ -4922,7 +4984,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_15 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_5.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_21.metric, RAY_VIEW, rt::Scalar(at_21.level), (middle_1 + first_12), (rt::Scalar(1f32) / rt::Scalar(at_21.segments).to_f32()), rt::Scalar(0f32));
+        path_15 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_5.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_21.metric, RAY_VIEW, rt::Scalar(at_21.level), (middle_1 + first_13), (rt::Scalar(1f32) / rt::Scalar(at_21.segments).to_f32()), rt::Scalar(0f32));
         let _e90 = inside.y();
         let _e92 = inside.x();
         if rt::Scalar::into_branch_condition((!_e90.elementwise_gt(_e92))) {
@@ -5116,56 +5178,28 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<i32> {
         return <rt::Vec3<i32>>::from_scalars((at_23.x() >> level_26), (at_23.y() >> level_26), (at_23.z() >> level_26));
     }
-    pub(crate) fn color_index(
-        &self,
-        i_1: impl rt::Into<rt::Scalar<i32>>,
-        n_3: impl rt::Into<rt::Scalar<i32>>,
-        wrap: impl rt::Into<rt::Scalar<u32>>,
-    ) -> i32 {
-        rt::into(self.v_color_index(rt::into(i_1), rt::into(n_3), rt::into(wrap)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_color_index(
-        &self,
-        i_1: rt::Scalar<i32>,
-        n_3: rt::Scalar<i32>,
-        wrap: rt::Scalar<u32>,
-    ) -> rt::Scalar<i32> {
-        if rt::Scalar::into_branch_condition(wrap.elementwise_eq(WRAP_CLAMP)) {
-            return i_1.clamp(rt::Scalar(0i32), (n_3 - rt::Scalar(1i32)));
-        }
-        if rt::Scalar::into_branch_condition(wrap.elementwise_eq(WRAP_REPEAT)) {
-            return (((i_1 % n_3) + n_3) % n_3);
-        }
-        let period_1 = (rt::Scalar(2i32) * n_3);
-        let folded_1 = (((i_1 % period_1) + period_1) % period_1);
-        return ((period_1 - rt::Scalar(1i32)) - folded_1).select(folded_1, folded_1.elementwise_lt(n_3));
-    }
     pub(crate) fn color_texels_around(
         &self,
         place_5: impl rt::Into<rt::Vec2<f32>>,
-        n_4: impl rt::Into<rt::Vec2<i32>>,
+        n_5: impl rt::Into<rt::Vec2<i32>>,
     ) -> Around {
-        rt::into(self.v_color_texels_around(rt::into(place_5), rt::into(n_4)))
+        rt::into(self.v_color_texels_around(rt::into(place_5), rt::into(n_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_color_texels_around(
         &self,
         place_5: rt::Vec2<f32>,
-        n_4: rt::Vec2<i32>,
+        n_5: rt::Vec2<i32>,
     ) -> Around {
-        let point_25 = ((place_5 * n_4.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_25 = ((place_5 * n_5.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_25);
-        let i_5 = _e8.to_i32();
+        let i_9 = _e8.to_i32();
         let u_1 = rt::Scalar(self.surface_settings.color_wrap_u);
         let v_3 = rt::Scalar(self.surface_settings.color_wrap_v);
-        let _e18 = self.v_color_index(i_5.x(), n_4.x(), u_1);
-        let _e23 = self.v_color_index((i_5.x() + rt::Scalar(1i32)), n_4.x(), u_1);
-        let _e27 = self.v_color_index(i_5.y(), n_4.y(), v_3);
-        let _e32 = self.v_color_index((i_5.y() + rt::Scalar(1i32)), n_4.y(), v_3);
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e18, _e23), <rt::Vec2<i32>>::from_scalars(_e27, _e32), (point_25 - _e8));
+        let _e18 = self.v_continued_pair(i_9.x(), n_5.x(), u_1);
+        let _e21 = self.v_continued_pair(i_9.y(), n_5.y(), v_3);
+        return <Around>::new(_e18, _e21, (point_25 - _e8));
     }
     pub(crate) fn color_of_texels(
         &self,
@@ -5279,11 +5313,11 @@ impl<'g> Resources<'g> {
         let cell_40 = place_30.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
         let part_14 = (place_30 - cell_40);
         let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
-        let first_13 = ((cell_40.y().to_u32() * side_6) + cell_40.x().to_u32());
-        let beside_4 = (first_13 + side_6).select((first_13 + rt::Scalar(1u32)), part_14.x().elementwise_gt(part_14.y()));
+        let first_14 = ((cell_40.y().to_u32() * side_6) + cell_40.x().to_u32());
+        let beside_4 = (first_14 + side_6).select((first_14 + rt::Scalar(1u32)), part_14.x().elementwise_gt(part_14.y()));
         let least_3 = part_14.x().min(part_14.y());
         let most_7 = part_14.x().max(part_14.y());
-        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_13, beside_4, ((first_13 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_3), least_3));
+        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_14, beside_4, ((first_14 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_3), least_3));
     }
     pub(crate) fn image_of_object(&self, number_3: impl rt::Into<rt::Scalar<u32>>) -> Image {
         rt::into(self.v_image_of_object(rt::into(number_3)))
@@ -5508,12 +5542,12 @@ impl<'g> Resources<'g> {
         let uv3_ = _e119.xy();
         let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
         let _e124 = weight1_;
-        let first_14 = (_e122.xyz() * _e124);
+        let first_15 = (_e122.xyz() * _e124);
         let _e127 = self.v_color_at(uv2_, rt::Scalar(0u32));
         let _e129 = weight2_;
         let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
         let _e135 = weight3_;
-        let sum_7 = ((first_14 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let sum_7 = ((first_15 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
         let _e138 = weight1_;
         let _e139 = weight2_;
         let _e141 = weight3_;
@@ -5643,6 +5677,58 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_wide_product(c_4, d_1);
         let by_low = rt::Scalar(0i32).select(rt::Scalar(1i32), _e4.y().elementwise_gt(_e5.y())).select(rt::Scalar(-1i32), _e4.y().elementwise_lt(_e5.y()));
         return by_low.select(rt::Scalar(1i32), _e4.x().elementwise_gt(_e5.x())).select(rt::Scalar(-1i32), _e4.x().elementwise_lt(_e5.x()));
+    }
+    pub(crate) fn continued_index(
+        &self,
+        i_3: impl rt::Into<rt::Scalar<i32>>,
+        n_6: impl rt::Into<rt::Scalar<i32>>,
+        wrap_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> i32 {
+        rt::into(self.v_continued_index(rt::into(i_3), rt::into(n_6), rt::into(wrap_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_continued_index(
+        &self,
+        i_3: rt::Scalar<i32>,
+        n_6: rt::Scalar<i32>,
+        wrap_1: rt::Scalar<u32>,
+    ) -> rt::Scalar<i32> {
+        let mut local_24: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(wrap_1.elementwise_eq(WRAP_CLAMP)) {
+            return i_3.clamp(rt::Scalar(0i32), (n_6 - rt::Scalar(1i32)));
+        }
+        if rt::Scalar::into_branch_condition(i_3.elementwise_ge(rt::Scalar(0i32))) {
+            local_24 = i_3.elementwise_lt(n_6);
+        } else {
+            local_24 = rt::Scalar(false);
+        }
+        let _e15 = local_24;
+        if rt::Scalar::into_branch_condition(_e15) {
+            return i_3;
+        }
+        let period_2 = (rt::Scalar(2i32) * n_6).select(n_6, wrap_1.elementwise_eq(WRAP_REPEAT));
+        let rest_5 = (i_3 % period_2);
+        let _e26 = self.v_unfolded(rest_5.select((rest_5 + period_2), rest_5.elementwise_lt(rt::Scalar(0i32))), n_6, period_2);
+        return _e26;
+    }
+    pub(crate) fn wrap_index(
+        &self,
+        i_4: impl rt::Into<rt::Scalar<i32>>,
+        n_7: impl rt::Into<rt::Scalar<i32>>,
+    ) -> i32 {
+        rt::into(self.v_wrap_index(rt::into(i_4), rt::into(n_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_wrap_index(
+        &self,
+        i_4: rt::Scalar<i32>,
+        n_7: rt::Scalar<i32>,
+    ) -> rt::Scalar<i32> {
+        let _e4 = rt::Scalar(self.surface_settings.wrap);
+        let _e5 = self.v_continued_index(i_4, n_7, _e4);
+        return _e5;
     }
     pub(crate) fn slope_of(&self, value: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_slope_of(rt::into(value)))
@@ -5847,8 +5933,8 @@ impl<'g> Resources<'g> {
         let part_15 = ((begin_5 - _e8) / (begin_5 - params_23.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_23.y()), _e19);
-        let level_58 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_58, _e4, part_15.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let level_60 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_60, _e4, part_15.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
@@ -5936,30 +6022,28 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_texel_between(
         &self,
-        uv_6: impl rt::Into<rt::Vec2<f32>>,
+        at_34: Around,
         layer_3: impl rt::Into<rt::Scalar<i32>>,
         level_31: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel_between(rt::into(uv_6), rt::into(layer_3), rt::into(level_31)))
+        rt::into(self.v_detail_texel_between(at_34, rt::into(layer_3), rt::into(level_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_texel_between(
         &self,
-        uv_6: rt::Vec2<f32>,
+        at_34: Around,
         layer_3: rt::Scalar<i32>,
         level_31: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_31);
-        let _e4 = self.v_texels_around(uv_6, _e3);
-        let _e9 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
-        let k_50 = (level_31 - _e9).to_i32();
-        let _e17 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_50);
-        let _e23 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_50);
-        let _e29 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_50);
-        let _e35 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_50);
-        let _e37 = self.v_bilinear(_e17, _e23, _e29, _e35, _e4.part);
-        return _e37;
+        let _e7 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
+        let k_50 = (level_31 - _e7).to_i32();
+        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.x(), at_34.rows.x()), layer_3, k_50);
+        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.y(), at_34.rows.x()), layer_3, k_50);
+        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.x(), at_34.rows.y()), layer_3, k_50);
+        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.y(), at_34.rows.y()), layer_3, k_50);
+        let _e35 = self.v_bilinear(_e15, _e21, _e27, _e33, at_34.part);
+        return _e35;
     }
     pub(crate) fn one_of(
         &self,
@@ -5981,9 +6065,9 @@ impl<'g> Resources<'g> {
         &self,
         rows_1: DiceRows,
         side: impl rt::Into<rt::Scalar<u32>>,
-        at_34: impl rt::Into<rt::Scalar<u32>>,
+        at_35: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePoint {
-        rt::into(self.v_dice_border(rows_1, rt::into(side), rt::into(at_34)))
+        rt::into(self.v_dice_border(rows_1, rt::into(side), rt::into(at_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5991,11 +6075,11 @@ impl<'g> Resources<'g> {
         &self,
         rows_1: DiceRows,
         side: rt::Scalar<u32>,
-        at_34: rt::Scalar<u32>,
+        at_35: rt::Scalar<u32>,
     ) -> DicePoint {
         let _e4 = self.v_one_of(rows_1.sides, side);
         let _e6 = self.v_one_of(rows_1.parts, side);
-        let on_side = at_34.select((_e6 - at_34), side.elementwise_eq(rt::Scalar(2u32)));
+        let on_side = at_35.select((_e6 - at_35), side.elementwise_eq(rt::Scalar(2u32)));
         let no_weights = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(on_side.elementwise_eq(_e6)) {
             let _e17 = self.v_around_three(_e4, rt::Scalar(1u32));
@@ -6039,30 +6123,30 @@ impl<'g> Resources<'g> {
         slope: rt::Scalar<u32>,
         offset_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let mut n_5: rt::Scalar<u32>;
+        let mut n_8: rt::Scalar<u32>;
         let mut m_2: rt::Scalar<u32>;
         let mut a_10: rt::Scalar<u32>;
         let mut b_10: rt::Scalar<u32>;
         let mut sum_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        n_5 = count_2;
+        n_8 = count_2;
         m_2 = by;
         a_10 = slope;
         b_10 = offset_1;
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = n_5;
+                let _e10 = n_8;
                 if rt::Scalar::into_branch_condition(_e10.elementwise_gt(rt::Scalar(0u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = sum_2;
-                    let _e14 = n_5;
-                    let _e15 = n_5;
+                    let _e14 = n_8;
+                    let _e15 = n_8;
                     let _e21 = a_10;
                     let _e22 = m_2;
-                    let _e26 = n_5;
+                    let _e26 = n_8;
                     let _e27 = b_10;
                     let _e28 = m_2;
                     sum_2 = ((_e13 + (((_e14 * (_e15 - rt::Scalar(1u32))) / rt::Scalar(2u32)) * (_e21 / _e22))) + (_e26 * (_e27 / _e28)));
@@ -6073,11 +6157,11 @@ impl<'g> Resources<'g> {
                     let _e36 = m_2;
                     b_10 = (_e35 % _e36);
                     let _e38 = a_10;
-                    let _e39 = n_5;
+                    let _e39 = n_8;
                     let _e41 = b_10;
                     let last_6 = ((_e38 * _e39) + _e41);
                     let _e43 = m_2;
-                    n_5 = (last_6 / _e43);
+                    n_8 = (last_6 / _e43);
                     let _e45 = m_2;
                     b_10 = (last_6 % _e45);
                     let swapped = m_2;
@@ -6353,15 +6437,15 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_dice_rows(&self, parts_2: rt::Vec3<u32>) -> DiceRows {
-        let mut local_24: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
 
         let of_last = rt::Scalar(2u32).select(rt::Scalar(1u32), parts_2.y().elementwise_le(parts_2.z()));
         if rt::Scalar::into_branch_condition(parts_2.x().elementwise_le(parts_2.y())) {
-            local_24 = parts_2.x().elementwise_le(parts_2.z());
+            local_25 = parts_2.x().elementwise_le(parts_2.z());
         } else {
-            local_24 = rt::Scalar(false);
+            local_25 = rt::Scalar(false);
         }
-        let _e17 = local_24;
+        let _e17 = local_25;
         let short = of_last.select(rt::Scalar(0u32), _e17);
         let _e20 = self.v_around_three(short, rt::Scalar(2u32));
         let _e22 = self.v_around_three(short, rt::Scalar(1u32));
@@ -6388,8 +6472,8 @@ impl<'g> Resources<'g> {
         steps: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut j: rt::Scalar<u32>;
-        let mut local_25: rt::Scalar<bool>;
         let mut local_26: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
 
         let least_4 = rt::Scalar(0u32).select((steps - above), steps.elementwise_gt(above));
         let most_8 = below.min(steps);
@@ -6400,11 +6484,11 @@ impl<'g> Resources<'g> {
                 if rt::Scalar::into_branch_condition(_e19.elementwise_gt(least_4)) {
                     let _e24 = j;
                     let _e30 = j;
-                    local_25 = (((rt::Scalar(2u32) * _e24) - rt::Scalar(1u32)) * above).elementwise_gt((((rt::Scalar(2u32) * (steps - _e30)) + rt::Scalar(1u32)) * below));
+                    local_26 = (((rt::Scalar(2u32) * _e24) - rt::Scalar(1u32)) * above).elementwise_gt((((rt::Scalar(2u32) * (steps - _e30)) + rt::Scalar(1u32)) * below));
                 } else {
-                    local_25 = rt::Scalar(false);
+                    local_26 = rt::Scalar(false);
                 }
-                let _e38 = local_25;
+                let _e38 = local_26;
                 if rt::Scalar::into_branch_condition(_e38) {
                 } else {
                     break 'naga_break;
@@ -6421,11 +6505,11 @@ impl<'g> Resources<'g> {
                 if rt::Scalar::into_branch_condition(_e42.elementwise_lt(most_8)) {
                     let _e47 = j;
                     let _e53 = j;
-                    local_26 = (((rt::Scalar(2u32) * _e47) + rt::Scalar(1u32)) * above).elementwise_le((((rt::Scalar(2u32) * (steps - _e53)) - rt::Scalar(1u32)) * below));
+                    local_27 = (((rt::Scalar(2u32) * _e47) + rt::Scalar(1u32)) * above).elementwise_le((((rt::Scalar(2u32) * (steps - _e53)) - rt::Scalar(1u32)) * below));
                 } else {
-                    local_26 = rt::Scalar(false);
+                    local_27 = rt::Scalar(false);
                 }
-                let _e61 = local_26;
+                let _e61 = local_27;
                 if rt::Scalar::into_branch_condition(_e61) {
                 } else {
                     break 'naga_break;
@@ -6452,7 +6536,7 @@ impl<'g> Resources<'g> {
         rows_14: DiceRows,
         number_7: rt::Scalar<u32>,
     ) -> DiceTriangle {
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
 
         let _e2 = self.v_dice_row_of_triangle(rows_14, number_7);
         let _e5 = self.v_dice_row_parts(rows_14, (_e2 - rt::Scalar(1u32)));
@@ -6460,19 +6544,19 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(1u32))) {
             let _e15 = self.v_dice_share(rows_14, (_e2 - rt::Scalar(1u32)), rows_14.parts.x());
             let _e18 = self.v_dice_share(rows_14, _e2, rows_14.parts.x());
-            local_27 = _e15.elementwise_eq(_e18);
+            local_28 = _e15.elementwise_eq(_e18);
         } else {
-            local_27 = rt::Scalar(false);
+            local_28 = rt::Scalar(false);
         }
-        let is_shared = local_27;
+        let is_shared = local_28;
         let _e24 = self.v_dice_triangles_before(rows_14, (_e2 - rt::Scalar(1u32)));
         let step_5 = ((number_7 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
         let _e30 = self.v_dice_steps_below(_e5, _e6, step_5);
-        let i_6 = (step_5 - _e30);
+        let i_10 = (step_5 - _e30);
         let _e34 = self.v_dice_steps_below(_e5, _e6, (step_5 + rt::Scalar(1u32)));
         let goes_below = _e34.elementwise_gt(_e30);
-        let next_10 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_6 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
-        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_6), <DicePlace>::new(_e2, _e30), next_10);
+        let next_10 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_10 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
+        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_10), <DicePlace>::new(_e2, _e30), next_10);
     }
     pub(crate) fn displaced_derivative(
         &self,
@@ -6556,20 +6640,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn height_and_slope(
         &self,
-        uv_7: impl rt::Into<rt::Vec2<f32>>,
+        uv_6: impl rt::Into<rt::Vec2<f32>>,
         level_32: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_7), rt::into(level_32)))
+        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_height_and_slope(
         &self,
-        uv_7: rt::Vec2<f32>,
+        uv_6: rt::Vec2<f32>,
         level_32: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_32);
-        let point_26 = ((uv_7 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_26 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_26);
         let f_1 = (point_26 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_32);
@@ -6581,62 +6665,62 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn relief_between_levels(
         &self,
-        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        uv_7: impl rt::Into<rt::Vec2<f32>>,
         level_33: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_relief_between_levels(rt::into(uv_8), rt::into(level_33)))
+        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_relief_between_levels(
         &self,
-        uv_8: rt::Vec2<f32>,
+        uv_7: rt::Vec2<f32>,
         level_33: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let finer = level_33.to_u32();
         let part_18 = (level_33 - finer.to_f32());
-        let _e5 = self.v_height_and_slope(uv_8, finer);
+        let _e5 = self.v_height_and_slope(uv_7, finer);
         if rt::Scalar::into_branch_condition(part_18.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
         }
-        let _e10 = self.v_height_and_slope(uv_8, (finer + rt::Scalar(1u32)));
+        let _e10 = self.v_height_and_slope(uv_7, (finer + rt::Scalar(1u32)));
         return (_e5 + ((_e10 - _e5) * part_18));
     }
     pub(crate) fn sloped_uv(
         &self,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
         level_34: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_sloped_uv(rt::into(uv_9), rt::into(level_34)))
+        rt::into(self.v_sloped_uv(rt::into(uv_8), rt::into(level_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_sloped_uv(
         &self,
-        uv_9: rt::Vec2<f32>,
+        uv_8: rt::Vec2<f32>,
         level_34: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_28: rt::Scalar<bool>;
         let mut local_29: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(uv_9.x().min(uv_9.y()).elementwise_ge(rt::Scalar(0f32))) {
-            local_28 = uv_9.x().max(uv_9.y()).elementwise_le(rt::Scalar(1f32));
+        if rt::Scalar::into_branch_condition(uv_8.x().min(uv_8.y()).elementwise_ge(rt::Scalar(0f32))) {
+            local_29 = uv_8.x().max(uv_8.y()).elementwise_le(rt::Scalar(1f32));
         } else {
-            local_28 = rt::Scalar(false);
+            local_29 = rt::Scalar(false);
         }
-        let is_inside_1 = local_28;
+        let is_inside_1 = local_29;
         let _e18 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition((!_e18.elementwise_ne(WRAP_CLAMP))) {
-            local_29 = (!is_inside_1);
+            local_30 = (!is_inside_1);
         } else {
-            local_29 = rt::Scalar(true);
+            local_30 = rt::Scalar(true);
         }
-        let _e26 = local_29;
+        let _e26 = local_30;
         if rt::Scalar::into_branch_condition(_e26) {
-            return uv_9;
+            return uv_8;
         }
         let _e29 = self.v_height_size(level_34.ceil().to_u32());
         let least_5 = (rt::Vec2::splat_from_scalar(rt::Scalar(0.515625f32)) / _e29);
-        return uv_9.clamp(least_5, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - least_5).max(least_5));
+        return uv_8.clamp(least_5, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - least_5).max(least_5));
     }
     pub(crate) fn displaced_site(&self, grid_6: Tessellation, site_1: BaseSite) -> Corner {
         rt::into(self.v_displaced_site(grid_6, site_1))
@@ -6686,52 +6770,52 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_texel_between(
         &self,
         path_19: Path,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
         layer_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_19, rt::into(uv_10), rt::into(layer_4)))
+        rt::into(self.v_search_texel_between(path_19, rt::into(uv_9), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_search_texel_between(
         &self,
         path_19: Path,
-        uv_10: rt::Vec2<f32>,
+        uv_9: rt::Vec2<f32>,
         layer_4: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_19.level));
-        let _e5 = self.v_texels_around(uv_10, _e4);
-        let level_59 = rt::Scalar(path_19.level).to_i32();
-        let _e13 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_59);
-        let _e19 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_59);
-        let _e25 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_59);
-        let _e31 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_59);
+        let _e5 = self.v_texels_around(uv_9, _e4);
+        let level_61 = rt::Scalar(path_19.level).to_i32();
+        let _e13 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_61);
+        let _e19 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_61);
+        let _e25 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_61);
+        let _e31 = self.v_search_texel(path_19, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_61);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
         path_20: Path,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
         height_1: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_20, rt::into(uv_11), rt::into(height_1), rt::into(slices)))
+        rt::into(self.v_distance_at(path_20, rt::into(uv_10), rt::into(height_1), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_distance_at(
         &self,
         path_20: Path,
-        uv_11: rt::Vec2<f32>,
+        uv_10: rt::Vec2<f32>,
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let place_31 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
         let below_6 = place_31.floor();
-        let _e13 = self.v_search_texel_between(path_20, uv_11, below_6.to_i32());
+        let _e13 = self.v_search_texel_between(path_20, uv_10, below_6.to_i32());
         let lower_1 = _e13.x();
-        let _e21 = self.v_search_texel_between(path_20, uv_11, (below_6 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
+        let _e21 = self.v_search_texel_between(path_20, uv_10, (below_6 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
         return (lower_1 + ((upper - lower_1) * (place_31 - below_6)));
     }
@@ -6764,63 +6848,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn material_at(
         &self,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
         level_36: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_material_at(rt::into(uv_12), rt::into(layer_6), rt::into(level_36)))
+        rt::into(self.v_material_at(rt::into(uv_11), rt::into(layer_6), rt::into(level_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_material_at(
         &self,
-        uv_12: rt::Vec2<f32>,
+        uv_11: rt::Vec2<f32>,
         layer_6: rt::Scalar<i32>,
         level_36: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_color_place(uv_12);
+        let _e3 = self.v_color_place(uv_11);
         let _e4 = self.v_material_of_texels(_e3, layer_6, level_36);
         return _e4;
     }
     pub(crate) fn material_layer(
         &self,
-        uv_13: impl rt::Into<rt::Vec2<f32>>,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
         footprint_2: impl rt::Into<rt::Scalar<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_material_layer(rt::into(uv_13), rt::into(footprint_2), rt::into(layer_7)))
+        rt::into(self.v_material_layer(rt::into(uv_12), rt::into(footprint_2), rt::into(layer_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_material_layer(
         &self,
-        uv_13: rt::Vec2<f32>,
+        uv_12: rt::Vec2<f32>,
         footprint_2: rt::Scalar<f32>,
         layer_7: rt::Scalar<i32>,
     ) -> rt::Vec3<f32> {
         let _e5 = rt::Scalar(self.surface_settings.material_texels);
         let _e9 = rt::Scalar(self.surface_settings.material_levels);
         let _e10 = self.v_levels_of((footprint_2 * _e5), _e9);
-        let _e12 = self.v_material_at(uv_13, layer_7, rt::Scalar(_e10.fine));
+        let _e12 = self.v_material_at(uv_12, layer_7, rt::Scalar(_e10.fine));
         let fine_1 = _e12.xyz();
         if rt::Scalar::into_branch_condition(rt::Scalar(_e10.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e20 = self.v_material_at(uv_13, layer_7, (rt::Scalar(_e10.fine) + rt::Scalar(1u32)));
+            let _e20 = self.v_material_at(uv_12, layer_7, (rt::Scalar(_e10.fine) + rt::Scalar(1u32)));
             return (fine_1 + ((_e20.xyz() - fine_1) * rt::Scalar(_e10.part)));
         }
         return fine_1;
     }
     pub(crate) fn emission_at(
         &self,
-        uv_14: impl rt::Into<rt::Vec2<f32>>,
+        uv_13: impl rt::Into<rt::Vec2<f32>>,
         footprint_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_emission_at(rt::into(uv_14), rt::into(footprint_3)))
+        rt::into(self.v_emission_at(rt::into(uv_13), rt::into(footprint_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_emission_at(
         &self,
-        uv_14: rt::Vec2<f32>,
+        uv_13: rt::Vec2<f32>,
         footprint_3: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_material);
@@ -6829,7 +6913,7 @@ impl<'g> Resources<'g> {
             return _e11.xyz();
         }
         let _e15 = self.surface_settings.emission;
-        let _e18 = self.v_material_layer(uv_14, footprint_3, rt::Scalar(1i32));
+        let _e18 = self.v_material_layer(uv_13, footprint_3, rt::Scalar(1i32));
         return (_e15.xyz() * _e18);
     }
     pub(crate) fn ends_on(&self, sweep_4: Sweep, chain_1: SweptChain, other: SweptChain) -> bool {
@@ -6916,7 +7000,7 @@ impl<'g> Resources<'g> {
         pixel_20: PixelIn,
         params_26: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_20);
         let _e5 = self.v_plane_distance(pixel_20, _e2);
@@ -6925,7 +7009,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_40 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
+        let uv_38 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
         let tangent_1 = (((pixel_20.a.tangent * wa) + (pixel_20.b.tangent * wb_1)) + (pixel_20.c.tangent * wc_1));
         let bitangent = (((pixel_20.a.bitangent * wa) + (pixel_20.b.bitangent * wb_1)) + (pixel_20.c.bitangent * wc_1));
         let normal_29 = ((((pixel_20.a.normal * wa) + (pixel_20.b.normal * wb_1)) + (pixel_20.c.normal * wc_1)).normalize() * rt::Scalar(pixel_20.side));
@@ -6937,13 +7021,13 @@ impl<'g> Resources<'g> {
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
         let descent_2 = (rt::Scalar(0f32) - normal_29.dot((pixel_20.direction / rt::Vec3::splat_from_scalar(pixel_20.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
-            local_30 = descent_2.elementwise_gt(rt::Scalar(0f32));
+            local_31 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_30 = rt::Scalar(false);
+            local_31 = rt::Scalar(false);
         }
-        let _e86 = local_30;
+        let _e86 = local_31;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_27, uv_40, tangent_1, bitangent, normal_29, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_27, uv_38, tangent_1, bitangent, normal_29, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -6991,10 +7075,10 @@ impl<'g> Resources<'g> {
         pixel_23: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
         point_10: impl rt::Into<rt::Vec3<f32>>,
-        uv_15: impl rt::Into<rt::Vec2<f32>>,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_23, rt::into(weights_1), rt::into(point_10), rt::into(uv_15), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_23, rt::into(weights_1), rt::into(point_10), rt::into(uv_14), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7003,7 +7087,7 @@ impl<'g> Resources<'g> {
         pixel_23: PixelIn,
         weights_1: rt::Vec3<f32>,
         point_10: rt::Vec3<f32>,
-        uv_15: rt::Vec2<f32>,
+        uv_14: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
         let _e6 = self.v_ordered(pixel_23, rt::Scalar(0u32));
@@ -7015,7 +7099,7 @@ impl<'g> Resources<'g> {
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
         let unit = (normal_30.normalize() * rt::Scalar(pixel_23.side));
-        return <Entered>::new(rt::Scalar(1u32), point_10, uv_15, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(1u32), point_10, uv_14, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
@@ -7050,28 +7134,28 @@ impl<'g> Resources<'g> {
         pixel_25: PixelIn,
         along_7: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_35: Entered;
+        let mut at_36: Entered;
 
         let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_41 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_39 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_25, along_7);
         let point_28 = (pixel_25.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_25, along_7);
-        let _e21 = self.v_frame_at(pixel_25, third_2, point_28, uv_41, _e20);
-        at_35 = _e21;
-        rt::Scalar(at_35.segments) = rt::Scalar(0u32);
-        let _e25 = at_35;
+        let _e21 = self.v_frame_at(pixel_25, third_2, point_28, uv_39, _e20);
+        at_36 = _e21;
+        rt::Scalar(at_36.segments) = rt::Scalar(0u32);
+        let _e25 = at_36;
         return _e25;
     }
     pub(crate) fn way_weight(
         &self,
         along_8: impl rt::Into<rt::Vec3<f32>>,
         p: impl rt::Into<rt::Vec3<f32>>,
-        n_6: impl rt::Into<rt::Vec3<f32>>,
+        n_9: impl rt::Into<rt::Vec3<f32>>,
         q: impl rt::Into<rt::Vec3<f32>>,
         m_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_way_weight(rt::into(along_8), rt::into(p), rt::into(n_6), rt::into(q), rt::into(m_3)))
+        rt::into(self.v_way_weight(rt::into(along_8), rt::into(p), rt::into(n_9), rt::into(q), rt::into(m_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7079,13 +7163,13 @@ impl<'g> Resources<'g> {
         &self,
         along_8: rt::Vec3<f32>,
         p: rt::Vec3<f32>,
-        n_6: rt::Vec3<f32>,
+        n_9: rt::Vec3<f32>,
         q: rt::Vec3<f32>,
         m_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let most_9 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let middle_11 = (p.cross(m_3).min(most_9) + n_6.cross(q).min(most_9));
-        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_6.cross(m_3))).min(most_9);
+        let middle_11 = (p.cross(m_3).min(most_9) + n_9.cross(q).min(most_9));
+        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_9.cross(m_3))).min(most_9);
     }
     pub(crate) fn way_of(
         &self,
@@ -7103,9 +7187,9 @@ impl<'g> Resources<'g> {
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_15 = (rt::Scalar(pixel_26.shell.order) & rt::Scalar(3u32));
-        let second_3 = ((rt::Scalar(pixel_26.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_3 + rt::Scalar(3u32)) - first_15) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let first_16 = (rt::Scalar(pixel_26.shell.order) & rt::Scalar(3u32));
+        let second_4 = ((rt::Scalar(pixel_26.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
+        let is_turned = (((second_4 + rt::Scalar(3u32)) - first_16) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -7255,17 +7339,17 @@ impl<'g> Resources<'g> {
         way_4: Way,
         offset_3: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
 
         let _e3 = self.v_quadratic(way_4.first, offset_3);
         let _e5 = self.v_quadratic(way_4.second, offset_3);
         let _e7 = self.v_quadratic(way_4.third, offset_3);
         if rt::Scalar::into_branch_condition((!_e3.min(_e5).min(_e7).elementwise_gt(rt::Scalar(0f32)))) {
-            local_31 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
+            local_32 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_31 = rt::Scalar(true);
+            local_32 = rt::Scalar(true);
         }
-        let _e20 = local_31;
+        let _e20 = local_32;
         return _e20;
     }
     pub(crate) fn way_chord(
@@ -7297,8 +7381,8 @@ impl<'g> Resources<'g> {
         let mut count_4: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut begin: rt::Scalar<f32>;
         let mut pieces: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_32: rt::Scalar<bool>;
         let mut local_33: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
 
         let _e8 = self.v_grown_way(way_5, beyond_2);
         begin = offsets_1.x();
@@ -7307,11 +7391,11 @@ impl<'g> Resources<'g> {
                 let _e19 = pieces;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(MOST_PIECES)) {
                     let _e24 = begin;
-                    local_32 = _e24.elementwise_lt(offsets_1.y());
+                    local_33 = _e24.elementwise_lt(offsets_1.y());
                 } else {
-                    local_32 = rt::Scalar(false);
+                    local_33 = rt::Scalar(false);
                 }
-                let _e28 = local_32;
+                let _e28 = local_33;
                 if rt::Scalar::into_branch_condition(_e28) {
                 } else {
                     break 'naga_break;
@@ -7334,11 +7418,11 @@ impl<'g> Resources<'g> {
                         let _e54 = count_4;
                         if rt::Scalar::into_branch_condition(number_9.elementwise_ge(_e54)) {
                             let _e58 = count_4;
-                            local_33 = number_9.elementwise_lt((_e58 + _e53));
+                            local_34 = number_9.elementwise_lt((_e58 + _e53));
                         } else {
-                            local_33 = rt::Scalar(false);
+                            local_34 = rt::Scalar(false);
                         }
-                        let _e62 = local_33;
+                        let _e62 = local_34;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = begin;
                             let long_2 = (end_5 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
@@ -7374,22 +7458,22 @@ impl<'g> Resources<'g> {
         pixel_29: PixelIn,
         params_28: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_36: Entered;
+        let mut at_37: Entered;
 
         let along_25 = pixel_29.direction.normalize();
         let _e4 = self.v_middle_of(pixel_29, along_25);
         let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_28);
         let _e6 = self.v_shell_middle(pixel_29, along_25);
-        at_36 = _e6;
+        at_37 = _e6;
         let _e8 = self.v_way_of(pixel_29, _e5, along_25);
         let _e9 = self.v_shell_slack(pixel_29, _e4);
         let _e10 = self.v_way_offsets(pixel_29, _e5, _e9);
-        let _e11 = at_36;
+        let _e11 = at_37;
         let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_28);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
         let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_28.x(), rt::Scalar(0u32));
-        rt::Scalar(at_36.segments) = rt::Scalar(_e17.count);
-        let _e19 = at_36;
+        rt::Scalar(at_37.segments) = rt::Scalar(_e17.count);
+        let _e19 = at_37;
         return _e19;
     }
     pub(crate) fn in_slab(
@@ -7500,8 +7584,8 @@ impl<'g> Resources<'g> {
     pub(super) fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_42 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_42, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_42, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_40 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_40, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_40, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
@@ -7550,23 +7634,23 @@ impl<'g> Resources<'g> {
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_4 = ((place_14 - base_1) - (normal_31 * offset_7));
+                    let rest_6 = ((place_14 - base_1) - (normal_31 * offset_7));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
-                    let second_4 = ((l.z() * (_e66 - _e68)) + (_e72 * (l.x() - l.y())));
+                    let second_5 = ((l.z() * (_e66 - _e68)) + (_e72 * (l.x() - l.y())));
                     let _e80 = w_1.x();
                     let _e82 = w_1.z();
                     let _e86 = w_1.y();
                     let third_3 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
-                    let a_33 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_31 * second_4));
+                    let a_33 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_31 * second_5));
                     let b_33 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_31 * third_3));
                     let c_24 = (normal_31 * width_5);
                     let across_4 = b_33.cross(c_24);
                     let one_over = (rt::Scalar(1f32) / a_33.dot(across_4));
-                    let db = (rest_4.dot(across_4) * one_over);
-                    let dc = (rest_4.dot(c_24.cross(a_33)) * one_over);
-                    let dh = (rest_4.dot(a_33.cross(b_33)) * one_over);
+                    let db = (rest_6.dot(across_4) * one_over);
+                    let dc = (rest_6.dot(c_24.cross(a_33)) * one_over);
+                    let dh = (rest_6.dot(a_33.cross(b_33)) * one_over);
                     let _e126 = w_1.x();
                     let _e130 = w_1.y();
                     let _e133 = w_1.z();
@@ -7615,8 +7699,8 @@ impl<'g> Resources<'g> {
         pixel_31: PixelIn,
         params_30: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_34: rt::Scalar<bool>;
-        let mut at_37: Entered;
+        let mut local_35: rt::Scalar<bool>;
+        let mut at_38: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_31.shell.order).elementwise_ge(SHELL_FOLDED)) {
             let _e6 = self.v_folded_enter(pixel_31, params_30);
@@ -7628,30 +7712,30 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_30);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
-            local_34 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_35 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_34 = rt::Scalar(true);
+            local_35 = rt::Scalar(true);
         }
-        let _e27 = local_34;
+        let _e27 = local_35;
         if rt::Scalar::into_branch_condition(_e27) {
             let _e28 = self.v_passed_by();
             return _e28;
         }
         let _e29 = self.v_shell_middle(pixel_31, along_26);
-        at_37 = _e29;
-        at_37.span = _e11;
+        at_38 = _e29;
+        at_38.span = _e11;
         let height_20 = (rt::Scalar(0.5f32) * (pixel_31.shell.heights.x() + pixel_31.shell.heights.y()));
-        let _e43 = at_37.span.x();
+        let _e43 = at_38.span.x();
         let _e45 = self.v_shell_point(_e10, (along_26 * _e43), height_20);
-        let _e48 = at_37.span.y();
+        let _e48 = at_38.span.y();
         let _e50 = self.v_shell_point(_e10, (along_26 * _e48), height_20);
-        let _e53 = at_37.span.x();
+        let _e53 = at_38.span.x();
         let _e58 = self.v_between(_e45, _e50);
         let _e59 = self.v_shell_point_from(_e10, (along_26 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
-        let _e62 = at_37.span.x();
+        let _e62 = at_38.span.x();
         let _e67 = self.v_between(_e45, _e59);
         let _e68 = self.v_shell_point_from(_e10, (along_26 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
-        let _e71 = at_37.span.x();
+        let _e71 = at_38.span.x();
         let _e76 = self.v_between(_e59, _e50);
         let _e77 = self.v_shell_point_from(_e10, (along_26 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
@@ -7659,8 +7743,8 @@ impl<'g> Resources<'g> {
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_11 = _e84.max(quarters_1);
-        rt::Scalar(at_37.segments) = (most_11 / params_30.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
-        let _e95 = at_37;
+        rt::Scalar(at_38.segments) = (most_11 / params_30.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        let _e95 = at_38;
         return _e95;
     }
     pub(crate) fn weight_at(
@@ -7747,20 +7831,20 @@ impl<'g> Resources<'g> {
         pixel_33: PixelIn,
         params_31: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_38: Entered;
+        let mut at_39: Entered;
 
         let _e2 = self.v_surface_plane_enter(pixel_33, params_31);
-        at_38 = _e2;
-        let _e6 = at_38.point;
+        at_39 = _e2;
+        let _e6 = at_39.point;
         let _e8 = self.v_quadric_of(pixel_33, _e6, params_31.y());
-        at_38.of_surface = _e8;
-        let _e11 = at_38.metric.x();
-        let _e14 = at_38.metric.z();
-        let _e18 = at_38.metric.y();
-        let _e21 = at_38.metric.y();
+        at_39.of_surface = _e8;
+        let _e11 = at_39.metric.x();
+        let _e14 = at_39.metric.z();
+        let _e18 = at_39.metric.y();
+        let _e21 = at_39.metric.y();
         let area_3 = ((_e11 * _e14) - (_e18 * _e21));
-        rt::Scalar(at_38.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
-        let _e30 = at_38;
+        rt::Scalar(at_39.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_39;
         return _e30;
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
@@ -7776,24 +7860,24 @@ impl<'g> Resources<'g> {
         pixel_34: PixelIn,
         params_32: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_39: Entered;
+        let mut at_40: Entered;
 
         let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_32);
-        at_39 = _e2;
+        at_40 = _e2;
         let along_27 = pixel_34.direction.length();
-        let _e6 = at_39;
+        let _e6 = at_40;
         let _e10 = self.v_across_of(_e6, (pixel_34.direction / rt::Vec3::splat_from_scalar(along_27)));
         let _e11 = self.v_plane_normal(pixel_34);
         let _e12 = self.v_plane_distance(pixel_34, _e11);
         let eye_2 = (rt::Scalar(0f32) - (_e12 * along_27));
-        let _e17 = at_39;
+        let _e17 = at_40;
         let _e18 = self.v_across_span(_e17, _e10, eye_2);
-        at_39.span = _e18;
-        let _e22 = rt::Scalar(at_39.segments);
-        let _e28 = at_39.span.y();
-        let _e31 = at_39.span.x();
-        rt::Scalar(at_39.segments) = rt::Scalar(0u32).select((_e22 * params_32.z().to_u32()), _e28.elementwise_gt(_e31));
-        let _e34 = at_39;
+        at_40.span = _e18;
+        let _e22 = rt::Scalar(at_40.segments);
+        let _e28 = at_40.span.y();
+        let _e31 = at_40.span.x();
+        rt::Scalar(at_40.segments) = rt::Scalar(0u32).select((_e22 * params_32.z().to_u32()), _e28.elementwise_gt(_e31));
+        let _e34 = at_40;
         return _e34;
     }
     pub(crate) fn moved_out(
@@ -7852,7 +7936,7 @@ impl<'g> Resources<'g> {
         number_10: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside_1: rt::Vec2<f32>;
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
         let origin_5 = (pixel_35.origin + (along_13 * middle_5));
         let is_first_2 = number_10.elementwise_eq(rt::Scalar(0u32));
@@ -7902,11 +7986,11 @@ impl<'g> Resources<'g> {
         inside_1 = _e100;
         if rt::Scalar::into_branch_condition((!(!volume_1.abs().elementwise_gt(rt::Scalar(0f32))))) {
             let _e109 = inside_1.y();
-            local_35 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_36 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_35 = rt::Scalar(true);
+            local_36 = rt::Scalar(true);
         }
-        let _e114 = local_35;
+        let _e114 = local_36;
         if rt::Scalar::into_branch_condition(_e114) {
             inside_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
         }
@@ -7957,35 +8041,35 @@ impl<'g> Resources<'g> {
         pixel_37: PixelIn,
         params_33: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_36: rt::Scalar<bool>;
         let mut local_37: rt::Scalar<bool>;
-        let mut at_40: Entered;
+        let mut local_38: rt::Scalar<bool>;
+        let mut at_41: Entered;
 
         let along_28 = pixel_37.direction.normalize();
         let _e4 = self.v_middle_of(pixel_37, along_28);
         let _e6 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
             let _e11 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(1u32));
-            local_36 = (!_e11);
-        } else {
-            local_36 = rt::Scalar(false);
-        }
-        let _e14 = local_36;
-        if rt::Scalar::into_branch_condition(_e14) {
-            let _e18 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(2u32));
-            local_37 = (!_e18);
+            local_37 = (!_e11);
         } else {
             local_37 = rt::Scalar(false);
         }
-        let is_passed_by = local_37;
+        let _e14 = local_37;
+        if rt::Scalar::into_branch_condition(_e14) {
+            let _e18 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(2u32));
+            local_38 = (!_e18);
+        } else {
+            local_38 = rt::Scalar(false);
+        }
+        let is_passed_by = local_38;
         if rt::Scalar::into_branch_condition(is_passed_by) {
             let _e22 = self.v_passed_by();
             return _e22;
         }
         let _e23 = self.v_shell_middle(pixel_37, along_28);
-        at_40 = _e23;
-        rt::Scalar(at_40.segments) = rt::Scalar(3u32);
-        let _e27 = at_40;
+        at_41 = _e23;
+        rt::Scalar(at_41.segments) = rt::Scalar(3u32);
+        let _e27 = at_41;
         return _e27;
     }
     pub(crate) fn triangle_distance(
@@ -8035,22 +8119,22 @@ impl<'g> Resources<'g> {
         let inside_5 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
         return (inside_5 / rt::Vec3::splat_from_scalar(((inside_5.x() + inside_5.y()) + inside_5.z())));
     }
-    pub(crate) fn is_on_map(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_on_map(rt::into(uv_16)))
+    pub(crate) fn is_on_map(&self, uv_15: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_on_map(rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_is_on_map(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
-        let mut local_38: rt::Scalar<bool>;
+    pub(super) fn v_is_on_map(&self, uv_15: rt::Vec2<f32>) -> rt::Scalar<bool> {
+        let mut local_39: rt::Scalar<bool>;
 
-        let beyond_4 = ((uv_16.x() - rt::Scalar(0.5f32)).abs().max((uv_16.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
+        let beyond_4 = ((uv_15.x() - rt::Scalar(0.5f32)).abs().max((uv_15.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition((!_e14.elementwise_ne(WRAP_CLAMP))) {
-            local_38 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
+            local_39 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_38 = rt::Scalar(true);
+            local_39 = rt::Scalar(true);
         }
-        let _e23 = local_38;
+        let _e23 = local_39;
         return _e23;
     }
     pub(crate) fn surface_facets_enter(
@@ -8066,13 +8150,13 @@ impl<'g> Resources<'g> {
         pixel_40: PixelIn,
         params_34: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_39: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
         let point_29 = (pixel_40.origin + (pixel_40.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_40, _e2, point_29);
-        let uv_43 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let uv_41 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_3 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let sum_11 = ((((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z())) * rt::Scalar(pixel_40.side));
@@ -8080,14 +8164,14 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_43);
-            local_39 = _e77;
+            let _e77 = self.v_is_on_map(uv_41);
+            local_40 = _e77;
         } else {
-            local_39 = rt::Scalar(false);
+            local_40 = rt::Scalar(false);
         }
-        let _e79 = local_39;
+        let _e79 = local_40;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_43, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_41, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -8102,15 +8186,15 @@ impl<'g> Resources<'g> {
         pixel_41: PixelIn,
         params_35: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_40: rt::Scalar<bool>;
         let mut local_41: rt::Scalar<bool>;
         let mut local_42: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_41);
         let _e5 = self.v_triangle_distance(pixel_41, _e2);
         let point_30 = (pixel_41.origin + (pixel_41.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_41, _e2, point_30);
-        let uv_44 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
+        let uv_42 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
         let tangent_4 = (((pixel_41.a.tangent * _e8.x()) + (pixel_41.b.tangent * _e8.y())) + (pixel_41.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_41.a.bitangent * _e8.x()) + (pixel_41.b.bitangent * _e8.y())) + (pixel_41.c.bitangent * _e8.z()));
         let raw_ = (((pixel_41.a.normal * _e8.x()) + (pixel_41.b.normal * _e8.y())) + (pixel_41.c.normal * _e8.z()));
@@ -8123,27 +8207,27 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
         let height_m = (_e87 + (_e90 * slice_8.x()));
         let normal_32 = raw_.normalize();
-        let _e95 = self.v_is_on_map(uv_44);
+        let _e95 = self.v_is_on_map(uv_42);
         if rt::Scalar::into_branch_condition(_e95) {
-            local_40 = ((slice_8.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
-        } else {
-            local_40 = rt::Scalar(false);
-        }
-        let is_within = local_40;
-        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            local_41 = area_4.elementwise_gt(rt::Scalar(0f32));
+            local_41 = ((slice_8.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_41 = rt::Scalar(false);
         }
-        let _e118 = local_41;
-        if rt::Scalar::into_branch_condition(_e118) {
-            local_42 = is_within;
+        let is_within = local_41;
+        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
+            local_42 = area_4.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_42 = rt::Scalar(false);
         }
-        let _e122 = local_42;
+        let _e118 = local_42;
+        if rt::Scalar::into_branch_condition(_e118) {
+            local_43 = is_within;
+        } else {
+            local_43 = rt::Scalar(false);
+        }
+        let _e122 = local_43;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_44, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_8, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_42, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_8, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -8159,14 +8243,14 @@ impl<'g> Resources<'g> {
         pixel_42: PixelIn,
         params_36: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_41: Entered;
+        let mut at_42: Entered;
 
         let _e2 = self.v_passed_by();
-        at_41 = _e2;
+        at_42 = _e2;
         let _e7 = rt::Scalar(self.surface_settings.solids);
-        rt::Scalar(at_41.segments) = _e7;
-        at_41.point = pixel_42.origin;
-        let _e10 = at_41;
+        rt::Scalar(at_42.segments) = _e7;
+        at_42.point = pixel_42.origin;
+        let _e10 = at_42;
         return _e10;
     }
     pub(crate) fn surface_frames_enter(
@@ -8183,13 +8267,13 @@ impl<'g> Resources<'g> {
         pixel_43: PixelIn,
         params_37: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_42: Entered;
+        let mut at_43: Entered;
 
         let _e2 = self.v_passed_by();
-        at_42 = _e2;
-        rt::Scalar(at_42.segments) = FRAMES;
-        at_42.point = pixel_43.origin;
-        let _e8 = at_42;
+        at_43 = _e2;
+        rt::Scalar(at_43.segments) = FRAMES;
+        at_43.point = pixel_43.origin;
+        let _e8 = at_43;
         return _e8;
     }
     pub(crate) fn surface_object_slices_enter(
@@ -8206,16 +8290,16 @@ impl<'g> Resources<'g> {
         pixel_44: PixelIn,
         params_38: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_43: Entered;
+        let mut at_44: Entered;
 
         let _e2 = self.v_plane_normal(pixel_44);
         let _e3 = self.v_passed_by();
-        at_43 = _e3;
-        rt::Scalar(at_43.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
+        at_44 = _e3;
+        rt::Scalar(at_44.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
         let _e15 = self.v_triangle_distance(pixel_44, _e2);
-        at_43.point = (pixel_44.origin + (pixel_44.direction * _e15));
-        at_43.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_44.direction).elementwise_gt(rt::Scalar(0f32))));
-        let _e28 = at_43;
+        at_44.point = (pixel_44.origin + (pixel_44.direction * _e15));
+        at_44.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_44.direction).elementwise_gt(rt::Scalar(0f32))));
+        let _e28 = at_44;
         return _e28;
     }
     pub(crate) fn surface_enter_stage(&self, pixel_45: PixelIn) -> Entered {
@@ -8282,21 +8366,21 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_enter_relief(&self, pixel_46: PixelIn) -> Entered {
-        let mut at_44: Entered;
+        let mut at_45: Entered;
 
         let _e1 = self.v_surface_enter_stage(pixel_46);
-        at_44 = _e1;
-        let _e4 = rt::Scalar(at_44.segments);
+        at_45 = _e1;
+        let _e4 = rt::Scalar(at_45.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_44;
+            let _e7 = at_45;
             return _e7;
         }
-        let _e8 = at_44;
+        let _e8 = at_45;
         let _e9 = self.v_detail_stage(pixel_46, _e8);
-        rt::Scalar(at_44.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_44.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_44.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_44;
+        rt::Scalar(at_45.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_45.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_45.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_45;
         return _e16;
     }
     pub(crate) fn entered_once(
@@ -8327,7 +8411,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
 
         near_1 = above_1;
         far_1 = below_1;
@@ -8352,11 +8436,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_12.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_43 = middle_12.elementwise_lt(_e37);
+                        local_44 = middle_12.elementwise_lt(_e37);
                     } else {
-                        local_43 = rt::Scalar(false);
+                        local_44 = rt::Scalar(false);
                     }
-                    let _e40 = local_43;
+                    let _e40 = local_44;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -8497,16 +8581,16 @@ impl<'g> Resources<'g> {
         c_9: rt::Vec3<f32>,
         span_3: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!c_9.x().elementwise_le(rt::Scalar(0f32)))) {
             let _e8 = self.v_least_at(c_9, span_3);
             let _e9 = self.v_quadratic(c_9, _e8);
-            local_44 = _e9.elementwise_le(rt::Scalar(0f32));
+            local_45 = _e9.elementwise_le(rt::Scalar(0f32));
         } else {
-            local_44 = rt::Scalar(true);
+            local_45 = rt::Scalar(true);
         }
-        let _e13 = local_44;
+        let _e13 = local_45;
         return _e13;
     }
     pub(crate) fn field_heights_cost(
@@ -8563,39 +8647,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn field_heights_height(
         &self,
-        uv_17: impl rt::Into<rt::Vec2<f32>>,
+        uv_16: impl rt::Into<rt::Vec2<f32>>,
         height_5: impl rt::Into<rt::Scalar<f32>>,
         level_40: impl rt::Into<rt::Scalar<u32>>,
         params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_heights_height(rt::into(uv_17), rt::into(height_5), rt::into(level_40), rt::into(params_41)))
+        rt::into(self.v_field_heights_height(rt::into(uv_16), rt::into(height_5), rt::into(level_40), rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_height(
         &self,
-        uv_17: rt::Vec2<f32>,
+        uv_16: rt::Vec2<f32>,
         height_5: rt::Scalar<f32>,
         level_40: rt::Scalar<u32>,
         params_41: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_height_at(uv_17, level_40);
+        let _e4 = self.v_height_at(uv_16, level_40);
         return _e4;
     }
     pub(crate) fn field_volume_height(
         &self,
-        uv_18: impl rt::Into<rt::Vec2<f32>>,
+        uv_17: impl rt::Into<rt::Vec2<f32>>,
         height_6: impl rt::Into<rt::Scalar<f32>>,
         level_41: impl rt::Into<rt::Scalar<u32>>,
         params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_volume_height(rt::into(uv_18), rt::into(height_6), rt::into(level_41), rt::into(params_42)))
+        rt::into(self.v_field_volume_height(rt::into(uv_17), rt::into(height_6), rt::into(level_41), rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_height(
         &self,
-        uv_18: rt::Vec2<f32>,
+        uv_17: rt::Vec2<f32>,
         height_6: rt::Scalar<f32>,
         level_41: rt::Scalar<u32>,
         params_42: rt::Vec4<f32>,
@@ -8604,17 +8688,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn field_height_stage(
         &self,
-        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        uv_18: impl rt::Into<rt::Vec2<f32>>,
         height_7: impl rt::Into<rt::Scalar<f32>>,
         level_42: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_field_height_stage(rt::into(uv_19), rt::into(height_7), rt::into(level_42)))
+        rt::into(self.v_field_height_stage(rt::into(uv_18), rt::into(height_7), rt::into(level_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_height_stage(
         &self,
-        uv_19: rt::Vec2<f32>,
+        uv_18: rt::Vec2<f32>,
         height_7: rt::Scalar<f32>,
         level_42: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
@@ -8622,43 +8706,43 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_field_heights_height(uv_19, height_7, level_42, _e12);
+                let _e13 = self.v_field_heights_height(uv_18, height_7, level_42, _e12);
                 return _e13;
             }
             _ => {
                 let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_field_volume_height(uv_19, height_7, level_42, _e18);
+                let _e19 = self.v_field_volume_height(uv_18, height_7, level_42, _e18);
                 return _e19;
             }
         }
     }
-    pub(crate) fn near_uv(&self, uv_20: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_20)))
+    pub(crate) fn near_uv(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_near_uv(&self, uv_20: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_near_uv(&self, uv_19: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_20 - uv_20.floor());
+            return (uv_19 - uv_19.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_20 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_20).floor()));
+            return (uv_19 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_19).floor()));
         }
-        return uv_20;
+        return uv_19;
     }
-    pub(crate) fn from_hit(&self, at_45: Entered, hit_9: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_45, hit_9, light_1))
+    pub(crate) fn from_hit(&self, at_46: Entered, hit_9: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_46, hit_9, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_from_hit(&self, at_45: Entered, hit_9: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_45, light_1.direction);
+    pub(super) fn v_from_hit(&self, at_46: Entered, hit_9: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_46, light_1.direction);
         let _e6 = self.v_near_uv(hit_9.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_45.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_46.level));
         let h_6 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_6, rt::Scalar(0f32), rt::Scalar(0f32), at_45.metric, RAY_SHADOW, rt::Scalar(at_45.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_6, rt::Scalar(0f32), rt::Scalar(0f32), at_46.metric, RAY_SHADOW, rt::Scalar(at_46.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn way_out(&self, path_22: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_22, light_2))
@@ -8683,14 +8767,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray_over_heights(&self, at_46: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray_over_heights(at_46, hit_10, light_3))
+    pub(crate) fn light_ray_over_heights(&self, at_47: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray_over_heights(at_47, hit_10, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_light_ray_over_heights(&self, at_46: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
-        let mut local_45: rt::Scalar<bool>;
+    pub(super) fn v_light_ray_over_heights(&self, at_47: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
+        let mut local_46: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_46, hit_10, light_3);
+        let _e3 = self.v_from_hit(at_47, hit_10, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -8705,11 +8789,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_45 = (_e31.y() + (_e31.z() * end_6)).elementwise_lt(rt::Scalar(0f32));
+            local_46 = (_e31.y() + (_e31.z() * end_6)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_45 = rt::Scalar(true);
+            local_46 = rt::Scalar(true);
         }
-        let _e45 = local_45;
+        let _e45 = local_46;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -8725,23 +8809,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn field_heights_light_ray(
         &self,
-        at_47: Entered,
+        at_48: Entered,
         hit_11: Hit,
         light_4: Toward,
         params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> LightRay {
-        rt::into(self.v_field_heights_light_ray(at_47, hit_11, light_4, rt::into(params_43)))
+        rt::into(self.v_field_heights_light_ray(at_48, hit_11, light_4, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_light_ray(
         &self,
-        at_47: Entered,
+        at_48: Entered,
         hit_11: Hit,
         light_4: Toward,
         params_43: rt::Vec4<f32>,
     ) -> LightRay {
-        let _e4 = self.v_light_ray_over_heights(at_47, hit_11, light_4);
+        let _e4 = self.v_light_ray_over_heights(at_48, hit_11, light_4);
         return _e4;
     }
     pub(crate) fn no_table(&self) -> SeenTable {
@@ -8765,46 +8849,63 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_no_table();
         return <SeenNormals>::new(normal_18, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_6, rt::Scalar(0f32), _e13);
     }
-    pub(crate) fn normal_at(
+    pub(crate) fn normal_between(
         &self,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        at_49: Around,
         layer_8: impl rt::Into<rt::Scalar<i32>>,
         level_43: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_21), rt::into(layer_8), rt::into(level_43)))
+        rt::into(self.v_normal_between(at_49, rt::into(layer_8), rt::into(level_43)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_normal_between(
+        &self,
+        at_49: Around,
+        layer_8: rt::Scalar<i32>,
+        level_43: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let k_52 = level_43.to_i32();
+        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.x(), at_49.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
+        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.y(), at_49.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
+        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.x(), at_49.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
+        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.y(), at_49.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
+        let _e33 = self.v_bilinear(_e10, _e17, _e24, _e31, at_49.part);
+        return _e33;
+    }
+    pub(crate) fn normal_at(
+        &self,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        level_44: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_normal_at(rt::into(uv_20), rt::into(level_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_at(
         &self,
-        uv_21: rt::Vec2<f32>,
-        layer_8: rt::Scalar<i32>,
-        level_43: rt::Scalar<u32>,
+        uv_20: rt::Vec2<f32>,
+        level_44: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_43);
-        let _e7 = self.v_texels_around(uv_21, _e6);
-        let k_52 = level_43.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
-        let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
-        return _e38;
+        let _e4 = self.surface_settings.normal_size;
+        let _e5 = self.v_level_texels(_e4, level_44);
+        let _e6 = self.v_texels_around(uv_20, _e5);
+        let _e8 = self.v_normal_between(_e6, rt::Scalar(0i32), level_44);
+        return _e8;
     }
-    pub(crate) fn sloped_cell(&self, i_2: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec2<i32> {
-        rt::into(self.v_sloped_cell(rt::into(i_2)))
+    pub(crate) fn sloped_cell(&self, i_5: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec2<i32> {
+        rt::into(self.v_sloped_cell(rt::into(i_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_sloped_cell(&self, i_2: rt::Vec2<i32>) -> rt::Vec2<i32> {
+    pub(super) fn v_sloped_cell(&self, i_5: rt::Vec2<i32>) -> rt::Vec2<i32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ne(WRAP_CLAMP)) {
-            return i_2;
+            return i_5;
         }
         let _e7 = self.v_height_texels(rt::Scalar(0u32));
         let last_8 = (_e7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), rt::Scalar(2i32))).max(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)));
-        return i_2.clamp(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), last_8);
+        return i_5.clamp(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), last_8);
     }
     pub(crate) fn slope_beside(
         &self,
@@ -8837,21 +8938,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_48: Entered,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        at_50: Entered,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_48, rt::into(uv_22)))
+        rt::into(self.v_slopes_between_creases(at_50, rt::into(uv_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slopes_between_creases(
         &self,
-        at_48: Entered,
-        uv_22: rt::Vec2<f32>,
+        at_50: Entered,
+        uv_21: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut part_5: rt::Vec2<f32>;
 
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_31 = ((uv_22 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_31 = ((uv_21 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_31);
         let _e11 = self.v_sloped_cell(_e9.to_i32());
         let cell_41 = _e11.to_f32();
@@ -8861,34 +8962,34 @@ impl<'g> Resources<'g> {
             let _e20 = part_5;
             part_5 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
         }
-        let i_7 = cell_41.to_i32();
-        let _e30 = self.v_height_cell(i_7, rt::Scalar(0u32));
+        let i_11 = cell_41.to_i32();
+        let _e30 = self.v_height_cell(i_11, rt::Scalar(0u32));
         let _e31 = part_5;
         let _e32 = self.v_cell_slopes(_e30, _e31);
-        let _e37 = self.v_sloped_cell((i_7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e37 = self.v_sloped_cell((i_11 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e39 = self.v_height_cell(_e37, rt::Scalar(0u32));
         let _e40 = part_5;
         let _e41 = self.v_cell_slopes(_e39, _e40);
         let before_u = _e41.x();
-        let _e47 = self.v_sloped_cell((i_7 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e47 = self.v_sloped_cell((i_11 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e49 = self.v_height_cell(_e47, rt::Scalar(0u32));
         let _e50 = part_5;
         let _e51 = self.v_cell_slopes(_e49, _e50);
         let behind_u = _e51.x();
-        let _e57 = self.v_sloped_cell((i_7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e57 = self.v_sloped_cell((i_11 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e59 = self.v_height_cell(_e57, rt::Scalar(0u32));
         let _e60 = part_5;
         let _e61 = self.v_cell_slopes(_e59, _e60);
         let before_v = _e61.y();
-        let _e67 = self.v_sloped_cell((i_7 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e67 = self.v_sloped_cell((i_11 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e69 = self.v_height_cell(_e67, rt::Scalar(0u32));
         let _e70 = part_5;
         let _e71 = self.v_cell_slopes(_e69, _e70);
         let behind_v = _e71.y();
         let _e76 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e76) / at_48.tangent.length());
+        let rate_u = ((_e3.x() * _e76) / at_50.tangent.length());
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e84) / at_48.bitangent.length());
+        let rate_v = ((_e3.y() * _e84) / at_50.bitangent.length());
         let _e90 = self.v_slope_beside(_e32.x(), before_u, rate_u);
         let _e92 = self.v_slope_beside(_e32.y(), before_v, rate_v);
         let before_3 = <rt::Vec2<f32>>::from_scalars(_e90, _e92);
@@ -8900,24 +9001,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_49: Entered,
+        at_51: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_49, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_51, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_of_slopes(
         &self,
-        at_49: Entered,
+        at_51: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_49.tangent + (at_49.normal * slope_u));
-        let along_v_1 = (at_49.bitangent + (at_49.normal * slope_v));
+        let along_u_1 = (at_51.tangent + (at_51.normal * slope_u));
+        let along_v_1 = (at_51.bitangent + (at_51.normal * slope_v));
         let across_6 = along_v_1.cross(along_u_1).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_49.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_51.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn texels_apart(
         &self,
@@ -8941,133 +9042,148 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_50: Entered,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        at_52: Entered,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_50, rt::into(uv_23)))
+        rt::into(self.v_normal_from_height(at_52, rt::into(uv_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normal_from_height(
         &self,
-        at_50: Entered,
-        uv_23: rt::Vec2<f32>,
+        at_52: Entered,
+        uv_22: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_50, uv_23);
+            let _e9 = self.v_slopes_between_creases(at_52, uv_22);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_50, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_52, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e30 = self.v_height_at((uv_23 + du), rt::Scalar(0u32));
-        let _e33 = self.v_height_at((uv_23 - du), rt::Scalar(0u32));
+        let _e30 = self.v_height_at((uv_22 + du), rt::Scalar(0u32));
+        let _e33 = self.v_height_at((uv_22 - du), rt::Scalar(0u32));
         let rise_u_1 = (_e30 - _e33);
-        let _e37 = self.v_height_at((uv_23 + dv), rt::Scalar(0u32));
-        let _e40 = self.v_height_at((uv_23 - dv), rt::Scalar(0u32));
+        let _e37 = self.v_height_at((uv_22 + dv), rt::Scalar(0u32));
+        let _e40 = self.v_height_at((uv_22 - dv), rt::Scalar(0u32));
         let rise_v_1 = (_e37 - _e40);
-        let _e46 = self.v_texels_apart((uv_23.x() * _e3.x()), _e3.x());
+        let _e46 = self.v_texels_apart((uv_22.x() * _e3.x()), _e3.x());
         let rate_u_1 = (rt::Scalar(1f32) / _e46);
-        let _e53 = self.v_texels_apart((uv_23.y() * _e3.y()), _e3.y());
+        let _e53 = self.v_texels_apart((uv_22.y() * _e3.y()), _e3.y());
         let rate_v_1 = (rt::Scalar(1f32) / _e53);
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u_1 = (rise_u_1 * ((rate_u_1 * _e3.x()) * _e60));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v_1 = (rise_v_1 * ((rate_v_1 * _e3.y()) * _e67));
-        let _e70 = self.v_normal_of_slopes(at_50, slope_u_1, slope_v_1);
+        let _e70 = self.v_normal_of_slopes(at_52, slope_u_1, slope_v_1);
         return _e70;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_51: Entered,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        at_53: Entered,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_51, rt::into(uv_24)))
+        rt::into(self.v_finest_normal(at_53, rt::into(uv_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_finest_normal(
         &self,
-        at_51: Entered,
-        uv_24: rt::Vec2<f32>,
+        at_53: Entered,
+        uv_23: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_24, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_51, _e9.xyz());
-            return _e11.normalize();
+            let _e8 = self.v_normal_at(uv_23, rt::Scalar(0u32));
+            let _e10 = self.v_from_tangent_space(at_53, _e8.xyz());
+            return _e10.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_51, uv_24);
-        return _e13;
+        let _e12 = self.v_normal_from_height(at_53, uv_23);
+        return _e12;
     }
-    pub(crate) fn means_of_one(&self, n_7: impl rt::Into<rt::Vec3<f32>>) -> Normals {
-        rt::into(self.v_means_of_one(rt::into(n_7)))
+    pub(crate) fn means_of_one(&self, n_10: impl rt::Into<rt::Vec3<f32>>) -> Normals {
+        rt::into(self.v_means_of_one(rt::into(n_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_means_of_one(&self, n_7: rt::Vec3<f32>) -> Normals {
-        let upright = n_7.z().max(rt::Scalar(0.05f32));
-        let slope_8 = (<rt::Vec2<f32>>::from_scalars((-n_7.x()), (-n_7.y())) / rt::Vec2::splat_from_scalar(upright));
+    pub(super) fn v_means_of_one(&self, n_10: rt::Vec3<f32>) -> Normals {
+        let upright = n_10.z().max(rt::Scalar(0.05f32));
+        let slope_8 = (<rt::Vec2<f32>>::from_scalars((-n_10.x()), (-n_10.y())) / rt::Vec2::splat_from_scalar(upright));
         let square_2 = ((slope_8 * slope_8) * upright);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_7, slope_8.x()), <rt::Vec4<f32>>::from_scalars(square_2.x(), ((slope_8.x() * slope_8.y()) * upright), square_2.y(), slope_8.y()));
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_10, slope_8.x()), <rt::Vec4<f32>>::from_scalars(square_2.x(), ((slope_8.x() * slope_8.y()) * upright), square_2.y(), slope_8.y()));
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_52: Entered,
+        at_54: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_52, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_54, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_to_tangent_space(
         &self,
-        at_52: Entered,
+        at_54: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_2 = at_52.tangent.normalize();
-        let along_v_2 = at_52.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v_1), (-along_v_2.dot(v_1)), at_52.normal.dot(v_1));
+        let along_u_2 = at_54.tangent.normalize();
+        let along_v_2 = at_54.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v_1), (-along_v_2.dot(v_1)), at_54.normal.dot(v_1));
+    }
+    pub(crate) fn normal_layers(
+        &self,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        level_45: impl rt::Into<rt::Scalar<u32>>,
+    ) -> NormalLayers {
+        rt::into(self.v_normal_layers(rt::into(uv_24), rt::into(level_45)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_normal_layers(
+        &self,
+        uv_24: rt::Vec2<f32>,
+        level_45: rt::Scalar<u32>,
+    ) -> NormalLayers {
+        let _e4 = self.surface_settings.normal_size;
+        let _e5 = self.v_level_texels(_e4, level_45);
+        let _e6 = self.v_texels_around(uv_24, _e5);
+        let _e8 = self.v_normal_between(_e6, rt::Scalar(0i32), level_45);
+        let _e10 = self.v_normal_between(_e6, rt::Scalar(1i32), level_45);
+        return <NormalLayers>::new(_e8, _e10);
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_53: Entered,
+        at_55: Entered,
         uv_25: impl rt::Into<rt::Vec2<f32>>,
-        level_44: impl rt::Into<rt::Scalar<u32>>,
+        level_46: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_53, rt::into(uv_25), rt::into(level_44)))
+        rt::into(self.v_normals_of_level(at_55, rt::into(uv_25), rt::into(level_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normals_of_level(
         &self,
-        at_53: Entered,
+        at_55: Entered,
         uv_25: rt::Vec2<f32>,
-        level_44: rt::Scalar<u32>,
+        level_46: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_44.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_53, uv_25);
-            let _e6 = self.v_to_tangent_space(at_53, _e5);
-            let _e7 = self.v_means_of_one(_e6);
-            return _e7;
-        }
-        let _e10 = rt::Scalar(self.surface_settings.has_normal);
-        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_25, rt::Scalar(0i32), level_44);
-            let _e16 = self.v_normal_at(uv_25, rt::Scalar(1i32), level_44);
-            return <Normals>::new(_e14, _e16);
+        let _e5 = rt::Scalar(self.surface_settings.has_normal);
+        let has_normal = _e5.elementwise_eq(rt::Scalar(1u32));
+        let _e11 = self.v_normal_layers(uv_25, (level_46 - rt::Scalar(1u32)).select(level_46, has_normal));
+        if rt::Scalar::into_branch_condition(has_normal) {
+            return <Normals>::new(_e11.first, _e11.second);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_12 = ((tile.x() * at_53.tangent.normalize().dot(at_53.tangent)) / at_53.tangent.dot(at_53.tangent));
-        let y_7 = ((tile.y() * at_53.bitangent.normalize().dot(at_53.bitangent)) / at_53.bitangent.dot(at_53.bitangent));
-        let _e44 = self.v_normal_at(uv_25, rt::Scalar(0i32), (level_44 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_25, rt::Scalar(1i32), (level_44 - rt::Scalar(1u32)));
-        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_12), (_e44.y() * y_7), _e44.z());
-        let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
-        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_12) * x_12), ((_e48.y() * x_12) * y_7), ((_e48.z() * y_7) * y_7)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_12)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_7)));
+        let x_12 = ((tile.x() * at_55.tangent.normalize().dot(at_55.tangent)) / at_55.tangent.dot(at_55.tangent));
+        let y_7 = ((tile.y() * at_55.bitangent.normalize().dot(at_55.bitangent)) / at_55.bitangent.dot(at_55.bitangent));
+        let first_17 = _e11.first;
+        let second_6 = _e11.second;
+        let flatter = <rt::Vec3<f32>>::from_scalars((first_17.x() * x_12), (first_17.y() * y_7), first_17.z());
+        let longer_1 = (first_17.xyz().dot(first_17.xyz()) / flatter.dot(flatter)).sqrt();
+        let squares = (<rt::Vec3<f32>>::from_scalars(((second_6.x() * x_12) * x_12), ((second_6.y() * x_12) * y_7), ((second_6.z() * y_7) * y_7)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (first_17.w() * x_12)), <rt::Vec4<f32>>::new_31(squares, (second_6.w() * y_7)));
     }
     pub(crate) fn mean_of_five(
         &self,
@@ -9095,36 +9211,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_54: Entered,
+        at_56: Entered,
         normals: Normals,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_54, normals, rt::into(view_12)))
+        rt::into(self.v_seen_normals(at_56, normals, rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_normals(
         &self,
-        at_54: Entered,
+        at_56: Entered,
         normals: Normals,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_16 = normals.first;
-        let second_5 = normals.second;
-        let slope_9 = <rt::Vec2<f32>>::from_scalars(first_16.w(), second_5.w());
-        let upright_1 = first_16.z().max(rt::Scalar(0.05f32));
-        let x_13 = (first_16.x() / upright_1);
-        let y_8 = (first_16.y() / upright_1);
-        let a_36 = ((second_5.x() / upright_1) - (x_13 * x_13)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_36 = (((second_5.y() / upright_1) - (x_13 * y_8)) / a_36);
-        let spread = ((second_5.z() / upright_1) - (y_8 * y_8)).max(rt::Scalar(0f32));
+        let first_18 = normals.first;
+        let second_7 = normals.second;
+        let slope_9 = <rt::Vec2<f32>>::from_scalars(first_18.w(), second_7.w());
+        let upright_1 = first_18.z().max(rt::Scalar(0.05f32));
+        let x_13 = (first_18.x() / upright_1);
+        let y_8 = (first_18.y() / upright_1);
+        let a_36 = ((second_7.x() / upright_1) - (x_13 * x_13)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_36 = (((second_7.y() / upright_1) - (x_13 * y_8)) / a_36);
+        let spread = ((second_7.z() / upright_1) - (y_8 * y_8)).max(rt::Scalar(0f32));
         let d_4 = (spread - (b_36 * b_36)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_16.x())) - (first_16.xyz() * slope_9.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_16.y())) - (first_16.xyz() * slope_9.y()));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_7.x(), second_7.y(), first_18.x())) - (first_18.xyz() * slope_9.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_7.y(), second_7.z(), first_18.y())) - (first_18.xyz() * slope_9.y()));
         let most_13 = ((a_36 * a_36) + spread).sqrt().min(rt::Scalar(1f32));
         let along_31 = (with_x / rt::Vec3::splat_from_scalar(a_36.max((with_x.length() / most_13))));
-        let rest_5 = (with_y - (along_31 * b_36));
-        let across_7 = (rest_5 / rt::Vec3::splat_from_scalar(d_4.max((rest_5.length() / most_13))));
-        let _e77 = self.v_to_tangent_space(at_54, view_12);
+        let rest_7 = (with_y - (along_31 * b_36));
+        let across_7 = (rest_7 / rt::Vec3::splat_from_scalar(d_4.max((rest_7.length() / most_13))));
+        let _e77 = self.v_to_tangent_space(at_56, view_12);
         let middle_14 = (_e77.z() - _e77.xy().dot(slope_9));
         let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_36) + (_e77.y() * b_36))), (-(_e77.y() * d_4)));
         let one_1 = middle_14.max(rt::Scalar(0f32));
@@ -9132,21 +9248,21 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_mean_of_five(one_1, _e94);
         let all_2 = _e95.max(rt::Scalar(0.001f32));
         let aside_4 = ((along_31 * ((_e91.x() - _e91.y()) / all_2)) + (across_7 * ((_e91.z() - _e91.w()) / all_2)));
-        let _e113 = self.v_from_tangent_space(at_54, (first_16.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_56, (first_18.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_16.xyz(), along_31, across_7, slope_9, <rt::Vec2<f32>>::from_scalars(a_36, b_36), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_2), (_e91 / rt::Vec4::splat_from_scalar(all_2)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_18.xyz(), along_31, across_7, slope_9, <rt::Vec2<f32>>::from_scalars(a_36, b_36), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_2), (_e91 / rt::Vec4::splat_from_scalar(all_2)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_55: Entered) -> f32 {
-        rt::into(self.v_table_part(at_55))
+    pub(crate) fn table_part(&self, at_57: Entered) -> f32 {
+        rt::into(self.v_table_part(at_57))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_table_part(&self, at_55: Entered) -> rt::Scalar<f32> {
+    pub(super) fn v_table_part(&self, at_57: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_55.fade) * ((rt::Scalar(at_55.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_57.fade) * ((rt::Scalar(at_57.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn has_table(&self, levels: Levels) -> bool {
         rt::into(self.v_has_table(levels))
@@ -9159,18 +9275,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn with_table(
         &self,
-        at_56: Entered,
+        at_58: Entered,
         seen: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_56, seen, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_58, seen, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_with_table(
         &self,
-        at_56: Entered,
+        at_58: Entered,
         seen: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -9179,7 +9295,7 @@ impl<'g> Resources<'g> {
 
         blended = seen;
         let before_4 = (seen.normal * rt::Scalar(seen.length));
-        let _e9 = self.v_from_tangent_space(at_56, table.mean);
+        let _e9 = self.v_from_tangent_space(at_58, table.mean);
         let mean_10 = (before_4 + ((_e9 - before_4) * part_6));
         blended.normal = mean_10.normalize();
         rt::Scalar(blended.length) = mean_10.length().min(rt::Scalar(1f32));
@@ -9208,71 +9324,69 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        at_59: Around,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_45: impl rt::Into<rt::Scalar<u32>>,
+        level_47: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_26), rt::into(azimuth), rt::into(elevation), rt::into(level_45)))
+        rt::into(self.v_seen_texel(at_59, rt::into(azimuth), rt::into(elevation), rt::into(level_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_texel(
         &self,
-        uv_26: rt::Vec2<f32>,
+        at_59: Around,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_45: rt::Scalar<u32>,
+        level_47: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_11 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_26, layer_11, level_45);
-        let _e12 = self.v_detail_texel_between(uv_26, (layer_11 + rt::Scalar(1i32)), level_45);
+        let _e9 = self.v_detail_texel_between(at_59, layer_11, level_47);
+        let _e12 = self.v_detail_texel_between(at_59, (layer_11 + rt::Scalar(1i32)), level_47);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        at_60: SeenPlace,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
-        levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_27), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(at_60, rt::into(azimuth_1), rt::into(elevation_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_in_levels(
         &self,
-        uv_27: rt::Vec2<f32>,
+        at_60: SeenPlace,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
-        levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_27, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
-        if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_27, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
-            let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
-            return _e14;
+        let _e6 = self.v_seen_texel(at_60.fine, azimuth_1, elevation_1, rt::Scalar(at_60.levels.fine));
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_60.levels.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e16 = self.v_seen_texel(at_60.coarse, azimuth_1, elevation_1, (rt::Scalar(at_60.levels.fine) + rt::Scalar(1u32)));
+            let _e19 = self.v_seen_between(_e6, _e16, rt::Scalar(at_60.levels.part));
+            return _e19;
         }
-        return _e5;
+        return _e6;
     }
     pub(crate) fn table_of(
         &self,
-        at_57: Entered,
-        uv_28: impl rt::Into<rt::Vec2<f32>>,
+        at_61: Entered,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
         view_13: impl rt::Into<rt::Vec3<f32>>,
-        levels_2: Levels,
+        levels_1: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_57, rt::into(uv_28), rt::into(view_13), levels_2))
+        rt::into(self.v_table_of(at_61, rt::into(uv_26), rt::into(view_13), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_table_of(
         &self,
-        at_57: Entered,
-        uv_28: rt::Vec2<f32>,
+        at_61: Entered,
+        uv_26: rt::Vec2<f32>,
         view_13: rt::Vec3<f32>,
-        levels_2: Levels,
+        levels_1: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_57, view_13);
+        let _e4 = self.v_climb(at_61, view_13);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_8 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -9285,110 +9399,117 @@ impl<'g> Resources<'g> {
         let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_8 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_28, a0_1, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_28, a1_1, e0_, levels_2);
-        let _e50 = self.v_seen_between(_e48, _e49, across_8);
-        let _e51 = self.v_seen_in_levels(uv_28, a0_1, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_28, a1_1, e1_1, levels_2);
-        let _e53 = self.v_seen_between(_e51, _e52, across_8);
-        let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_14 = ((tile_1.x() * at_57.tangent.normalize().dot(at_57.tangent)) / at_57.tangent.dot(at_57.tangent));
-        let y_9 = ((tile_1.y() * at_57.bitangent.normalize().dot(at_57.bitangent)) / at_57.bitangent.dot(at_57.bitangent));
-        let mean_11 = _e56.first.xyz();
+        let _e49 = self.v_height_texels(rt::Scalar(levels_1.fine));
+        let _e50 = self.v_texels_around(uv_26, _e49);
+        let _e54 = self.v_height_texels((rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+        let _e55 = self.v_texels_around(uv_26, _e54);
+        let place_32 = <SeenPlace>::new(_e50, _e55, levels_1);
+        let _e57 = self.v_seen_in_levels(place_32, a0_1, e0_);
+        let _e58 = self.v_seen_in_levels(place_32, a1_1, e0_);
+        let _e59 = self.v_seen_between(_e57, _e58, across_8);
+        let _e60 = self.v_seen_in_levels(place_32, a0_1, e1_1);
+        let _e61 = self.v_seen_in_levels(place_32, a1_1, e1_1);
+        let _e62 = self.v_seen_between(_e60, _e61, across_8);
+        let _e65 = self.v_seen_between(_e59, _e62, (elevation_3 - elevation_3.floor()));
+        let x_14 = ((tile_1.x() * at_61.tangent.normalize().dot(at_61.tangent)) / at_61.tangent.dot(at_61.tangent));
+        let y_9 = ((tile_1.y() * at_61.bitangent.normalize().dot(at_61.bitangent)) / at_61.bitangent.dot(at_61.bitangent));
+        let mean_11 = _e65.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_11.x() * x_14), (mean_11.y() * y_9), mean_11.z());
         let squared_3 = (mean_11.dot(mean_11) / flatter_1.dot(flatter_1));
-        let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_14) * x_14), ((_e56.second.y() * y_9) * y_9), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_14) * y_9), (_e56.second.z() * x_14), (_e56.second.w() * y_9)) * squared_3));
+        let upright_2 = ((rt::Scalar(1f32) - _e65.first.w()) - _e65.second.y()).max(rt::Scalar(0f32));
+        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e65.first.w() * x_14) * x_14), ((_e65.second.y() * y_9) * y_9), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e65.second.x() * x_14) * y_9), (_e65.second.z() * x_14), (_e65.second.w() * y_9)) * squared_3));
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_58: Entered,
-        uv_29: impl rt::Into<rt::Vec2<f32>>,
+        at_62: Entered,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
         view_14: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_58, rt::into(uv_29), rt::into(view_14)))
+        rt::into(self.v_mesostructure_normals(at_62, rt::into(uv_27), rt::into(view_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_mesostructure_normals(
         &self,
-        at_58: Entered,
-        uv_29: rt::Vec2<f32>,
+        at_62: Entered,
+        uv_27: rt::Vec2<f32>,
         view_14: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_46: rt::Scalar<bool>;
-        let mut first_1: rt::Vec4<f32>;
+        let mut first_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let mut second: rt::Vec4<f32>;
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_58.normal);
+            let _e9 = self.v_one_seen(at_62.normal);
             return _e9;
         }
-        let upright_3 = at_58.normal.dot(view_14);
+        let upright_3 = at_62.normal.dot(view_14);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_58.fade)));
+        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_62.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_5 = ((rt::Scalar(at_58.footprint) * _e22) * width_6);
+        let texels_5 = ((rt::Scalar(at_62.footprint) * _e22) * width_6);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_5, _e27);
+        let _e35 = first_1;
+        second = _e35;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_46 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            let _e40 = self.v_finest_normal(at_62, uv_27);
+            if rt::Scalar::into_branch_condition((!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)))) {
+                let _e45 = self.v_one_seen(_e40);
+                return _e45;
+            }
+            let _e46 = self.v_to_tangent_space(at_62, _e40);
+            let _e47 = self.v_means_of_one(_e46);
+            first_1 = _e47.first;
+            second = _e47.second;
         } else {
-            local_46 = rt::Scalar(false);
+            let _e51 = self.v_normals_of_level(at_62, uv_27, rt::Scalar(_e28.fine));
+            first_1 = _e51.first;
+            second = _e51.second;
         }
-        let _e39 = local_46;
-        if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_58, uv_29);
-            let _e41 = self.v_one_seen(_e40);
-            return _e41;
-        }
-        let _e43 = self.v_normals_of_level(at_58, uv_29, rt::Scalar(_e28.fine));
-        first_1 = _e43.first;
-        second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_58, uv_29, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
-            let _e55 = first_1;
-            let _e57 = first_1;
-            first_1 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
-            let _e62 = second;
-            let _e64 = second;
-            second = (_e62 + ((_e54.second - _e64) * rt::Scalar(_e28.part)));
+            let _e60 = self.v_normals_of_level(at_62, uv_27, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e61 = first_1;
+            let _e63 = first_1;
+            first_1 = (_e61 + ((_e60.first - _e63) * rt::Scalar(_e28.part)));
+            let _e68 = second;
+            let _e70 = second;
+            second = (_e68 + ((_e60.second - _e70) * rt::Scalar(_e28.part)));
         }
-        let _e69 = first_1;
-        let _e70 = second;
-        let _e72 = self.v_seen_normals(at_58, <Normals>::new(_e69, _e70), view_14);
-        let _e73 = self.v_table_part(at_58);
-        if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
-            let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_58.footprint), _e79);
-            let _e81 = self.v_has_table(_e80);
-            if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_58, uv_29, view_14, _e80);
-                let _e83 = self.v_with_table(at_58, _e72, _e82, _e73);
-                return _e83;
+        let _e75 = first_1;
+        let _e76 = second;
+        let _e78 = self.v_seen_normals(at_62, <Normals>::new(_e75, _e76), view_14);
+        let _e79 = self.v_table_part(at_62);
+        if rt::Scalar::into_branch_condition(_e79.elementwise_gt(rt::Scalar(0f32))) {
+            let _e85 = rt::Scalar(self.surface_settings.height_levels);
+            let _e86 = self.v_levels_of(rt::Scalar(at_62.footprint), _e85);
+            let _e87 = self.v_has_table(_e86);
+            if rt::Scalar::into_branch_condition(_e87) {
+                let _e88 = self.v_table_of(at_62, uv_27, view_14, _e86);
+                let _e89 = self.v_with_table(at_62, _e78, _e88, _e79);
+                return _e89;
             }
         }
-        return _e72;
+        return _e78;
     }
     pub(crate) fn field_heights_normals(
         &self,
-        at_59: Entered,
+        at_63: Entered,
         hit_12: Hit,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_heights_normals(at_59, hit_12, rt::into(view_15), rt::into(params_44)))
+        rt::into(self.v_field_heights_normals(at_63, hit_12, rt::into(view_15), rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_normals(
         &self,
-        at_59: Entered,
+        at_63: Entered,
         hit_12: Hit,
         view_15: rt::Vec3<f32>,
         params_44: rt::Vec4<f32>,
     ) -> SeenNormals {
-        let _e5 = self.v_mesostructure_normals(at_59, hit_12.uv, view_15);
+        let _e5 = self.v_mesostructure_normals(at_63, hit_12.uv, view_15);
         return _e5;
     }
     pub(crate) fn field_slopes(&self, place_17: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
@@ -9397,28 +9518,28 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_slopes(&self, place_17: rt::Vec3<f32>) -> rt::Vec3<f32> {
-        let i_8 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let j_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
+        let i_12 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let j_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
         let k_53 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
-        let _e14 = self.v_field_at_voxel((place_17 + i_8));
-        let _e16 = self.v_field_at_voxel((place_17 - i_8));
+        let _e14 = self.v_field_at_voxel((place_17 + i_12));
+        let _e16 = self.v_field_at_voxel((place_17 - i_12));
         let along_i = (_e14 - _e16);
-        let _e19 = self.v_field_at_voxel((place_17 + j_1));
-        let _e21 = self.v_field_at_voxel((place_17 - j_1));
+        let _e19 = self.v_field_at_voxel((place_17 + j_2));
+        let _e21 = self.v_field_at_voxel((place_17 - j_2));
         let along_j = (_e19 - _e21);
         let _e24 = self.v_field_at_voxel((place_17 + k_53));
         let _e26 = self.v_field_at_voxel((place_17 - k_53));
         let along_k = (_e24 - _e26);
         return (<rt::Vec3<f32>>::from_scalars(along_i, along_j, along_k) / rt::Vec3::splat_from_scalar(rt::Scalar(1f32)));
     }
-    pub(crate) fn light_ray_out_of_volume(&self, at_60: Entered, hit_13: Hit, light_5: Toward) -> LightRay {
-        rt::into(self.v_light_ray_out_of_volume(at_60, hit_13, light_5))
+    pub(crate) fn light_ray_out_of_volume(&self, at_64: Entered, hit_13: Hit, light_5: Toward) -> LightRay {
+        rt::into(self.v_light_ray_out_of_volume(at_64, hit_13, light_5))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_light_ray_out_of_volume(&self, at_60: Entered, hit_13: Hit, light_5: Toward) -> LightRay {
+    pub(super) fn v_light_ray_out_of_volume(&self, at_64: Entered, hit_13: Hit, light_5: Toward) -> LightRay {
         let mut outside: rt::Vec3<f32>;
 
-        let _e4 = self.v_climb(at_60, light_5.direction);
+        let _e4 = self.v_climb(at_64, light_5.direction);
         let _e6 = self.v_near_uv(hit_13.uv);
         let _e9 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(_e6, rt::Scalar(hit_13.height)));
         let _e10 = self.v_field_slopes(_e9);
@@ -9431,7 +9552,7 @@ impl<'g> Resources<'g> {
         let _e25 = self.v_volume_size();
         let begin_6 = ((_e19 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))) / _e25);
         let h_8 = <rt::Vec3<f32>>::from_scalars(begin_6.z(), _e4.z(), rt::Scalar(0f32));
-        let way_19 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_60.metric, RAY_SHADOW, rt::Scalar(at_60.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let way_19 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_64.metric, RAY_SHADOW, rt::Scalar(at_64.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e4.z().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, way_19);
         }
@@ -9439,71 +9560,71 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_LIT, way_19);
         }
-        let path_96 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, _e48, rt::Scalar(0f32), at_60.metric, RAY_SHADOW, rt::Scalar(at_60.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let path_96 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, _e48, rt::Scalar(0f32), at_64.metric, RAY_SHADOW, rt::Scalar(at_64.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
         return <LightRay>::new(LIGHT_RAY_OPEN, path_96);
     }
     pub(crate) fn field_volume_light_ray(
         &self,
-        at_61: Entered,
+        at_65: Entered,
         hit_14: Hit,
         light_6: Toward,
         params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> LightRay {
-        rt::into(self.v_field_volume_light_ray(at_61, hit_14, light_6, rt::into(params_45)))
+        rt::into(self.v_field_volume_light_ray(at_65, hit_14, light_6, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_light_ray(
         &self,
-        at_61: Entered,
+        at_65: Entered,
         hit_14: Hit,
         light_6: Toward,
         params_45: rt::Vec4<f32>,
     ) -> LightRay {
-        let _e4 = self.v_light_ray_out_of_volume(at_61, hit_14, light_6);
+        let _e4 = self.v_light_ray_out_of_volume(at_65, hit_14, light_6);
         return _e4;
     }
-    pub(crate) fn field_light_ray_stage(&self, at_62: Entered, hit_15: Hit, light_7: Toward) -> LightRay {
-        rt::into(self.v_field_light_ray_stage(at_62, hit_15, light_7))
+    pub(crate) fn field_light_ray_stage(&self, at_66: Entered, hit_15: Hit, light_7: Toward) -> LightRay {
+        rt::into(self.v_field_light_ray_stage(at_66, hit_15, light_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_field_light_ray_stage(&self, at_62: Entered, hit_15: Hit, light_7: Toward) -> LightRay {
+    pub(super) fn v_field_light_ray_stage(&self, at_66: Entered, hit_15: Hit, light_7: Toward) -> LightRay {
         let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_field_heights_light_ray(at_62, hit_15, light_7, _e12);
+                let _e13 = self.v_field_heights_light_ray(at_66, hit_15, light_7, _e12);
                 return _e13;
             }
             _ => {
                 let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_field_volume_light_ray(at_62, hit_15, light_7, _e18);
+                let _e19 = self.v_field_volume_light_ray(at_66, hit_15, light_7, _e18);
                 return _e19;
             }
         }
     }
-    pub(crate) fn normal_of_field(&self, at_63: Entered, hit_16: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_field(at_63, hit_16))
+    pub(crate) fn normal_of_field(&self, at_67: Entered, hit_16: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_field(at_67, hit_16))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_normal_of_field(&self, at_63: Entered, hit_16: Hit) -> rt::Vec3<f32> {
+    pub(super) fn v_normal_of_field(&self, at_67: Entered, hit_16: Hit) -> rt::Vec3<f32> {
         let mut local_47: rt::Scalar<bool>;
 
         let _e5 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(hit_16.uv, rt::Scalar(hit_16.height)));
         let _e6 = self.v_field_at_voxel(_e5);
         if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0.51f32))) {
-            return at_63.normal;
+            return at_67.normal;
         }
         let _e10 = self.v_field_slopes(_e5);
         let _e11 = self.v_volume_size();
         let slopes_1 = (_e10 * _e11);
-        let metric_3 = at_63.metric;
+        let metric_3 = at_67.metric;
         let area_5 = ((metric_3.x() * metric_3.z()) - (metric_3.y() * metric_3.y()));
-        let along_u_3 = (((at_63.tangent * metric_3.z()) - (at_63.bitangent * metric_3.y())) / rt::Vec3::splat_from_scalar(area_5));
-        let along_v_3 = (((at_63.bitangent * metric_3.x()) - (at_63.tangent * metric_3.y())) / rt::Vec3::splat_from_scalar(area_5));
+        let along_u_3 = (((at_67.tangent * metric_3.z()) - (at_67.bitangent * metric_3.y())) / rt::Vec3::splat_from_scalar(area_5));
+        let along_v_3 = (((at_67.bitangent * metric_3.x()) - (at_67.tangent * metric_3.y())) / rt::Vec3::splat_from_scalar(area_5));
         let _e43 = rt::Scalar(self.surface_settings.scale_m);
-        let rise_1 = (at_63.normal * (slopes_1.z() / _e43));
+        let rise_1 = (at_67.normal * (slopes_1.z() / _e43));
         let rising = (((along_u_3 * slopes_1.x()) + (along_v_3 * slopes_1.y())) + rise_1);
         let steepness_1 = rising.length();
         if rt::Scalar::into_branch_condition(steepness_1.elementwise_gt(rt::Scalar(0f32))) {
@@ -9515,43 +9636,43 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e60) {
             return (rising * (rt::Scalar(-1f32) / steepness_1));
         }
-        return at_63.normal;
+        return at_67.normal;
     }
     pub(crate) fn field_volume_normals(
         &self,
-        at_64: Entered,
+        at_68: Entered,
         hit_17: Hit,
         view_16: impl rt::Into<rt::Vec3<f32>>,
         params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_volume_normals(at_64, hit_17, rt::into(view_16), rt::into(params_46)))
+        rt::into(self.v_field_volume_normals(at_68, hit_17, rt::into(view_16), rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_normals(
         &self,
-        at_64: Entered,
+        at_68: Entered,
         hit_17: Hit,
         view_16: rt::Vec3<f32>,
         params_46: rt::Vec4<f32>,
     ) -> SeenNormals {
-        let _e4 = self.v_normal_of_field(at_64, hit_17);
+        let _e4 = self.v_normal_of_field(at_68, hit_17);
         let _e5 = self.v_one_seen(_e4);
         return _e5;
     }
     pub(crate) fn field_normals_stage(
         &self,
-        at_65: Entered,
+        at_69: Entered,
         hit_18: Hit,
         view_17: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_normals_stage(at_65, hit_18, rt::into(view_17)))
+        rt::into(self.v_field_normals_stage(at_69, hit_18, rt::into(view_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_normals_stage(
         &self,
-        at_65: Entered,
+        at_69: Entered,
         hit_18: Hit,
         view_17: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -9559,12 +9680,12 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_field_heights_normals(at_65, hit_18, view_17, _e12);
+                let _e13 = self.v_field_heights_normals(at_69, hit_18, view_17, _e12);
                 return _e13;
             }
             _ => {
                 let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_field_volume_normals(at_65, hit_18, view_17, _e18);
+                let _e19 = self.v_field_volume_normals(at_69, hit_18, view_17, _e18);
                 return _e19;
             }
         }
@@ -9580,17 +9701,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_segment(
         &self,
         pixel_47: PixelIn,
-        at_66: Entered,
+        at_70: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
         params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_47, at_66, rt::into(k_6), rt::into(params_47)))
+        rt::into(self.v_surface_plane_segment(pixel_47, at_70, rt::into(k_6), rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_plane_segment(
         &self,
         pixel_47: PixelIn,
-        at_66: Entered,
+        at_70: Entered,
         k_6: rt::Scalar<u32>,
         params_47: rt::Vec4<f32>,
     ) -> Path {
@@ -9600,9 +9721,9 @@ impl<'g> Resources<'g> {
 
         let along_32 = pixel_47.direction.length();
         let direction_6 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_32));
-        let _e9 = self.v_climb(at_66, direction_6);
+        let _e9 = self.v_climb(at_70, direction_6);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_66.normal.dot(direction_6));
+        let descent_3 = (rt::Scalar(0f32) - at_70.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_10 = ((rt::Scalar(0f32) - descent_3) / _e15);
@@ -9620,10 +9741,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_3;
-            let _e51 = self.v_inside_unit(at_66.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_70.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_4 = _e51;
             let _e56 = interval_4;
-            let _e57 = self.v_inside_unit(at_66.uv.y(), duv_5.y(), _e56);
+            let _e57 = self.v_inside_unit(at_70.uv.y(), duv_5.y(), _e56);
             interval_4 = _e57;
             let _e59 = interval_4.x();
             enter = _e59;
@@ -9639,22 +9760,22 @@ impl<'g> Resources<'g> {
         let _e81 = leave_3;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_66.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_10, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_66.metric, RAY_VIEW, rt::Scalar(at_66.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_70.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_10, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_70.metric, RAY_VIEW, rt::Scalar(at_70.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn folded_segment(
         &self,
         pixel_48: PixelIn,
-        at_67: Entered,
+        at_71: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
         params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_48, at_67, rt::into(k_7), rt::into(params_48)))
+        rt::into(self.v_folded_segment(pixel_48, at_71, rt::into(k_7), rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_folded_segment(
         &self,
         pixel_48: PixelIn,
-        at_67: Entered,
+        at_71: Entered,
         k_7: rt::Scalar<u32>,
         params_48: rt::Vec4<f32>,
     ) -> Path {
@@ -9669,7 +9790,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_shell_slack(pixel_48, _e6);
         let _e9 = self.v_way_of(pixel_48, _e7, along_33);
         let _e10 = self.v_way_offsets(pixel_48, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_48, at_67, _e6, params_48);
+        let _e11 = self.v_chord_reach(pixel_48, at_71, _e6, params_48);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
         let _e14 = self.v_way_chord(pixel_48, _e7, along_33, _e9, _e10, _e12, params_48.x(), k_7);
         let _e16 = self.v_before_turn(_e7, along_33, _e9, _e14.offsets);
@@ -9697,7 +9818,7 @@ impl<'g> Resources<'g> {
         let _e58 = b_14.point;
         let _e60 = rt::Scalar(a_14.t);
         let _e62 = rt::Scalar(b_14.t);
-        let _e64 = self.v_chord_path(pixel_48, at_67, _e6, params_48, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e64 = self.v_chord_path(pixel_48, at_71, _e6, params_48, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_23 = _e64;
         let _e67 = rt::Scalar(a_14.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
@@ -9716,22 +9837,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_segment(
         &self,
         pixel_49: PixelIn,
-        at_68: Entered,
+        at_72: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
         params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_49, at_68, rt::into(k_8), rt::into(params_49)))
+        rt::into(self.v_surface_prism_segment(pixel_49, at_72, rt::into(k_8), rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_segment(
         &self,
         pixel_49: PixelIn,
-        at_68: Entered,
+        at_72: Entered,
         k_8: rt::Scalar<u32>,
         params_49: rt::Vec4<f32>,
     ) -> Path {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_49.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_49, at_68, k_8, params_49);
+            let _e8 = self.v_folded_segment(pixel_49, at_72, k_8, params_49);
             return _e8;
         }
         let along_34 = pixel_49.direction.normalize();
@@ -9739,32 +9860,32 @@ impl<'g> Resources<'g> {
         let _e12 = self.v_prism_of(pixel_49, along_34, _e11, params_49);
         let heights_2 = pixel_49.shell.heights;
         let mean_12 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_68, k_8);
-        let _e23 = self.v_chord_end(at_68, (k_8 + rt::Scalar(1u32)));
+        let _e20 = self.v_chord_end(at_72, k_8);
+        let _e23 = self.v_chord_end(at_72, (k_8 + rt::Scalar(1u32)));
         let _e25 = self.v_shell_point(_e12, (along_34 * _e20), mean_12);
         let _e27 = self.v_shell_point(_e12, (along_34 * _e23), mean_12);
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_34 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_49, at_68, _e11, params_49);
+        let _e56 = self.v_chord_reach(pixel_49, at_72, _e11, params_49);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_49, at_68, _e11, params_49, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_49, at_72, _e11, params_49, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
         pixel_50: PixelIn,
-        at_69: Entered,
+        at_73: Entered,
         k_9: impl rt::Into<rt::Scalar<u32>>,
         params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_69, rt::into(k_9), rt::into(params_50)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_73, rt::into(k_9), rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_perpendicular_segment(
         &self,
         pixel_50: PixelIn,
-        at_69: Entered,
+        at_73: Entered,
         k_9: rt::Scalar<u32>,
         params_50: rt::Vec4<f32>,
     ) -> Path {
@@ -9775,25 +9896,25 @@ impl<'g> Resources<'g> {
         let mut inside_2: rt::Vec2<f32>;
 
         let along_35 = pixel_50.direction.length();
-        let _e9 = self.v_across_of(at_69, (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35)));
+        let _e9 = self.v_across_of(at_73, (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35)));
         let _e10 = self.v_traced_scale_m();
         let _e11 = self.v_plane_normal(pixel_50);
         let _e12 = self.v_plane_distance(pixel_50, _e11);
         let distance_1 = (_e12 * along_35);
-        let whole = (at_69.span.y() - at_69.span.x());
-        let first_17 = (at_69.span.x() + (whole * (k_9.to_f32() / params_50.z())));
-        let last_9 = (at_69.span.x() + (whole * ((k_9 + rt::Scalar(1u32)).to_f32() / params_50.z())));
-        let long_4 = (last_9 - first_17);
-        let _e38 = self.v_across_depth(_e9, first_17);
-        begin_1 = (at_69.of_surface.w() - (_e38 / _e10));
+        let whole = (at_73.span.y() - at_73.span.x());
+        let first_19 = (at_73.span.x() + (whole * (k_9.to_f32() / params_50.z())));
+        let last_9 = (at_73.span.x() + (whole * ((k_9 + rt::Scalar(1u32)).to_f32() / params_50.z())));
+        let long_4 = (last_9 - first_19);
+        let _e38 = self.v_across_depth(_e9, first_19);
+        begin_1 = (at_73.of_surface.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_9.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_17 + last_9)));
-        let middle_15 = (at_69.of_surface.w() - (_e52 / _e10));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_19 + last_9)));
+        let middle_15 = (at_73.of_surface.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_9);
-        end_1 = (at_69.of_surface.w() - (_e57 / _e10));
+        end_1 = (at_73.of_surface.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_9 + rt::Scalar(1u32)).elementwise_eq(params_50.z().to_u32())) {
             let _e68 = end_1;
             local_49 = _e68.elementwise_lt(rt::Scalar(0.5f32));
@@ -9811,9 +9932,9 @@ impl<'g> Resources<'g> {
         let _e84 = end_1;
         let _e85 = begin_1;
         let slope_11 = ((_e84 - _e85) - bend_5);
-        let base_3 = (rt::Scalar(0f32) - first_17).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_3 = (rt::Scalar(0f32) - first_19).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_24 = <Path>::new((at_69.uv + (_e9.duv * first_17)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_11 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_69.metric, RAY_VIEW, rt::Scalar(at_69.level), (distance_1 + first_17), (rt::Scalar(1f32) / params_50.z()), rt::Scalar(0f32));
+        path_24 = <Path>::new((at_73.uv + (_e9.duv * first_19)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_11 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_73.metric, RAY_VIEW, rt::Scalar(at_73.level), (distance_1 + first_19), (rt::Scalar(1f32) / params_50.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e118 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
@@ -9842,17 +9963,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
         pixel_51: PixelIn,
-        at_70: Entered,
+        at_74: Entered,
         k_10: impl rt::Into<rt::Scalar<u32>>,
         params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_70, rt::into(k_10), rt::into(params_51)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_74, rt::into(k_10), rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_segment(
         &self,
         pixel_51: PixelIn,
-        at_70: Entered,
+        at_74: Entered,
         k_10: rt::Scalar<u32>,
         params_51: rt::Vec4<f32>,
     ) -> Path {
@@ -9866,13 +9987,13 @@ impl<'g> Resources<'g> {
 
         let along_36 = pixel_51.direction.length();
         let direction_7 = (pixel_51.direction / rt::Vec3::splat_from_scalar(along_36));
-        let _e9 = self.v_climb(at_70, direction_7);
+        let _e9 = self.v_climb(at_74, direction_7);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_70.normal.dot(direction_7));
+        let descent_4 = (rt::Scalar(0f32) - at_74.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_21 = at_70.of_surface.w();
+        let height_21 = at_74.of_surface.w();
         let slope_12 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_70.of_surface.xyz(), duv_6);
+        let _e23 = self.v_quadric_at(at_74.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_51);
         let _e28 = self.v_plane_distance(pixel_51, _e27);
@@ -9910,10 +10031,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_4;
-            let _e94 = self.v_inside_unit(at_70.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_74.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_5 = _e94;
             let _e99 = interval_5;
-            let _e100 = self.v_inside_unit(at_70.uv.y(), duv_6.y(), _e99);
+            let _e100 = self.v_inside_unit(at_74.uv.y(), duv_6.y(), _e99);
             interval_5 = _e100;
             let _e102 = interval_5.x();
             enter_1 = _e102;
@@ -9931,7 +10052,7 @@ impl<'g> Resources<'g> {
         let _e131 = leave_4;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_25 = <Path>::new((at_70.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_12 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_70.metric, RAY_VIEW, rt::Scalar(at_70.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
+        path_25 = <Path>::new((at_74.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_12 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_74.metric, RAY_VIEW, rt::Scalar(at_74.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e148 = rt::Scalar(path_25.exit);
             local_52 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
@@ -9948,17 +10069,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_segment(
         &self,
         pixel_52: PixelIn,
-        at_71: Entered,
+        at_75: Entered,
         k_11: impl rt::Into<rt::Scalar<u32>>,
         params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_71, rt::into(k_11), rt::into(params_52)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_75, rt::into(k_11), rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_segment(
         &self,
         pixel_52: PixelIn,
-        at_71: Entered,
+        at_75: Entered,
         k_11: rt::Scalar<u32>,
         params_52: rt::Vec4<f32>,
     ) -> Path {
@@ -9986,7 +10107,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_52, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_45 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_43 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_52, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -10001,10 +10122,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_45.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_43.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_45.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_43.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -10015,7 +10136,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_26 = <Path>::new((uv_45 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_71.metric, RAY_VIEW, rt::Scalar(at_71.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        path_26 = <Path>::new((uv_43 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_75.metric, RAY_VIEW, rt::Scalar(at_75.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
         let _e159 = rt::Scalar(path_26.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
             let _e162 = path_26;
@@ -10030,28 +10151,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_segment(
         &self,
         pixel_53: PixelIn,
-        at_72: Entered,
+        at_76: Entered,
         k_12: impl rt::Into<rt::Scalar<u32>>,
         params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_53, at_72, rt::into(k_12), rt::into(params_53)))
+        rt::into(self.v_surface_facets_segment(pixel_53, at_76, rt::into(k_12), rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_segment(
         &self,
         pixel_53: PixelIn,
-        at_72: Entered,
+        at_76: Entered,
         k_12: rt::Scalar<u32>,
         params_53: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_53);
         let _e5 = self.v_triangle_distance(pixel_53, _e4);
         let start_5 = (_e5 * pixel_53.direction.length());
-        let _e11 = self.v_height_at(at_72.uv, rt::Scalar(at_72.level));
+        let _e11 = self.v_height_at(at_76.uv, rt::Scalar(at_76.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let h_9 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_72.uv, duv_8, h_9, rt::Scalar(1f32), rt::Scalar(0f32), at_72.metric, RAY_VIEW, rt::Scalar(at_72.level), start_5, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(at_76.uv, duv_8, h_9, rt::Scalar(1f32), rt::Scalar(0f32), at_76.metric, RAY_VIEW, rt::Scalar(at_76.level), start_5, rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn slice_inside(
         &self,
@@ -10149,29 +10270,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_spacing(
         &self,
-        at_73: Entered,
+        at_77: Entered,
         axis_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_slice_spacing(at_73, rt::into(axis_1)))
+        rt::into(self.v_slice_spacing(at_77, rt::into(axis_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_spacing(
         &self,
-        at_73: Entered,
+        at_77: Entered,
         axis_1: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let step_6 = at_73.of_surface.y();
+        let step_6 = at_77.of_surface.y();
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
             return step_6;
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
             let _e12 = self.v_traced_scale_m();
-            return ((step_6 * at_73.metric.x().sqrt()) / _e12);
+            return ((step_6 * at_77.metric.x().sqrt()) / _e12);
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
             let _e20 = self.v_traced_scale_m();
-            return ((step_6 * at_73.metric.z().sqrt()) / _e20);
+            return ((step_6 * at_77.metric.z().sqrt()) / _e20);
         }
         let _e22 = self.v_traced_scale_m();
         return (step_6 / _e22);
@@ -10179,30 +10300,30 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_above(
         &self,
         pixel_54: PixelIn,
-        at_74: Entered,
+        at_78: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_54, at_74, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_54, at_78, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_above(
         &self,
         pixel_54: PixelIn,
-        at_74: Entered,
+        at_78: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_53: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_54.direction.dot(at_74.normal).elementwise_lt(rt::Scalar(0f32))) * at_74.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_54.direction.dot(at_78.normal).elementwise_lt(rt::Scalar(0f32))) * at_78.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
         let a_37 = (pixel_54.a.position + (pixel_54.a.normal * step_m));
         let b_37 = (pixel_54.b.position + (pixel_54.b.normal * step_m));
         let c_26 = (pixel_54.c.position + (pixel_54.c.normal * step_m));
-        let n_14 = (b_37 - a_37).cross((c_26 - a_37));
-        let t_47 = (n_14.dot((a_37 - pixel_54.origin)) / n_14.dot(pixel_54.direction));
+        let n_17 = (b_37 - a_37).cross((c_26 - a_37));
+        let t_47 = (n_17.dot((a_37 - pixel_54.origin)) / n_17.dot(pixel_54.direction));
         let lead = (far_2 - (t_47 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
             local_53 = t_47.abs().elementwise_le(rt::Scalar(1000000000f32));
@@ -10213,30 +10334,30 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_37, b_37, c_26, n_14, (pixel_54.origin + (pixel_54.direction * t_47)));
-        let aside_5 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_74.uv);
+        let _e68 = self.v_weights_of(a_37, b_37, c_26, n_17, (pixel_54.origin + (pixel_54.direction * t_47)));
+        let aside_5 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_78.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_5, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
         &self,
-        at_75: Entered,
+        at_79: Entered,
         climbs: impl rt::Into<rt::Vec3<f32>>,
         pace: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_beside(at_75, rt::into(climbs), rt::into(pace)))
+        rt::into(self.v_slice_beside(at_79, rt::into(climbs), rt::into(pace)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_beside(
         &self,
-        at_75: Entered,
+        at_79: Entered,
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_54: rt::Scalar<bool>;
 
-        let up_4 = (at_75.of_surface.x().select((rt::Scalar(1f32) - at_75.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
-        let lead_1 = (at_75.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_4, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        let up_4 = (at_79.of_surface.x().select((rt::Scalar(1f32) - at_79.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_79.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_4, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
             local_54 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
@@ -10251,53 +10372,53 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_before(
         &self,
         pixel_55: PixelIn,
-        at_76: Entered,
+        at_80: Entered,
         axis_2: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_55, at_76, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_55, at_80, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_before(
         &self,
         pixel_55: PixelIn,
-        at_76: Entered,
+        at_80: Entered,
         axis_2: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_55, at_76, along_17, far_3);
+            let _e7 = self.v_slice_above(pixel_55, at_80, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_76, (pixel_55.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e11 = self.v_climb(at_80, (pixel_55.direction / rt::Vec3::splat_from_scalar(along_17)));
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_U)) {
-            let _e16 = self.v_slice_beside(at_76, _e11, _e11.x().abs());
+            let _e16 = self.v_slice_beside(at_80, _e11, _e11.x().abs());
             return _e16;
         }
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_V)) {
-            let _e21 = self.v_slice_beside(at_76, _e11, _e11.y().abs());
+            let _e21 = self.v_slice_beside(at_80, _e11, _e11.y().abs());
             return _e21;
         }
-        let _e24 = self.v_slice_beside(at_76, _e11, (rt::Scalar(1f32) / along_17));
+        let _e24 = self.v_slice_beside(at_80, _e11, (rt::Scalar(1f32) / along_17));
         return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
         pixel_56: PixelIn,
-        at_77: Entered,
+        at_81: Entered,
         k_13: impl rt::Into<rt::Scalar<u32>>,
         params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_56, at_77, rt::into(k_13), rt::into(params_57)))
+        rt::into(self.v_surface_slices_segment(pixel_56, at_81, rt::into(k_13), rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_segment(
         &self,
         pixel_56: PixelIn,
-        at_77: Entered,
+        at_81: Entered,
         k_13: rt::Scalar<u32>,
         params_57: rt::Vec4<f32>,
     ) -> Path {
@@ -10306,13 +10427,13 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_triangle_distance(pixel_56, _e6);
         let far_8 = (_e7 * along_38);
         let axis_5 = pixel_56.a.of_surface.z().to_u32();
-        let height_22 = at_77.of_surface.x();
-        let _e17 = self.v_height_at(at_77.uv, rt::Scalar(at_77.level));
-        let _e18 = self.v_slice_spacing(at_77, axis_5);
+        let height_22 = at_81.of_surface.x();
+        let _e17 = self.v_height_at(at_81.uv, rt::Scalar(at_81.level));
+        let _e18 = self.v_slice_spacing(at_81, axis_5);
         let _e19 = self.v_slices_stage(_e17, height_22, _e18);
-        let _e20 = self.v_slice_before(pixel_56, at_77, axis_5, along_38, far_8);
+        let _e20 = self.v_slice_before(pixel_56, at_81, axis_5, along_38, far_8);
         let lead_2 = (far_8 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_8), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_77.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_22 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_77.metric, RAY_VIEW, rt::Scalar(at_77.level), (far_8 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_81.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_22 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_81.metric, RAY_VIEW, rt::Scalar(at_81.level), (far_8 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn within_bounds(
         &self,
@@ -10444,18 +10565,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_segment(
         &self,
         pixel_58: PixelIn,
-        at_78: Entered,
+        at_82: Entered,
         k_15: impl rt::Into<rt::Scalar<u32>>,
         params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_58, at_78, rt::into(k_15), rt::into(params_58)))
+        rt::into(self.v_surface_object_segment(pixel_58, at_82, rt::into(k_15), rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_segment(
         &self,
         pixel_58: PixelIn,
-        at_78: Entered,
+        at_82: Entered,
         k_15: rt::Scalar<u32>,
         params_58: rt::Vec4<f32>,
     ) -> Path {
@@ -10465,18 +10586,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_frames_segment(
         &self,
         pixel_59: PixelIn,
-        at_79: Entered,
+        at_83: Entered,
         k_16: impl rt::Into<rt::Scalar<u32>>,
         params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_59, at_79, rt::into(k_16), rt::into(params_59)))
+        rt::into(self.v_surface_frames_segment(pixel_59, at_83, rt::into(k_16), rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_segment(
         &self,
         pixel_59: PixelIn,
-        at_79: Entered,
+        at_83: Entered,
         k_16: rt::Scalar<u32>,
         params_59: rt::Vec4<f32>,
     ) -> Path {
@@ -10508,12 +10629,12 @@ impl<'g> Resources<'g> {
         let h_11 = ((image_9.height.xyz().dot(point_13) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
         let beside_5 = ((u_4 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_6 - rt::Scalar(0.5f32)).abs() - _e24.y()));
-        let uv_46 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_4, v_6)));
+        let uv_44 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_4, v_6)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_160 = (((uv_46 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
-        let _e52 = self.v_cell_of(at_160);
-        let part_22 = (at_160 - _e52);
+        let at_164 = (((uv_44 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let _e52 = self.v_cell_of(at_164);
+        let part_22 = (at_164 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
         let top_9 = (_e56.x() + ((_e56.y() - _e56.x()) * part_22.x()));
         let bottom_5 = (_e56.z() + ((_e56.w() - _e56.z()) * part_22.x()));
@@ -10537,18 +10658,18 @@ impl<'g> Resources<'g> {
         }
         let is_inside_2 = local_59;
         let _e97 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_46, h_11.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
+        return <OnImage>::new(uv_44, h_11.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
     }
-    pub(crate) fn is_in_image(&self, at_80: OnImage) -> bool {
-        rt::into(self.v_is_in_image(at_80))
+    pub(crate) fn is_in_image(&self, at_84: OnImage) -> bool {
+        rt::into(self.v_is_in_image(at_84))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_is_in_image(&self, at_80: OnImage) -> rt::Scalar<bool> {
+    pub(super) fn v_is_in_image(&self, at_84: OnImage) -> rt::Scalar<bool> {
         let mut local_60: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_80.is_inside)) {
-            let _e7 = self.v_slices_stage(rt::Scalar(at_80.map), rt::Scalar(at_80.height), rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_84.is_inside)) {
+            let _e7 = self.v_slices_stage(rt::Scalar(at_84.map), rt::Scalar(at_84.height), rt::Scalar(0f32));
             local_60 = _e7;
         } else {
             local_60 = rt::Scalar(false);
@@ -10621,94 +10742,94 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_segment(
         &self,
         pixel_60: PixelIn,
-        at_81: Entered,
+        at_85: Entered,
         k_17: impl rt::Into<rt::Scalar<u32>>,
         params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_60, at_81, rt::into(k_17), rt::into(params_60)))
+        rt::into(self.v_surface_object_slices_segment(pixel_60, at_85, rt::into(k_17), rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_segment(
         &self,
         pixel_60: PixelIn,
-        at_81: Entered,
+        at_85: Entered,
         k_17: rt::Scalar<u32>,
         params_60: rt::Vec4<f32>,
     ) -> Path {
-        let _e5 = self.v_slice_at(at_81.point);
+        let _e5 = self.v_slice_at(at_85.point);
         let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
-        let far_9 = (at_81.point - pixel_60.origin).length();
+        let far_9 = (at_85.point - pixel_60.origin).length();
         let lead_3 = (far_9 * rt::Scalar(0.0000005f32));
-        let _e28 = self.v_depth_in_image(_e7, at_81.point);
+        let _e28 = self.v_depth_in_image(_e7, at_85.point);
         let _e29 = self.v_metric_of_image(_e7, _e28);
         return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e29, RAY_VIEW, rt::Scalar(0u32), (far_9 - lead_3), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
         pixel_61: PixelIn,
-        at_82: Entered,
+        at_86: Entered,
         k_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_61, at_82, rt::into(k_18)))
+        rt::into(self.v_surface_segment_stage(pixel_61, at_86, rt::into(k_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_segment_stage(
         &self,
         pixel_61: PixelIn,
-        at_82: Entered,
+        at_86: Entered,
         k_18: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_61, at_82, k_18, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_61, at_86, k_18, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_61, at_82, k_18, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_61, at_86, k_18, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_61, at_82, k_18, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_61, at_86, k_18, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_61, at_82, k_18, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_61, at_86, k_18, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_61, at_82, k_18, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_61, at_86, k_18, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_61, at_82, k_18, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_61, at_86, k_18, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_61, at_82, k_18, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_61, at_86, k_18, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_61, at_82, k_18, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_61, at_86, k_18, _e54);
                 return _e55;
             }
             8u32 => {
                 let _e60 = self.surface_settings.choices[1usize].params;
-                let _e61 = self.v_surface_frames_segment(pixel_61, at_82, k_18, _e60);
+                let _e61 = self.v_surface_frames_segment(pixel_61, at_86, k_18, _e60);
                 return _e61;
             }
             _ => {
                 let _e66 = self.surface_settings.choices[1usize].params;
-                let _e67 = self.v_surface_object_slices_segment(pixel_61, at_82, k_18, _e66);
+                let _e67 = self.v_surface_object_slices_segment(pixel_61, at_86, k_18, _e66);
                 return _e67;
             }
         }
@@ -10743,9 +10864,9 @@ impl<'g> Resources<'g> {
         let _e33 = self.v_path_slope(path_27, _e32);
         let h_12 = <rt::Vec3<f32>>::from_scalars(height_23, (_e33 / kept), (path_27.h.z() / kept));
         let _e40 = start_1;
-        let rest_6 = (rt::Scalar(path_27.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_12.x().max(rt::Scalar(0f32)), h_12.y(), h_12.z()), rest_6);
-        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_6);
+        let rest_8 = (rt::Scalar(path_27.exit) - _e40);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_12.x().max(rt::Scalar(0f32)), h_12.y(), h_12.z()), rest_8);
+        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_8);
         let _e53 = start_1;
         let base_5 = (rt::Scalar(path_27.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start_1;
@@ -10756,26 +10877,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn segment_of(
         &self,
         pixel_62: PixelIn,
-        at_83: Entered,
+        at_87: Entered,
         k_19: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_62, at_83, rt::into(k_19)))
+        rt::into(self.v_segment_of(pixel_62, at_87, rt::into(k_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_segment_of(
         &self,
         pixel_62: PixelIn,
-        at_83: Entered,
+        at_87: Entered,
         k_19: rt::Scalar<u32>,
     ) -> Path {
         let mut path_28: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_62, at_83, k_19);
+        let _e3 = self.v_surface_segment_stage(pixel_62, at_87, k_19);
         path_28 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_83.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_87.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_28;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_83.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_87.fade));
             path_28 = _e13;
             let _e16 = path_28.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -10788,19 +10909,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_63: PixelIn,
-        at_84: Entered,
+        at_88: Entered,
         path_29: Path,
         hit_19: Hit,
         params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_63, at_84, path_29, hit_19, rt::into(params_61)))
+        rt::into(self.v_surface_plane_polish(pixel_63, at_88, path_29, hit_19, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_plane_polish(
         &self,
         pixel_63: PixelIn,
-        at_84: Entered,
+        at_88: Entered,
         path_29: Path,
         hit_19: Hit,
         params_61: rt::Vec4<f32>,
@@ -10826,15 +10947,15 @@ impl<'g> Resources<'g> {
         let corner_5 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
         let a_39 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
         let b_39 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_7 = (place_18 - corner_5);
+        let rest_9 = (place_18 - corner_5);
         let across_9 = a_39.cross(b_39);
         let square_3 = across_9.dot(across_9);
         if rt::Scalar::into_branch_condition((!square_3.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_6 = (rest_7.cross(b_39).dot(across_9) / square_3);
-        let third_4 = (a_39.cross(rest_7).dot(across_9) / square_3);
-        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_6) - third_4), second_6, third_4);
+        let second_8 = (rest_9.cross(b_39).dot(across_9) / square_3);
+        let third_4 = (a_39.cross(rest_9).dot(across_9) / square_3);
+        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_8) - third_4), second_8, third_4);
     }
     pub(crate) fn shell_point_near(
         &self,
@@ -10895,18 +11016,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_polish(
         &self,
         pixel_65: PixelIn,
-        at_85: Entered,
+        at_89: Entered,
         path_30: Path,
         hit_20: Hit,
         params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_65, at_85, path_30, hit_20, rt::into(params_62)))
+        rt::into(self.v_surface_prism_polish(pixel_65, at_89, path_30, hit_20, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_polish(
         &self,
         pixel_65: PixelIn,
-        at_85: Entered,
+        at_89: Entered,
         path_30: Path,
         hit_20: Hit,
         params_62: rt::Vec4<f32>,
@@ -10957,15 +11078,15 @@ impl<'g> Resources<'g> {
                         t_18 = (_e69 - (gap_2 / change_6)).clamp((rt::Scalar(hit_20.t) - most_14), (rt::Scalar(hit_20.t) + most_14));
                     }
                     let _e78 = t_18;
-                    let place_32 = (along_40 * ((rt::Scalar(path_30.start) + _e78) - _e10));
+                    let place_33 = (along_40 * ((rt::Scalar(path_30.start) + _e78) - _e10));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e86 = t_18;
                         let _e87 = self.v_path_height(path_30, _e86);
-                        let _e88 = self.v_shell_point_near(_e11, place_32, _e87);
+                        let _e88 = self.v_shell_point_near(_e11, place_33, _e87);
                         point_16 = _e88;
                     } else {
                         let _e89 = point_16;
-                        let _e90 = self.v_shell_point_from(_e11, place_32, _e89);
+                        let _e90 = self.v_shell_point_from(_e11, place_33, _e89);
                         point_16 = _e90;
                     }
                 }
@@ -10980,19 +11101,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
         pixel_66: PixelIn,
-        at_86: Entered,
+        at_90: Entered,
         path_31: Path,
         hit_21: Hit,
         params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_86, path_31, hit_21, rt::into(params_63)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_90, path_31, hit_21, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_66: PixelIn,
-        at_86: Entered,
+        at_90: Entered,
         path_31: Path,
         hit_21: Hit,
         params_63: rt::Vec4<f32>,
@@ -11002,19 +11123,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
         pixel_67: PixelIn,
-        at_87: Entered,
+        at_91: Entered,
         path_32: Path,
         hit_22: Hit,
         params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_87, path_32, hit_22, rt::into(params_64)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_91, path_32, hit_22, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_vertical_polish(
         &self,
         pixel_67: PixelIn,
-        at_87: Entered,
+        at_91: Entered,
         path_32: Path,
         hit_22: Hit,
         params_64: rt::Vec4<f32>,
@@ -11024,19 +11145,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_polish(
         &self,
         pixel_68: PixelIn,
-        at_88: Entered,
+        at_92: Entered,
         path_33: Path,
         hit_23: Hit,
         params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_88, path_33, hit_23, rt::into(params_65)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_92, path_33, hit_23, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_tetrahedra_polish(
         &self,
         pixel_68: PixelIn,
-        at_88: Entered,
+        at_92: Entered,
         path_33: Path,
         hit_23: Hit,
         params_65: rt::Vec4<f32>,
@@ -11046,19 +11167,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_polish(
         &self,
         pixel_69: PixelIn,
-        at_89: Entered,
+        at_93: Entered,
         path_34: Path,
         hit_24: Hit,
         params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_69, at_89, path_34, hit_24, rt::into(params_66)))
+        rt::into(self.v_surface_facets_polish(pixel_69, at_93, path_34, hit_24, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_polish(
         &self,
         pixel_69: PixelIn,
-        at_89: Entered,
+        at_93: Entered,
         path_34: Path,
         hit_24: Hit,
         params_66: rt::Vec4<f32>,
@@ -11068,19 +11189,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_slices_polish(
         &self,
         pixel_70: PixelIn,
-        at_90: Entered,
+        at_94: Entered,
         path_35: Path,
         hit_25: Hit,
         params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_70, at_90, path_35, hit_25, rt::into(params_67)))
+        rt::into(self.v_surface_slices_polish(pixel_70, at_94, path_35, hit_25, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_polish(
         &self,
         pixel_70: PixelIn,
-        at_90: Entered,
+        at_94: Entered,
         path_35: Path,
         hit_25: Hit,
         params_67: rt::Vec4<f32>,
@@ -11125,19 +11246,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_polish(
         &self,
         pixel_71: PixelIn,
-        at_91: Entered,
+        at_95: Entered,
         path_38: Path,
         hit_27: Hit,
         params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_71, at_91, path_38, hit_27, rt::into(params_68)))
+        rt::into(self.v_surface_object_polish(pixel_71, at_95, path_38, hit_27, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_polish(
         &self,
         pixel_71: PixelIn,
-        at_91: Entered,
+        at_95: Entered,
         path_38: Path,
         hit_27: Hit,
         params_68: rt::Vec4<f32>,
@@ -11148,19 +11269,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_frames_polish(
         &self,
         pixel_72: PixelIn,
-        at_92: Entered,
+        at_96: Entered,
         path_39: Path,
         hit_28: Hit,
         params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_72, at_92, path_39, hit_28, rt::into(params_69)))
+        rt::into(self.v_surface_frames_polish(pixel_72, at_96, path_39, hit_28, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_polish(
         &self,
         pixel_72: PixelIn,
-        at_92: Entered,
+        at_96: Entered,
         path_39: Path,
         hit_28: Hit,
         params_69: rt::Vec4<f32>,
@@ -11171,19 +11292,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_polish(
         &self,
         pixel_73: PixelIn,
-        at_93: Entered,
+        at_97: Entered,
         path_40: Path,
         hit_29: Hit,
         params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_73, at_93, path_40, hit_29, rt::into(params_70)))
+        rt::into(self.v_surface_object_slices_polish(pixel_73, at_97, path_40, hit_29, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_polish(
         &self,
         pixel_73: PixelIn,
-        at_93: Entered,
+        at_97: Entered,
         path_40: Path,
         hit_29: Hit,
         params_70: rt::Vec4<f32>,
@@ -11197,72 +11318,72 @@ impl<'g> Resources<'g> {
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_94: Entered, path_41: Path, hit_30: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_74, at_94, path_41, hit_30))
+    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_98: Entered, path_41: Path, hit_30: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_74, at_98, path_41, hit_30))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_94: Entered, path_41: Path, hit_30: Hit) -> Hit {
+    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_98: Entered, path_41: Path, hit_30: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_74, at_94, path_41, hit_30, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_74, at_98, path_41, hit_30, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_74, at_94, path_41, hit_30, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_74, at_98, path_41, hit_30, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_94, path_41, hit_30, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_98, path_41, hit_30, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_94, path_41, hit_30, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_98, path_41, hit_30, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_94, path_41, hit_30, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_98, path_41, hit_30, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_74, at_94, path_41, hit_30, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_74, at_98, path_41, hit_30, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_74, at_94, path_41, hit_30, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_74, at_98, path_41, hit_30, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_74, at_94, path_41, hit_30, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_74, at_98, path_41, hit_30, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_74, at_94, path_41, hit_30, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_74, at_98, path_41, hit_30, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_94, path_41, hit_30, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_98, path_41, hit_30, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_95: Entered, path_42: Path, hit_31: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_75, at_95, path_42, hit_31))
+    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_99: Entered, path_42: Path, hit_31: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_75, at_99, path_42, hit_31))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_95: Entered, path_42: Path, hit_31: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_75, at_95, path_42, hit_31);
+    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_99: Entered, path_42: Path, hit_31: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_75, at_99, path_42, hit_31);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -11275,14 +11396,14 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_7.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn is_in_hole(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_in_hole(rt::into(uv_30)))
+    pub(crate) fn is_in_hole(&self, uv_28: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_in_hole(rt::into(uv_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_is_in_hole(&self, uv_30: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    pub(super) fn v_is_in_hole(&self, uv_28: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition((_e3 & rt::Scalar(2u32)).elementwise_ne(rt::Scalar(0u32))) {
-            let _e9 = self.v_color_at(uv_30, rt::Scalar(0u32));
+            let _e9 = self.v_color_at(uv_28, rt::Scalar(0u32));
             let _e13 = rt::Scalar(self.surface_settings.cutoff);
             if rt::Scalar::into_branch_condition(_e9.w().elementwise_lt(_e13)) {
                 return rt::Scalar(true);
@@ -11294,48 +11415,46 @@ impl<'g> Resources<'g> {
         }
         let _e25 = self.v_height_texels(rt::Scalar(0u32));
         let _e27 = self.v_height_size(rt::Scalar(0u32));
-        let _e33 = self.v_cell_of(((uv_30 * _e27) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e33 = self.v_cell_of(((uv_28 * _e27) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let cell_42 = _e33.to_i32();
-        let _e37 = self.v_wrap_index(cell_42.x(), _e25.x());
-        let _e42 = self.v_wrap_index((cell_42.x() + rt::Scalar(1i32)), _e25.x());
-        let _e45 = self.v_wrap_index(cell_42.y(), _e25.y());
-        let _e50 = self.v_wrap_index((cell_42.y() + rt::Scalar(1i32)), _e25.y());
-        let _e54 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37, _e45), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e59 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e42, _e45), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let above_8 = _e54.x().max(_e59.x());
-        let _e65 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37, _e50), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e70 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e42, _e50), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let below_7 = _e65.x().max(_e70.x());
+        let _e37 = self.v_wrap_pair(cell_42.x(), _e25.x());
+        let _e40 = self.v_wrap_pair(cell_42.y(), _e25.y());
+        let _e46 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37.x(), _e40.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e53 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37.y(), _e40.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let above_8 = _e46.x().max(_e53.x());
+        let _e61 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37.x(), _e40.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e68 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37.y(), _e40.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let below_7 = _e61.x().max(_e68.x());
         return above_8.max(below_7).elementwise_gt(rt::Scalar(0f32));
     }
-    pub(crate) fn in_hole(&self, uv_31: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_31)))
+    pub(crate) fn in_hole(&self, uv_29: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_in_hole(&self, uv_31: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    pub(super) fn v_in_hole(&self, uv_29: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(false);
         }
-        let _e7 = self.v_is_in_hole(uv_31);
+        let _e7 = self.v_is_in_hole(uv_29);
         return _e7;
     }
     pub(crate) fn hit_on_segment(
         &self,
         pixel_76: PixelIn,
-        at_96: Entered,
+        at_100: Entered,
         path_43: Path,
         found: Hit,
         k_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_76, at_96, path_43, found, rt::into(k_20)))
+        rt::into(self.v_hit_on_segment(pixel_76, at_100, path_43, found, rt::into(k_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_hit_on_segment(
         &self,
         pixel_76: PixelIn,
-        at_96: Entered,
+        at_100: Entered,
         path_43: Path,
         found: Hit,
         k_20: rt::Scalar<u32>,
@@ -11344,7 +11463,7 @@ impl<'g> Resources<'g> {
 
         first_2 = <FirstHit>::new(found, k_20, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_76, at_96, path_43, found);
+            let _e11 = self.v_polish_hit(pixel_76, at_100, path_43, found);
             let _e12 = self.v_depth_on_ray(pixel_76, path_43, _e11);
             let _e13 = self.v_key_of(_e12);
             first_2 = <FirstHit>::new(_e11, k_20, _e13);
@@ -12259,15 +12378,15 @@ impl<'g> Resources<'g> {
         span_4: rt::Scalar<f32>,
     ) -> Quartic {
         let _e5 = self.v_voxel_place_on(way_12, t_27);
-        let at_161 = (_e5 - cell_21);
+        let at_165 = (_e5 - cell_21);
         let slope_13 = ((way_12.step.z() + ((rt::Scalar(2f32) * rt::Scalar(way_12.bend)) * t_27)) * span_4);
         let bend_7 = (rt::Scalar(way_12.bend) * (span_4 * span_4));
         let dx_3 = (way_12.step.x() * span_4);
         let dy_1 = (way_12.step.y() * span_4);
-        let _e26 = self.v_along_slice(corners_1.low, at_161.xy(), dx_3, dy_1);
-        let _e29 = self.v_along_slice(corners_1.high, at_161.xy(), dx_3, dy_1);
+        let _e26 = self.v_along_slice(corners_1.low, at_165.xy(), dx_3, dy_1);
+        let _e29 = self.v_along_slice(corners_1.high, at_165.xy(), dx_3, dy_1);
         let rise_4 = (_e29 - _e26);
-        return <Quartic>::new((rt::Scalar(0.5f32) - (_e26.x() + (rise_4.x() * at_161.z()))), (rt::Scalar(0f32) - ((_e26.y() + (rise_4.y() * at_161.z())) + (rise_4.x() * slope_13))), (rt::Scalar(0f32) - (((_e26.z() + (rise_4.z() * at_161.z())) + (rise_4.y() * slope_13)) + (rise_4.x() * bend_7))), (rt::Scalar(0f32) - ((rise_4.z() * slope_13) + (rise_4.y() * bend_7))), (rt::Scalar(0f32) - (rise_4.z() * bend_7)));
+        return <Quartic>::new((rt::Scalar(0.5f32) - (_e26.x() + (rise_4.x() * at_165.z()))), (rt::Scalar(0f32) - ((_e26.y() + (rise_4.y() * at_165.z())) + (rise_4.x() * slope_13))), (rt::Scalar(0f32) - (((_e26.z() + (rise_4.z() * at_165.z())) + (rise_4.y() * slope_13)) + (rise_4.x() * bend_7))), (rt::Scalar(0f32) - ((rise_4.z() * slope_13) + (rise_4.y() * bend_7))), (rt::Scalar(0f32) - (rise_4.z() * bend_7)));
     }
     pub(crate) fn is_above_zero(&self, q_3: Quartic) -> bool {
         rt::into(self.v_is_above_zero(q_3))
@@ -12297,22 +12416,22 @@ impl<'g> Resources<'g> {
         }
         let root_5 = discriminant_4.sqrt();
         let s_2 = (rt::Scalar(-0.5f32) * (b_40 + (rt::Scalar(0f32) - root_5).select(root_5, b_40.elementwise_ge(rt::Scalar(0f32)))));
-        let first_18 = rt::Scalar(1f32).select((s_2 / a_40), a_40.elementwise_ne(rt::Scalar(0f32)));
-        let second_7 = rt::Scalar(1f32).select((rt::Scalar(q_4.c) / s_2), s_2.elementwise_ne(rt::Scalar(0f32)));
-        if rt::Scalar::into_branch_condition(first_18.elementwise_gt(rt::Scalar(0f32))) {
-            local_72 = first_18.elementwise_lt(rt::Scalar(1f32));
+        let first_20 = rt::Scalar(1f32).select((s_2 / a_40), a_40.elementwise_ne(rt::Scalar(0f32)));
+        let second_9 = rt::Scalar(1f32).select((rt::Scalar(q_4.c) / s_2), s_2.elementwise_ne(rt::Scalar(0f32)));
+        if rt::Scalar::into_branch_condition(first_20.elementwise_gt(rt::Scalar(0f32))) {
+            local_72 = first_20.elementwise_lt(rt::Scalar(1f32));
         } else {
             local_72 = rt::Scalar(false);
         }
         let _e46 = local_72;
-        let x_15 = rt::Scalar(1f32).select(first_18, _e46);
-        if rt::Scalar::into_branch_condition(second_7.elementwise_gt(rt::Scalar(0f32))) {
-            local_73 = second_7.elementwise_lt(rt::Scalar(1f32));
+        let x_15 = rt::Scalar(1f32).select(first_20, _e46);
+        if rt::Scalar::into_branch_condition(second_9.elementwise_gt(rt::Scalar(0f32))) {
+            local_73 = second_9.elementwise_lt(rt::Scalar(1f32));
         } else {
             local_73 = rt::Scalar(false);
         }
         let _e56 = local_73;
-        let y_10 = rt::Scalar(1f32).select(second_7, _e56);
+        let y_10 = rt::Scalar(1f32).select(second_9, _e56);
         return <rt::Vec2<f32>>::from_scalars(x_15.min(y_10), x_15.max(y_10));
     }
     pub(crate) fn quartic_at(
@@ -12903,20 +13022,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn image_of(
         &self,
         cell_27: impl rt::Into<rt::Scalar<i32>>,
-        n_8: impl rt::Into<rt::Scalar<i32>>,
+        n_11: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_27), rt::into(n_8)))
+        rt::into(self.v_image_of(rt::into(cell_27), rt::into(n_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_image_of(
         &self,
         cell_27: rt::Scalar<i32>,
-        n_8: rt::Scalar<i32>,
+        n_11: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
         let mut local_77: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_27.elementwise_ge(rt::Scalar(0i32))) {
-            local_77 = cell_27.elementwise_lt(n_8);
+            local_77 = cell_27.elementwise_lt(n_11);
         } else {
             local_77 = rt::Scalar(false);
         }
@@ -12926,21 +13045,21 @@ impl<'g> Resources<'g> {
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_27.clamp(rt::Scalar(0i32), (n_8 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_27.clamp(rt::Scalar(0i32), (n_11 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_27 % n_8) + n_8) % n_8), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_27 % n_11) + n_11) % n_11), rt::Scalar(0i32));
         }
-        let period_2 = (rt::Scalar(2i32) * n_8);
-        let folded_2 = (((cell_27 % period_2) + period_2) % period_2);
-        if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_8)) {
-            return <rt::Vec2<i32>>::from_scalars(folded_2, rt::Scalar(0i32));
+        let period_3 = (rt::Scalar(2i32) * n_11);
+        let folded = (((cell_27 % period_3) + period_3) % period_3);
+        if rt::Scalar::into_branch_condition(folded.elementwise_lt(n_11)) {
+            return <rt::Vec2<i32>>::from_scalars(folded, rt::Scalar(0i32));
         }
-        if rt::Scalar::into_branch_condition(folded_2.elementwise_eq((period_2 - rt::Scalar(1i32)))) {
+        if rt::Scalar::into_branch_condition(folded.elementwise_eq((period_3 - rt::Scalar(1i32)))) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(2i32));
         }
-        return <rt::Vec2<i32>>::from_scalars(((period_2 - rt::Scalar(2i32)) - folded_2), rt::Scalar(1i32));
+        return <rt::Vec2<i32>>::from_scalars(((period_3 - rt::Scalar(2i32)) - folded), rt::Scalar(1i32));
     }
     pub(crate) fn frustum_slope(
         &self,
@@ -13067,7 +13186,7 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_19 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_21 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_29;
                     let _e28 = self.v_whole_cell(_e27);
                     let _e30 = self.v_height_cell(_e28, rt::Scalar(path_67.level));
@@ -13119,7 +13238,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e106) {
                             let _e107 = t_34;
                             let _e108 = cost_13;
-                            let _e109 = self.v_found_in_cell(_e105, _e107, span_11, first_19, _e108);
+                            let _e109 = self.v_found_in_cell(_e105, _e107, span_11, first_21, _e108);
                             return _e109;
                         }
                     }
@@ -13127,18 +13246,18 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(0f32))) {
                         let _e114 = cell_29;
                         let _e117 = t_34;
-                        let at_162 = ((_e2.origin - _e114) + (_e2.step * _e117));
-                        let left_5 = at_162.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_162), forward_3);
+                        let at_166 = ((_e2.origin - _e114) + (_e2.step * _e117));
+                        let left_5 = at_166.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_166), forward_3);
                         let _e129 = t_34;
                         let far_12 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e137 = slope_3;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e137) * far_12));
                         let _e143 = t_34;
-                        let rest_8 = (rt::Scalar(path_67.exit) - _e143);
+                        let rest_10 = (rt::Scalar(path_67.exit) - _e143);
                         let _e145 = slope_3;
-                        let _e150 = self.v_stays_above(above_9, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_8);
+                        let _e150 = self.v_stays_above(above_9, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_10);
                         let _e151 = slope_3;
-                        let _e156 = self.v_stays_above(above_9, _e151, left_5.y(), _e2.step.y(), lost_1.y(), rest_8);
+                        let _e156 = self.v_stays_above(above_9, _e151, left_5.y(), _e2.step.y(), lost_1.y(), rest_10);
                         let _e157 = next_2;
                         let _e158 = t_34;
                         next_2 = _e157.max((_e158 + _e150.min(_e156)));
@@ -13169,13 +13288,13 @@ impl<'g> Resources<'g> {
         let _e184 = cost_13;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
     }
-    pub(crate) fn nearest_corner(&self, at_97: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_97)))
+    pub(crate) fn nearest_corner(&self, at_101: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_nearest_corner(&self, at_97: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_97.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    pub(super) fn v_nearest_corner(&self, at_101: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_101.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -13202,13 +13321,13 @@ impl<'g> Resources<'g> {
         let mut local_80: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_9 = (rt::Scalar(path_68.exit) - t_35);
+        let rest_11 = (rt::Scalar(path_68.exit) - t_35);
         let _e8 = self.v_path_height(path_68, t_35);
         let height_24 = (_e8 - apex);
         let terms = (path_68.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_68.exit)) * path_68.h.z().abs()));
         let _e21 = self.v_path_slope(path_68, t_35);
-        let rise_6 = ((_e21 + (path_68.h.z().min(rt::Scalar(0f32)) * rest_9)) - (rt::Scalar(0.0000009536743f32) * terms));
-        most = rest_9;
+        let rise_6 = ((_e21 + (path_68.h.z().min(rt::Scalar(0f32)) * rest_11)) - (rt::Scalar(0.0000009536743f32) * terms));
+        most = rest_11;
         if rt::Scalar::into_branch_condition(rise_6.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
             most = _e34.min((height_24 / (rt::Scalar(0f32) - rise_6)));
@@ -13290,7 +13409,7 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_14;
                     cost_14 = (_e20 + STEP);
                     let _e24 = cost_14.x();
-                    let first_20 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_22 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_30;
                     let _e28 = self.v_whole_cell(_e27);
                     let _e30 = self.v_height_cell(_e28, rt::Scalar(path_69.level));
@@ -13303,8 +13422,8 @@ impl<'g> Resources<'g> {
                     let span_12 = (end_13 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_30;
                     let _e49 = t_36;
-                    let at_163 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_163);
+                    let at_167 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_167);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_36;
                     next_3 = _e54;
@@ -13333,7 +13452,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e77) {
                             let _e78 = t_36;
                             let _e79 = cost_14;
-                            let _e80 = self.v_found_in_cell(_e76, _e78, span_12, first_20, _e79);
+                            let _e80 = self.v_found_in_cell(_e76, _e78, span_12, first_22, _e79);
                             return _e80;
                         }
                         let _e81 = t_36;
@@ -13362,32 +13481,32 @@ impl<'g> Resources<'g> {
         &self,
         cell_31: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
-        n_9: impl rt::Into<rt::Scalar<i32>>,
-        level_46: impl rt::Into<rt::Scalar<u32>>,
+        n_12: impl rt::Into<rt::Scalar<i32>>,
+        level_48: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_31), rt::into(image_10), rt::into(n_9), rt::into(level_46)))
+        rt::into(self.v_node_extent(rt::into(cell_31), rt::into(image_10), rt::into(n_12), rt::into(level_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_node_extent(
         &self,
         cell_31: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
-        n_9: rt::Scalar<i32>,
-        level_46: rt::Scalar<u32>,
+        n_12: rt::Scalar<i32>,
+        level_48: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_81: rt::Scalar<bool>;
 
-        let first_21 = ((image_10.x() >> level_46) << level_46);
-        let side_8 = (rt::Scalar(1i32) << level_46);
+        let first_23 = ((image_10.x() >> level_48) << level_48);
+        let side_8 = (rt::Scalar(1i32) << level_48);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_6 = (cell_31 - (image_10.x() - first_21));
-            return <rt::Vec2<i32>>::from_scalars(low_6, (low_6 + side_8.min((n_9 - first_21))));
+            let low_6 = (cell_31 - (image_10.x() - first_23));
+            return <rt::Vec2<i32>>::from_scalars(low_6, (low_6 + side_8.min((n_12 - first_23))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_2 = ((cell_31 + (image_10.x() - first_21)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_2 - side_8.min(((n_9 - rt::Scalar(1i32)) - first_21))), high_2);
+            let high_2 = ((cell_31 + (image_10.x() - first_23)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high_2 - side_8.min(((n_12 - rt::Scalar(1i32)) - first_23))), high_2);
         }
-        if rt::Scalar::into_branch_condition(level_46.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_48.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
             local_81 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
@@ -13395,7 +13514,7 @@ impl<'g> Resources<'g> {
         }
         let _e43 = local_81;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_9, cell_31.elementwise_ge(n_9)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_31.elementwise_ge(n_9)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_12, cell_31.elementwise_ge(n_12)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_31.elementwise_ge(n_12)));
         }
         return <rt::Vec2<i32>>::from_scalars(cell_31, (cell_31 + rt::Scalar(1i32)));
     }
@@ -13437,7 +13556,7 @@ impl<'g> Resources<'g> {
         params_87: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_47: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_49: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_32: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -13459,10 +13578,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_47;
+                    let _e28 = level_49;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_47;
-                        level_47 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_49;
+                        level_49 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
@@ -13484,10 +13603,10 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_32.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_33 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_47;
+                    let place_34 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let _e67 = level_49;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_33.x() >> above_level), (place_33.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_34.x() >> above_level), (place_34.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
@@ -13504,7 +13623,7 @@ impl<'g> Resources<'g> {
                     }
                     let left_6 = local_82;
                     if rt::Scalar::into_branch_condition(left_6) {
-                        let _e98 = level_47;
+                        let _e98 = level_49;
                         let _e99 = top;
                         local_84 = _e98.elementwise_lt(_e99);
                     } else {
@@ -13512,13 +13631,13 @@ impl<'g> Resources<'g> {
                     }
                     let _e102 = local_84;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_47 = above_level;
+                        level_49 = above_level;
                     }
                     let _e104 = cell_32.x();
-                    let _e106 = level_47;
+                    let _e106 = level_49;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
                     let _e109 = cell_32.y();
-                    let _e111 = level_47;
+                    let _e111 = level_49;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
@@ -13527,7 +13646,7 @@ impl<'g> Resources<'g> {
                     let span_13 = (end_14 - _e126).max(rt::Scalar(0f32));
                     let low_7 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_11 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_47;
+                    let _e140 = level_49;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_15;
                         cost_15 = (_e143 + HEIGHTS_READ);
@@ -13548,10 +13667,10 @@ impl<'g> Resources<'g> {
                         let _e160 = cost_15;
                         let _e162 = self.v_map_read(path_70, rt::Scalar(1u32));
                         cost_15 = (_e160 + _e162);
-                        let _e165 = level_47;
-                        let _e168 = level_47;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_33.x() >> _e165), (place_33.y() >> _e168));
-                        let _e172 = level_47;
+                        let _e165 = level_49;
+                        let _e168 = level_49;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_34.x() >> _e165), (place_34.y() >> _e168));
+                        let _e172 = level_49;
                         let _e178 = self.v_search_texel(path_70, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_70.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
                         let _e180 = t_37;
@@ -13572,8 +13691,8 @@ impl<'g> Resources<'g> {
                             let _e216 = t_37;
                             let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
                             cell_32 = _e219.to_i32().clamp(low_7, last_11);
-                            let _e222 = level_47;
-                            level_47 = (_e222 - rt::Scalar(1u32));
+                            let _e222 = level_49;
+                            level_49 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -13591,9 +13710,9 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_14)) {
                         cell_32.set_y((low_7.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e267 = level_47;
-                    let _e272 = level_47;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_33.x() >> (_e267 + rt::Scalar(1u32))), (place_33.y() >> (_e272 + rt::Scalar(1u32))));
+                    let _e267 = level_49;
+                    let _e272 = level_49;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_34.x() >> (_e267 + rt::Scalar(1u32))), (place_34.y() >> (_e272 + rt::Scalar(1u32))));
                     let _e277 = t_37;
                     t_37 = _e277.max(end_14);
                 }
@@ -13606,23 +13725,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn texel_extent(
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
-        n_10: impl rt::Into<rt::Scalar<i32>>,
-        level_48: impl rt::Into<rt::Scalar<u32>>,
+        n_13: impl rt::Into<rt::Scalar<i32>>,
+        level_50: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_10), rt::into(level_48)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_13), rt::into(level_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
-        n_10: rt::Scalar<i32>,
-        level_48: rt::Scalar<u32>,
+        n_13: rt::Scalar<i32>,
+        level_50: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_85: rt::Scalar<bool>;
 
-        let _e3 = self.v_wrap_index(texel_2, n_10);
-        let first_22 = ((_e3 >> level_48) << level_48);
-        let last_12 = (first_22 + (rt::Scalar(1i32) << level_48)).min(n_10);
+        let _e3 = self.v_wrap_index(texel_2, n_13);
+        let first_24 = ((_e3 >> level_50) << level_50);
+        let last_12 = (first_24 + (rt::Scalar(1i32) << level_50)).min(n_13);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_85 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -13631,16 +13750,16 @@ impl<'g> Resources<'g> {
         }
         let _e20 = local_85;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_22), ((texel_2 - _e3) + last_12));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_24), ((texel_2 - _e3) + last_12));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
-            let period_3 = (rt::Scalar(2i32) * n_10);
-            let folded_3 = (((texel_2 % period_3) + period_3) % period_3);
-            if rt::Scalar::into_branch_condition(folded_3.elementwise_lt(n_10)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_22), ((texel_2 - _e3) + last_12));
+            let period_4 = (rt::Scalar(2i32) * n_13);
+            let folded_1 = (((texel_2 % period_4) + period_4) % period_4);
+            if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_13)) {
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_24), ((texel_2 - _e3) + last_12));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_12) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_22) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_12) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_24) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
@@ -13657,7 +13776,7 @@ impl<'g> Resources<'g> {
         path_71: Path,
         params_88: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut level_49: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_51: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
@@ -13672,21 +13791,21 @@ impl<'g> Resources<'g> {
         let step_7 = (path_71.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_49;
+                let _e14 = level_51;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_49;
-                    level_49 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_51;
+                    level_51 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_7);
         texel_3 = _e24.to_i32();
         let limit_6 = params_88.x().to_u32();
-        let _e35 = level_49;
+        let _e35 = level_51;
         finest_1 = params_88.y().to_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_71.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
@@ -13705,30 +13824,30 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_34 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_35 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_49;
+                    let _e59 = level_51;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_16;
                         cost_16 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_34, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_35, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_49;
-                        let _e73 = level_49;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_34.x() >> _e70), (place_34.y() >> _e73));
+                        let _e70 = level_51;
+                        let _e73 = level_51;
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_35.x() >> _e70), (place_35.y() >> _e73));
                         let _e76 = cost_16;
                         let _e78 = self.v_map_read(path_71, rt::Scalar(1u32));
                         cost_16 = (_e76 + _e78);
-                        let _e81 = level_49;
+                        let _e81 = level_51;
                         let _e85 = self.v_search_texel(path_71, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_49;
+                    let _e90 = level_51;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_49;
+                    let _e95 = level_51;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
@@ -13754,15 +13873,15 @@ impl<'g> Resources<'g> {
                         let _e141 = t_38;
                         let _e142 = sinks;
                         t_38 = (_e141 + _e142);
-                        let _e144 = level_49;
+                        let _e144 = level_51;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_38;
                             let _e149 = cost_16;
                             return <SearchResult>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_49;
-                        level_49 = (_e154 - rt::Scalar(1u32));
+                        let _e154 = level_51;
+                        level_51 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_38;
                         let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
                         texel_3 = _e160.to_i32().clamp(low_8, last_13);
@@ -14158,10 +14277,10 @@ impl<'g> Resources<'g> {
                         break 'naga_break;
                     }
                     let _e61 = t_41;
-                    let rest_10 = (rt::Scalar(path_74.exit) - _e61);
+                    let rest_12 = (rt::Scalar(path_74.exit) - _e61);
                     let _e63 = t_41;
                     let _e64 = self.v_path_slope(path_74, _e63);
-                    let rise_7 = (_e64 + (path_74.h.z().min(rt::Scalar(0f32)) * rest_10));
+                    let rise_7 = (_e64 + (path_74.h.z().min(rt::Scalar(0f32)) * rest_12));
                     let terms_1 = (path_74.h.x().abs() + (rt::Scalar(path_74.exit) * (path_74.h.y().abs() + (rt::Scalar(path_74.exit) * path_74.h.z().abs()))));
                     let far_15 = (((path_74.uv.abs() + (path_74.duv.abs() * rt::Scalar(path_74.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_15.x()) + far_15.y()));
@@ -14500,26 +14619,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn wrap_cell(
         &self,
-        i_3: impl rt::Into<rt::Scalar<i32>>,
-        n_11: impl rt::Into<rt::Scalar<i32>>,
+        i_6: impl rt::Into<rt::Scalar<i32>>,
+        n_14: impl rt::Into<rt::Scalar<i32>>,
     ) -> i32 {
-        rt::into(self.v_wrap_cell(rt::into(i_3), rt::into(n_11)))
+        rt::into(self.v_wrap_cell(rt::into(i_6), rt::into(n_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_wrap_cell(
         &self,
-        i_3: rt::Scalar<i32>,
-        n_11: rt::Scalar<i32>,
+        i_6: rt::Scalar<i32>,
+        n_14: rt::Scalar<i32>,
     ) -> rt::Scalar<i32> {
         let _e4 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(WRAP_REPEAT)) {
-            let _e7 = self.v_wrap_index(i_3, n_11);
+            let _e7 = self.v_wrap_index(i_6, n_14);
             return _e7;
         }
-        let _e8 = self.v_wrap_index(i_3, n_11);
-        let _e11 = self.v_wrap_index((i_3 + rt::Scalar(1i32)), n_11);
-        return _e8.min(_e11);
+        let _e8 = self.v_wrap_pair(i_6, n_14);
+        return _e8.x().min(_e8.y());
     }
     pub(crate) fn voxel_texel(&self, cell_38: impl rt::Into<rt::Vec3<i32>>) -> rt::Vec2<i32> {
         rt::into(self.v_voxel_texel(rt::into(cell_38)))
@@ -14719,16 +14837,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_none(
         &self,
         pixel_77: PixelIn,
-        at_98: Entered,
+        at_102: Entered,
         params_95: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_77, at_98, rt::into(params_95)))
+        rt::into(self.v_object_none(pixel_77, at_102, rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_none(
         &self,
         pixel_77: PixelIn,
-        at_98: Entered,
+        at_102: Entered,
         params_95: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_23: rt::Vec3<u32> = NO_COST;
@@ -14742,17 +14860,17 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = k_29;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_98.segments))) {
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_102.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e16 = k_29;
-                    let _e17 = self.v_segment_of(pixel_77, at_98, _e16);
+                    let _e17 = self.v_segment_of(pixel_77, at_102, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
                         let _e22 = k_29;
-                        let _e23 = self.v_hit_on_segment(pixel_77, at_98, _e17, _e21, _e22);
+                        let _e23 = self.v_hit_on_segment(pixel_77, at_102, _e17, _e21, _e22);
                         let _e24 = cost_23;
                         cost_23 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
@@ -14782,11 +14900,11 @@ impl<'g> Resources<'g> {
         let _e56 = first_4;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_99: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_78, at_99))
+    pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_103: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_78, at_103))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_99: Entered) -> FirstHit {
+    pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_103: Entered) -> FirstHit {
         let mut cost_24: rt::Vec3<u32> = NO_COST;
         let mut first_5: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -14800,11 +14918,11 @@ impl<'g> Resources<'g> {
         let _e4 = cost_24;
         let _e5 = self.v_miss(_e4);
         first_5 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_16 = (rt::Scalar(at_99.segments) * MOST_ROUNDS);
+        let most_16 = (rt::Scalar(at_103.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_99.segments))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_103.segments))) {
                     let _e26 = turns;
                     local_97 = _e26.elementwise_lt(most_16);
                 } else {
@@ -14817,7 +14935,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = k_30;
-                    let _e31 = self.v_segment_of(pixel_78, at_99, _e30);
+                    let _e31 = self.v_segment_of(pixel_78, at_103, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
                     let ahead_3 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
@@ -14863,7 +14981,7 @@ impl<'g> Resources<'g> {
                         agreed = rt::Scalar(0u32);
                         let _e93 = cost_24;
                         let _e95 = k_30;
-                        let _e96 = self.v_hit_on_segment(pixel_78, at_99, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_51, _e93), _e95);
+                        let _e96 = self.v_hit_on_segment(pixel_78, at_103, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_51, _e93), _e95);
                         first_5 = _e96;
                         let _e99 = first_5.hit.cost;
                         cost_24 = _e99;
@@ -14872,14 +14990,14 @@ impl<'g> Resources<'g> {
                     agreed = (_e100 + rt::Scalar(1u32));
                     let _e103 = k_30;
                     let _e107 = k_30;
-                    k_30 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_99.segments)));
+                    k_30 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_103.segments)));
                     let _e113 = turns;
                     turns = (_e113 + rt::Scalar(1u32));
                 }
             }
         }
         let _e120 = agreed;
-        rt::Scalar(first_5.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_99.segments)));
+        rt::Scalar(first_5.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_103.segments)));
         let _e126 = cost_24;
         first_5.hit.cost = _e126;
         let _e127 = first_5;
@@ -14888,51 +15006,51 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_depth(
         &self,
         pixel_79: PixelIn,
-        at_100: Entered,
+        at_104: Entered,
         params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_79, at_100, rt::into(params_96)))
+        rt::into(self.v_object_depth(pixel_79, at_104, rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth(
         &self,
         pixel_79: PixelIn,
-        at_100: Entered,
+        at_104: Entered,
         params_96: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_79, at_100);
+        let _e3 = self.v_first_in_all(pixel_79, at_104);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
         pixel_80: PixelIn,
-        at_101: Entered,
+        at_105: Entered,
         params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_80, at_101, rt::into(params_97)))
+        rt::into(self.v_object_hull(pixel_80, at_105, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull(
         &self,
         pixel_80: PixelIn,
-        at_101: Entered,
+        at_105: Entered,
         params_97: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_80, at_101);
+        let _e3 = self.v_first_in_all(pixel_80, at_105);
         return _e3;
     }
-    pub(crate) fn look_into_frame(&self, uv_32: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_look_into_frame(rt::into(uv_32)))
+    pub(crate) fn look_into_frame(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_look_into_frame(rt::into(uv_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_look_into_frame(&self, uv_32: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_look_into_frame(&self, uv_30: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_164 = ((uv_32 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_164);
-        let part_23 = (at_164 - _e8);
+        let at_168 = ((uv_30 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_168);
+        let part_23 = (at_168 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
         let x_16 = (rt::Scalar(1f32) - part_23.x());
         let y_11 = (rt::Scalar(1f32) - part_23.y());
@@ -14993,16 +15111,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_blend(
         &self,
         pixel_81: PixelIn,
-        at_102: Entered,
+        at_106: Entered,
         params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_81, at_102, rt::into(params_98)))
+        rt::into(self.v_object_blend(pixel_81, at_106, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_blend(
         &self,
         pixel_81: PixelIn,
-        at_102: Entered,
+        at_106: Entered,
         params_98: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_25: rt::Vec3<u32> = NO_COST;
@@ -15031,7 +15149,7 @@ impl<'g> Resources<'g> {
                     let _e26 = self.v_frame_weight(_e6, _e25);
                     if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_9).elementwise_ge(rt::Scalar(0.05f32))) {
                         let _e31 = k_31;
-                        let _e32 = self.v_segment_of(pixel_81, at_102, _e31);
+                        let _e32 = self.v_segment_of(pixel_81, at_106, _e31);
                         let _e35 = self.v_look_along(_e32, _e24, params_98.w().to_u32());
                         let seen_7 = (_e26 * _e35.x());
                         let _e38 = cost_25;
@@ -15068,7 +15186,7 @@ impl<'g> Resources<'g> {
             return _e83;
         }
         let _e84 = heaviest;
-        let _e85 = self.v_segment_of(pixel_81, at_102, _e84);
+        let _e85 = self.v_segment_of(pixel_81, at_106, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
         let t_52 = ((_e86 / _e87) - rt::Scalar(_e85.start));
@@ -15077,45 +15195,45 @@ impl<'g> Resources<'g> {
         let _e95 = cost_25;
         let hit_76 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_52, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_81, at_102, _e85, hit_76, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_81, at_106, _e85, hit_76, _e97);
         return _e98;
     }
-    pub(crate) fn object_stage(&self, pixel_82: PixelIn, at_103: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_82, at_103))
+    pub(crate) fn object_stage(&self, pixel_82: PixelIn, at_107: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_82, at_107))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_object_stage(&self, pixel_82: PixelIn, at_103: Entered) -> FirstHit {
+    pub(super) fn v_object_stage(&self, pixel_82: PixelIn, at_107: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_82, at_103, _e11);
+                let _e12 = self.v_object_none(pixel_82, at_107, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_82, at_103, _e17);
+                let _e18 = self.v_object_depth(pixel_82, at_107, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_82, at_103, _e23);
+                let _e24 = self.v_object_hull(pixel_82, at_107, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend(pixel_82, at_103, _e29);
+                let _e30 = self.v_object_blend(pixel_82, at_107, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_83: PixelIn, at_104: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_83, at_104))
+    pub(crate) fn first_hit(&self, pixel_83: PixelIn, at_108: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_83, at_108))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_first_hit(&self, pixel_83: PixelIn, at_104: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_83, at_104);
+    pub(super) fn v_first_hit(&self, pixel_83: PixelIn, at_108: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_83, at_108);
         return _e2;
     }
     pub(crate) fn quotient_up(
@@ -15147,30 +15265,30 @@ impl<'g> Resources<'g> {
         sweep_5: Sweep,
         column_1: rt::Scalar<i32>,
     ) -> rt::Scalar<i32> {
-        let n_15 = sweep_5.parts.x();
+        let n_18 = sweep_5.parts.x();
         let m_6 = sweep_5.parts.y();
         let doubled = ((rt::Scalar(2i32) * column_1) - rt::Scalar(1i32));
         if rt::Scalar::into_branch_condition(column_1.elementwise_le(rt::Scalar(0i32))) {
             return rt::Scalar(0i32);
         }
         if rt::Scalar::into_branch_condition(column_1.elementwise_gt(sweep_5.end.x())) {
-            return ((n_15 + m_6) + rt::Scalar(1i32));
+            return ((n_18 + m_6) + rt::Scalar(1i32));
         }
         if rt::Scalar::into_branch_condition(doubled.elementwise_le((rt::Scalar(2i32) * sweep_5.apex.x()))) {
-            let _e29 = self.v_quotient_up((n_15 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
+            let _e29 = self.v_quotient_up((n_18 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
             return _e29;
         }
         let _e43 = self.v_quotient_up((m_6 * (doubled - (rt::Scalar(2i32) * sweep_5.apex.x()))), (rt::Scalar(2i32) * (sweep_5.end.x() - sweep_5.apex.x())));
-        return (n_15 + _e43);
+        return (n_18 + _e43);
     }
-    pub(crate) fn footprint_m(&self, at_105: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_105))
+    pub(crate) fn footprint_m(&self, at_109: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_109))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_footprint_m(&self, at_105: Entered) -> rt::Scalar<f32> {
+    pub(super) fn v_footprint_m(&self, at_109: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_105.footprint) * at_105.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_109.footprint) * at_109.metric.x().sqrt()) / _e7.x());
     }
     pub(crate) fn shadow_search_stage(&self, path_81: Path) -> SearchResult {
         rt::into(self.v_shadow_search_stage(path_81))
@@ -15246,13 +15364,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_106: Entered, hit_33: Hit, light_8: Toward) -> f32 {
-        rt::into(self.v_free_way(at_106, hit_33, light_8))
+    pub(crate) fn free_way(&self, at_110: Entered, hit_33: Hit, light_8: Toward) -> f32 {
+        rt::into(self.v_free_way(at_110, hit_33, light_8))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_free_way(&self, at_106: Entered, hit_33: Hit, light_8: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_field_light_ray_stage(at_106, hit_33, light_8);
+    pub(super) fn v_free_way(&self, at_110: Entered, hit_33: Hit, light_8: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_field_light_ray_stage(at_110, hit_33, light_8);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -15328,24 +15446,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn gradient_noise(
         &self,
-        at_107: impl rt::Into<rt::Vec2<f32>>,
+        at_111: impl rt::Into<rt::Vec2<f32>>,
         count_6: impl rt::Into<rt::Scalar<f32>>,
         turns_2: impl rt::Into<rt::Scalar<f32>>,
         seed_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_noise(rt::into(at_107), rt::into(count_6), rt::into(turns_2), rt::into(seed_3)))
+        rt::into(self.v_gradient_noise(rt::into(at_111), rt::into(count_6), rt::into(turns_2), rt::into(seed_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gradient_noise(
         &self,
-        at_107: rt::Vec2<f32>,
+        at_111: rt::Vec2<f32>,
         count_6: rt::Scalar<f32>,
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let cell_43 = at_107.floor();
-        let part_25 = (at_107 - cell_43);
+        let cell_43 = at_111.floor();
+        let part_25 = (at_111 - cell_43);
         let fade = (((part_25 * part_25) * part_25) * ((part_25 * ((part_25 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
@@ -15527,9 +15645,9 @@ impl<'g> Resources<'g> {
         a_18: Voxel,
         b_18: Voxel,
         c_13: Voxel,
-        level_50: impl rt::Into<rt::Scalar<u32>>,
+        level_52: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_18, b_18, c_13, rt::into(level_50)))
+        rt::into(self.v_is_swept(grid_11, a_18, b_18, c_13, rt::into(level_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_is_swept(
@@ -15538,14 +15656,14 @@ impl<'g> Resources<'g> {
         a_18: Voxel,
         b_18: Voxel,
         c_13: Voxel,
-        level_50: rt::Scalar<u32>,
+        level_52: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
         let mut local_106: rt::Scalar<bool>;
         let mut local_107: rt::Scalar<bool>;
 
-        let _e6 = self.v_coarser_voxel(a_18.at, level_50);
-        let _e8 = self.v_coarser_voxel(b_18.at, level_50);
-        let _e10 = self.v_coarser_voxel(c_13.at, level_50);
+        let _e6 = self.v_coarser_voxel(a_18.at, level_52);
+        let _e8 = self.v_coarser_voxel(b_18.at, level_52);
+        let _e10 = self.v_coarser_voxel(c_13.at, level_52);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
@@ -15578,37 +15696,37 @@ impl<'g> Resources<'g> {
         view_19: LightView,
         point_18: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_165 = <rt::Vec4<f32>>::new_31(point_18, rt::Scalar(1f32));
-        let depth_9 = view_19.depth.dot(at_165);
+        let at_169 = <rt::Vec4<f32>>::new_31(point_18, rt::Scalar(1f32));
+        let depth_9 = view_19.depth.dot(at_169);
         let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_19.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_19.column.dot(at_165), view_19.row.dot(at_165)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_19.column.dot(at_169), view_19.row.dot(at_169)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_108: Entered,
-        uv_33: impl rt::Into<rt::Vec2<f32>>,
+        at_112: Entered,
+        uv_31: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_108, rt::into(uv_33)))
+        rt::into(self.v_patch_normal(at_112, rt::into(uv_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_patch_normal(
         &self,
-        at_108: Entered,
-        uv_33: rt::Vec2<f32>,
+        at_112: Entered,
+        uv_31: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_108.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_108.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_112.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_112.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_33, rt::Scalar(at_108.level));
+        let _e18 = self.v_height_and_slope(uv_31, rt::Scalar(at_112.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_4 = (at_108.tangent + (at_108.normal * (_e18.y() * _e24)));
+        let along_u_4 = (at_112.tangent + (at_112.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_4 = (at_108.bitangent + (at_108.normal * (_e18.z() * _e33)));
+        let along_v_4 = (at_112.bitangent + (at_112.normal * (_e18.z() * _e33)));
         let across_11 = along_v_4.cross(along_u_4).normalize();
-        return (across_11 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_11.dot(at_108.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_11 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_11.dot(at_112.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
@@ -15653,24 +15771,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_109: InView,
+        at_113: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_109, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_113, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_row_sees(
         &self,
-        at_109: InView,
+        at_113: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column_2: rt::Scalar<f32>;
 
-        let view_34 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_109.number))];
-        column_2 = at_109.low.x().floor();
+        let view_34 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_113.number))];
+        column_2 = at_113.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column_2;
@@ -15681,13 +15799,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column_2;
                     let _e24 = column_2;
-                    let wide_2 = (at_109.high.x().min((_e18 + rt::Scalar(1f32))) - at_109.low.x().max(_e24));
+                    let wide_2 = (at_113.high.x().min((_e18 + rt::Scalar(1f32))) - at_113.low.x().max(_e24));
                     let _e27 = column_2;
-                    let place_35 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_34, at_109.point, at_109.normal, (place_35 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_10 = _e35.clamp(rt::Scalar(at_109.least_depth), rt::Scalar(at_109.most_depth));
+                    let place_36 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_34, at_113.point, at_113.normal, (place_36 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_10 = _e35.clamp(rt::Scalar(at_113.least_depth), rt::Scalar(at_113.most_depth));
                     let key = (rt::Scalar(view_34.near) / (rt::Scalar(view_34.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_35.to_i32(), rt::Scalar(at_109.number).to_i32());
+                    let _e48 = self.v_light_texel(place_36.to_i32(), rt::Scalar(at_113.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -15703,19 +15821,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_15: impl rt::Into<rt::Scalar<u32>>,
-        at_110: Entered,
+        at_114: Entered,
         normal_20: impl rt::Into<rt::Vec3<f32>>,
         place_23: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_15), at_110, rt::into(normal_20), rt::into(place_23), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_15), at_114, rt::into(normal_20), rt::into(place_23), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_part(
         &self,
         number_15: rt::Scalar<u32>,
-        at_110: Entered,
+        at_114: Entered,
         normal_20: rt::Vec3<f32>,
         place_23: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -15726,8 +15844,8 @@ impl<'g> Resources<'g> {
 
         let view_35 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
         let texel_m = (rt::Scalar(view_35.texel_m) * rt::Scalar(1f32).select(place_23.z(), rt::Scalar(view_35.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_110);
-        let point_32 = (at_110.point + (normal_20 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_114);
+        let point_32 = (at_114.point + (normal_20 * (bias * texel_m.max(_e19))));
         let reach_5 = (rt::Scalar(16f32) * texel_m);
         let low_11 = (place_23.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_5 = (low_11 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
@@ -15759,20 +15877,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_111: Entered,
-        uv_34: impl rt::Into<rt::Vec2<f32>>,
+        at_115: Entered,
+        uv_32: impl rt::Into<rt::Vec2<f32>>,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_111, rt::into(uv_34), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_115, rt::into(uv_32), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_light_seen(
         &self,
-        at_111: Entered,
-        uv_34: rt::Vec2<f32>,
+        at_115: Entered,
+        uv_32: rt::Vec2<f32>,
         number_16: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
@@ -15784,7 +15902,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_21.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_111, uv_34);
+        let _e14 = self.v_patch_normal(at_115, uv_32);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -15800,13 +15918,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = k_33;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_111.point);
+                    let _e35 = self.v_light_place(_e33, at_115.point);
                     let _e38 = k_33;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_7));
                     if rt::Scalar::into_branch_condition(_e43) {
                         let _e44 = k_33;
-                        let _e45 = self.v_seen_part(_e44, at_111, _e14, _e35, width_7, bias_1);
+                        let _e45 = self.v_seen_part(_e44, at_115, _e14, _e35, width_7, bias_1);
                         return _e45;
                     }
                     let _e46 = k_33;
@@ -15844,39 +15962,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_112: Entered,
+        at_116: Entered,
         hit_34: Hit,
         light_9: Toward,
         params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_112, hit_34, light_9, rt::into(params_99)))
+        rt::into(self.v_shadow_ray(at_116, hit_34, light_9, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_ray(
         &self,
-        at_112: Entered,
+        at_116: Entered,
         hit_34: Hit,
         light_9: Toward,
         params_99: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_112, hit_34, light_9);
+        let _e4 = self.v_free_way(at_116, hit_34, light_9);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_113: Entered,
+        at_117: Entered,
         hit_35: Hit,
         light_10: Toward,
         params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_113, hit_35, light_10, rt::into(params_100)))
+        rt::into(self.v_shadow_none(at_117, hit_35, light_10, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_none(
         &self,
-        at_113: Entered,
+        at_117: Entered,
         hit_35: Hit,
         light_10: Toward,
         params_100: rt::Vec4<f32>,
@@ -15885,22 +16003,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_114: Entered,
+        at_118: Entered,
         hit_36: Hit,
         light_11: Toward,
         params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_114, hit_36, light_11, rt::into(params_101)))
+        rt::into(self.v_shadow_entry(at_118, hit_36, light_11, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_entry(
         &self,
-        at_114: Entered,
+        at_118: Entered,
         hit_36: Hit,
         light_11: Toward,
         params_101: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_114, hit_36, light_11);
+        let _e4 = self.v_from_hit(at_118, hit_36, light_11);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -15927,9 +16045,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seed_of(&self, hit_37: Hit) -> rt::Scalar<u32> {
-        let place_36 = ((hit_37.uv - hit_37.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_36.y());
-        let _e12 = self.v_mixed((place_36.x() ^ _e10));
+        let place_37 = ((hit_37.uv - hit_37.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_37.y());
+        let _e12 = self.v_mixed((place_37.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn point_of_disc(
@@ -15955,27 +16073,27 @@ impl<'g> Resources<'g> {
         let ring = ((k_34.to_f32() + _e9) / count_7.to_f32());
         let _e16 = self.v_unit_of(seed_4);
         let _e18 = self.v_turned_1(((k_34.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_37 = (_e18 * (ring.sqrt() * rt::Scalar(light_12.radius)));
+        let place_38 = (_e18 * (ring.sqrt() * rt::Scalar(light_12.radius)));
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_12.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_12.direction).normalize();
         let up_5 = light_12.direction.cross(right_6);
-        let toward_10 = ((light_12.direction + (right_6 * place_37.x())) + (up_5 * place_37.y()));
+        let toward_10 = ((light_12.direction + (right_6 * place_38.x())) + (up_5 * place_38.y()));
         let along_43 = toward_10.length();
         return <Toward>::new((toward_10 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_12.falloff), (rt::Scalar(light_12.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_12.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_115: Entered,
+        at_119: Entered,
         hit_38: Hit,
         light_13: Toward,
         params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_115, hit_38, light_13, rt::into(params_102)))
+        rt::into(self.v_shadow_soft(at_119, hit_38, light_13, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_soft(
         &self,
-        at_115: Entered,
+        at_119: Entered,
         hit_38: Hit,
         light_13: Toward,
         params_102: rt::Vec4<f32>,
@@ -15996,7 +16114,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_35;
                     let _e15 = self.v_point_of_disc(light_13, _e6, _e14, count_11);
-                    let _e16 = self.v_free_way(at_115, hit_38, _e15);
+                    let _e16 = self.v_free_way(at_119, hit_38, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_35;
                     k_35 = (_e18 + rt::Scalar(1u32));
@@ -16008,17 +16126,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_116: Entered,
+        at_120: Entered,
         hit_39: Hit,
         light_14: Toward,
         params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_116, hit_39, light_14, rt::into(params_103)))
+        rt::into(self.v_shadow_heuristic(at_120, hit_39, light_14, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_heuristic(
         &self,
-        at_116: Entered,
+        at_120: Entered,
         hit_39: Hit,
         light_14: Toward,
         params_103: rt::Vec4<f32>,
@@ -16026,7 +16144,7 @@ impl<'g> Resources<'g> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_36: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_116, hit_39, light_14);
+        let _e4 = self.v_from_hit(at_120, hit_39, light_14);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -16056,9 +16174,9 @@ impl<'g> Resources<'g> {
         &self,
         place_24: impl rt::Into<rt::Vec2<i32>>,
         layer_9: impl rt::Into<rt::Scalar<i32>>,
-        level_51: impl rt::Into<rt::Scalar<i32>>,
+        level_53: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_24), rt::into(layer_9), rt::into(level_51)))
+        rt::into(self.v_shadow_texel(rt::into(place_24), rt::into(layer_9), rt::into(level_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16066,32 +16184,32 @@ impl<'g> Resources<'g> {
         &self,
         place_24: rt::Vec2<i32>,
         layer_9: rt::Scalar<i32>,
-        level_51: rt::Scalar<i32>,
+        level_53: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_24, rt::Scalar::into_inner(layer_9), 0i32, rt::Scalar::into_inner(level_51));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_24, rt::Scalar::into_inner(layer_9), 0i32, rt::Scalar::into_inner(level_53));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_35: impl rt::Into<rt::Vec2<f32>>,
+        uv_33: impl rt::Into<rt::Vec2<f32>>,
         layer_10: impl rt::Into<rt::Scalar<i32>>,
-        level_52: impl rt::Into<rt::Scalar<u32>>,
+        level_54: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_35), rt::into(layer_10), rt::into(level_52)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_33), rt::into(layer_10), rt::into(level_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_texel_between(
         &self,
-        uv_35: rt::Vec2<f32>,
+        uv_33: rt::Vec2<f32>,
         layer_10: rt::Scalar<i32>,
-        level_52: rt::Scalar<u32>,
+        level_54: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_52);
-        let _e4 = self.v_texels_around(uv_35, _e3);
-        let k_54 = level_52.to_i32();
+        let _e3 = self.v_height_texels(level_54);
+        let _e4 = self.v_texels_around(uv_33, _e3);
+        let k_54 = level_54.to_i32();
         let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_10, k_54);
         let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_10, k_54);
         let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_10, k_54);
@@ -16105,16 +16223,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_own_slope(&self, way_17: Path) -> rt::Scalar<f32> {
-        let mut level_53: Path;
+        let mut level_55: Path;
 
         let _e1 = self.v_grid_of(way_17);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_21 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_53 = way_17;
-        level_53.h = <rt::Vec3<f32>>::from_scalars(way_17.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_53.exit) = end_21;
-        let _e18 = level_53;
+        level_55 = way_17;
+        level_55.h = <rt::Vec3<f32>>::from_scalars(way_17.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_55.exit) = end_21;
+        let _e18 = level_55;
         let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_17.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_21))));
@@ -16131,42 +16249,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_117: Entered,
+        at_121: Entered,
         hit_40: Hit,
         light_15: Toward,
         params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_117, hit_40, light_15, rt::into(params_104)))
+        rt::into(self.v_shadow_horizon(at_121, hit_40, light_15, rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_horizon(
         &self,
-        at_117: Entered,
+        at_121: Entered,
         hit_40: Hit,
         light_15: Toward,
         params_104: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_117, light_15.direction);
+        let _e5 = self.v_climb(at_121, light_15.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_44 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_44);
         let azimuth_4 = (_e13 * params_104.x());
-        let first_23 = azimuth_4.floor();
+        let first_25 = azimuth_4.floor();
         let count_12 = params_104.x().to_i32();
-        let before_6 = (first_23.to_i32() % count_12);
-        let part_27 = (azimuth_4 - first_23);
-        let _e24 = self.v_shadow_texel_between(hit_40.uv, before_6, rt::Scalar(at_117.level));
+        let before_6 = (first_25.to_i32() % count_12);
+        let part_27 = (azimuth_4 - first_25);
+        let _e24 = self.v_shadow_texel_between(hit_40.uv, before_6, rt::Scalar(at_121.level));
         let low_12 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_40.uv, ((before_6 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_117.level));
+        let _e31 = self.v_shadow_texel_between(hit_40.uv, ((before_6 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_121.level));
         let sine_1 = (low_12 + ((_e31.x() - low_12) * part_27));
         let squared_5 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_18 = (squared_5 * along_44.dot(along_44)).sqrt();
-        let _e48 = self.v_from_hit(at_117, hit_40, light_15);
+        let _e48 = self.v_from_hit(at_121, hit_40, light_15);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_10 = (_e49 * _e52);
         let horizon = far_18.max(near_10);
-        let up_6 = at_117.normal.dot(light_15.direction);
+        let up_6 = at_121.normal.dot(light_15.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_15.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
@@ -16180,45 +16298,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_118: Entered,
+        at_122: Entered,
         hit_41: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_118, hit_41, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_122, hit_41, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_open_part(
         &self,
-        at_118: Entered,
+        at_122: Entered,
         hit_41: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_41.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_118.level));
+        let _e9 = self.v_shadow_texel_between(hit_41.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_122.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_119: Entered,
+        at_123: Entered,
         hit_42: Hit,
         light_16: Toward,
         params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_119, hit_42, light_16, rt::into(params_105)))
+        rt::into(self.v_shadow_visibility(at_123, hit_42, light_16, rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_visibility(
         &self,
-        at_119: Entered,
+        at_123: Entered,
         hit_42: Hit,
         light_16: Toward,
         params_105: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_119, light_16.direction);
+        let _e5 = self.v_climb(at_123, light_16.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -16234,7 +16352,7 @@ impl<'g> Resources<'g> {
         let elevation_4 = ((squared_6 * params_105.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_105.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_105.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_42 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_119, hit_42, a_42, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_123, hit_42, a_42, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_2 = (azimuth_5.floor().to_i32() % azimuths);
@@ -16243,129 +16361,129 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_119, hit_42, a1_2, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_119, hit_42, a0_2, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_123, hit_42, a1_2, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_123, hit_42, a0_2, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_119, hit_42, a0_2, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_123, hit_42, a0_2, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_119, hit_42, a1_2, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_123, hit_42, a1_2, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_120: Entered,
+        at_124: Entered,
         hit_43: Hit,
         light_17: Toward,
         params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_120, hit_43, light_17, rt::into(params_106)))
+        rt::into(self.v_shadow_map(at_124, hit_43, light_17, rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_map(
         &self,
-        at_120: Entered,
+        at_124: Entered,
         hit_43: Hit,
         light_17: Toward,
         params_106: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_120, hit_43.uv, rt::Scalar(light_17.number), light_17.direction, params_106.z(), params_106.w());
+        let _e9 = self.v_light_seen(at_124, hit_43.uv, rt::Scalar(light_17.number), light_17.direction, params_106.z(), params_106.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_121: Entered,
+        at_125: Entered,
         hit_44: Hit,
         light_18: Toward,
         params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_121, hit_44, light_18, rt::into(params_107)))
+        rt::into(self.v_shadow_scene(at_125, hit_44, light_18, rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_scene(
         &self,
-        at_121: Entered,
+        at_125: Entered,
         hit_44: Hit,
         light_18: Toward,
         params_107: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_122: Entered, hit_45: Hit, light_19: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_122, hit_45, light_19))
+    pub(crate) fn shadow_stage(&self, at_126: Entered, hit_45: Hit, light_19: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_126, hit_45, light_19))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_shadow_stage(&self, at_122: Entered, hit_45: Hit, light_19: Toward) -> rt::Scalar<f32> {
+    pub(super) fn v_shadow_stage(&self, at_126: Entered, hit_45: Hit, light_19: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[9usize].params;
-                let _e13 = self.v_shadow_ray(at_122, hit_45, light_19, _e12);
+                let _e13 = self.v_shadow_ray(at_126, hit_45, light_19, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[9usize].params;
-                let _e19 = self.v_shadow_none(at_122, hit_45, light_19, _e18);
+                let _e19 = self.v_shadow_none(at_126, hit_45, light_19, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[9usize].params;
-                let _e25 = self.v_shadow_entry(at_122, hit_45, light_19, _e24);
+                let _e25 = self.v_shadow_entry(at_126, hit_45, light_19, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[9usize].params;
-                let _e31 = self.v_shadow_soft(at_122, hit_45, light_19, _e30);
+                let _e31 = self.v_shadow_soft(at_126, hit_45, light_19, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[9usize].params;
-                let _e37 = self.v_shadow_heuristic(at_122, hit_45, light_19, _e36);
+                let _e37 = self.v_shadow_heuristic(at_126, hit_45, light_19, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[9usize].params;
-                let _e43 = self.v_shadow_horizon(at_122, hit_45, light_19, _e42);
+                let _e43 = self.v_shadow_horizon(at_126, hit_45, light_19, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[9usize].params;
-                let _e49 = self.v_shadow_visibility(at_122, hit_45, light_19, _e48);
+                let _e49 = self.v_shadow_visibility(at_126, hit_45, light_19, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[9usize].params;
-                let _e55 = self.v_shadow_map(at_122, hit_45, light_19, _e54);
+                let _e55 = self.v_shadow_map(at_126, hit_45, light_19, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[9usize].params;
-                let _e61 = self.v_shadow_scene(at_122, hit_45, light_19, _e60);
+                let _e61 = self.v_shadow_scene(at_126, hit_45, light_19, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_84: PixelIn, at_123: Entered, hit_46: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_84, at_123, hit_46))
+    pub(crate) fn mirrored_light(&self, pixel_84: PixelIn, at_127: Entered, hit_46: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_84, at_127, hit_46))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_mirrored_light(&self, pixel_84: PixelIn, at_123: Entered, hit_46: Hit) -> rt::Scalar<f32> {
+    pub(super) fn v_mirrored_light(&self, pixel_84: PixelIn, at_127: Entered, hit_46: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_46.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_3 = pixel_84.direction.normalize();
-        let up_7 = (down_3 - (at_123.normal * (rt::Scalar(2f32) * down_3.dot(at_123.normal))));
-        let _e24 = self.v_shadow_stage(at_123, hit_46, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
+        let up_7 = (down_3 - (at_127.normal * (rt::Scalar(2f32) * down_3.dot(at_127.normal))));
+        let _e24 = self.v_shadow_stage(at_127, hit_46, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn normal_of_frames(&self, at_124: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_frames(at_124, frames_2))
+    pub(crate) fn normal_of_frames(&self, at_128: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_128, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_normal_of_frames(&self, at_124: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    pub(super) fn v_normal_of_frames(&self, at_128: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
@@ -16381,17 +16499,17 @@ impl<'g> Resources<'g> {
                     let _e12 = k_37;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
-                    seen_2 = at_124;
+                    seen_2 = at_128;
                     let _e17 = self.v_tangent_of_image(_e14);
                     seen_2.tangent = _e17;
                     let _e19 = self.v_bitangent_of_image(_e14);
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
-                    let _e23 = self.v_place_in_image(_e14, at_124.point);
-                    let uv_47 = _e23.xy();
+                    let _e23 = self.v_place_in_image(_e14, at_128.point);
+                    let uv_45 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
-                    let _e27 = self.v_finest_normal(_e26, uv_47);
+                    let _e27 = self.v_finest_normal(_e26, uv_45);
                     let _e28 = k_37;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_3 = (_e25 + (_e27 * _e29));
@@ -16407,41 +16525,41 @@ impl<'g> Resources<'g> {
             let _e40 = sum_3;
             return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
         }
-        return at_124.normal;
+        return at_128.normal;
     }
-    pub(crate) fn rise_of_mask(&self, uv_36: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_rise_of_mask(rt::into(uv_36)))
+    pub(crate) fn rise_of_mask(&self, uv_34: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_rise_of_mask(rt::into(uv_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_rise_of_mask(&self, uv_36: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_rise_of_mask(&self, uv_34: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_166 = ((uv_36 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_166);
+        let at_170 = ((uv_34 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_170);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_28 = (at_166 - _e8);
+        let part_28 = (at_170 - _e8);
         return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_28.y())) + ((_e11.w() - _e11.z()) * part_28.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_28.x())) + ((_e11.w() - _e11.y()) * part_28.x())));
     }
     pub(crate) fn normal_of_mask(
         &self,
         image_12: Image,
-        uv_37: impl rt::Into<rt::Vec2<f32>>,
+        uv_35: impl rt::Into<rt::Vec2<f32>>,
         within: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_37), rt::into(within)))
+        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_35), rt::into(within)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_of_mask(
         &self,
         image_12: Image,
-        uv_37: rt::Vec2<f32>,
+        uv_35: rt::Vec2<f32>,
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_rise_of_mask(uv_37);
-        let place_38 = ((uv_37 - image_12.corner) / image_12.extent);
-        let along_u_5 = (image_12.u.xyz() - (image_12.depth.xyz() * place_38.x())).normalize();
-        let along_v_5 = (image_12.v.xyz() - (image_12.depth.xyz() * place_38.y())).normalize();
+        let _e3 = self.v_rise_of_mask(uv_35);
+        let place_39 = ((uv_35 - image_12.corner) / image_12.extent);
+        let along_u_5 = (image_12.u.xyz() - (image_12.depth.xyz() * place_39.x())).normalize();
+        let along_v_5 = (image_12.v.xyz() - (image_12.depth.xyz() * place_39.y())).normalize();
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_5 * _e3.x())) - (along_v_5 * _e3.y()));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
@@ -16451,100 +16569,100 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_blend_color(
         &self,
-        at_125: Entered,
+        at_129: Entered,
         hit_47: Hit,
         view_22: impl rt::Into<rt::Vec3<f32>>,
         params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_125, hit_47, rt::into(view_22), rt::into(params_108)))
+        rt::into(self.v_object_blend_color(at_129, hit_47, rt::into(view_22), rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_blend_color(
         &self,
-        at_125: Entered,
+        at_129: Entered,
         hit_47: Hit,
         view_22: rt::Vec3<f32>,
         params_108: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_125, view_22, params_108.z());
+        let _e5 = self.v_color_of_object(at_129, view_22, params_108.z());
         return _e5;
     }
     pub(crate) fn object_none_color(
         &self,
-        at_126: Entered,
+        at_130: Entered,
         hit_48: Hit,
         view_23: impl rt::Into<rt::Vec3<f32>>,
         params_109: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_126, hit_48, rt::into(view_23), rt::into(params_109)))
+        rt::into(self.v_object_none_color(at_130, hit_48, rt::into(view_23), rt::into(params_109)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_none_color(
         &self,
-        at_126: Entered,
+        at_130: Entered,
         hit_48: Hit,
         view_23: rt::Vec3<f32>,
         params_109: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_color_or_white(hit_48.uv, rt::Scalar(at_126.footprint));
+        let _e6 = self.v_color_or_white(hit_48.uv, rt::Scalar(at_130.footprint));
         return _e6;
     }
     pub(crate) fn object_depth_color(
         &self,
-        at_127: Entered,
+        at_131: Entered,
         hit_49: Hit,
         view_24: impl rt::Into<rt::Vec3<f32>>,
         params_110: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_127, hit_49, rt::into(view_24), rt::into(params_110)))
+        rt::into(self.v_object_depth_color(at_131, hit_49, rt::into(view_24), rt::into(params_110)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth_color(
         &self,
-        at_127: Entered,
+        at_131: Entered,
         hit_49: Hit,
         view_24: rt::Vec3<f32>,
         params_110: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_127, view_24, params_110.z());
+        let _e5 = self.v_color_of_object(at_131, view_24, params_110.z());
         return _e5;
     }
     pub(crate) fn object_hull_color(
         &self,
-        at_128: Entered,
+        at_132: Entered,
         hit_50: Hit,
         view_25: impl rt::Into<rt::Vec3<f32>>,
         params_111: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_128, hit_50, rt::into(view_25), rt::into(params_111)))
+        rt::into(self.v_object_hull_color(at_132, hit_50, rt::into(view_25), rt::into(params_111)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull_color(
         &self,
-        at_128: Entered,
+        at_132: Entered,
         hit_50: Hit,
         view_25: rt::Vec3<f32>,
         params_111: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_128, view_25, params_111.z());
+        let _e5 = self.v_color_of_object(at_132, view_25, params_111.z());
         return _e5;
     }
     pub(crate) fn object_color_stage(
         &self,
-        at_129: Entered,
+        at_133: Entered,
         hit_51: Hit,
         view_26: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color_stage(at_129, hit_51, rt::into(view_26)))
+        rt::into(self.v_object_color_stage(at_133, hit_51, rt::into(view_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_color_stage(
         &self,
-        at_129: Entered,
+        at_133: Entered,
         hit_51: Hit,
         view_26: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
@@ -16552,54 +16670,54 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[3usize].params;
-                let _e13 = self.v_object_none_color(at_129, hit_51, view_26, _e12);
+                let _e13 = self.v_object_none_color(at_133, hit_51, view_26, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[3usize].params;
-                let _e19 = self.v_object_depth_color(at_129, hit_51, view_26, _e18);
+                let _e19 = self.v_object_depth_color(at_133, hit_51, view_26, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[3usize].params;
-                let _e25 = self.v_object_hull_color(at_129, hit_51, view_26, _e24);
+                let _e25 = self.v_object_hull_color(at_133, hit_51, view_26, _e24);
                 return _e25;
             }
             _ => {
                 let _e30 = self.surface_settings.choices[3usize].params;
-                let _e31 = self.v_object_blend_color(at_129, hit_51, view_26, _e30);
+                let _e31 = self.v_object_blend_color(at_133, hit_51, view_26, _e30);
                 return _e31;
             }
         }
     }
     pub(crate) fn occlusion_roughness_metalness(
         &self,
-        uv_38: impl rt::Into<rt::Vec2<f32>>,
+        uv_36: impl rt::Into<rt::Vec2<f32>>,
         footprint_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_38), rt::into(footprint_4)))
+        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_36), rt::into(footprint_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_occlusion_roughness_metalness(
         &self,
-        uv_38: rt::Vec2<f32>,
+        uv_36: rt::Vec2<f32>,
         footprint_4: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_material);
         if rt::Scalar::into_branch_condition((_e4 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
-        let _e14 = self.v_material_layer(uv_38, footprint_4, rt::Scalar(0i32));
+        let _e14 = self.v_material_layer(uv_36, footprint_4, rt::Scalar(0i32));
         return _e14;
     }
     pub(crate) fn parts_by_uv(
         &self,
         grid_12: Tessellation,
         along_19: impl rt::Into<rt::Vec2<f32>>,
-        level_54: impl rt::Into<rt::Scalar<u32>>,
+        level_56: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_54)))
+        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16607,19 +16725,19 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: rt::Vec2<f32>,
-        level_54: rt::Scalar<u32>,
+        level_56: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let both_2 = (along_19 * grid_12.parts_of_uv);
-        let parts_7 = ((both_2.x().max(both_2.y()) / (rt::Scalar(1u32) << level_54).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
+        let parts_7 = ((both_2.x().max(both_2.y()) / (rt::Scalar(1u32) << level_56).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
         return parts_7.clamp(rt::Scalar(1f32), rt::Scalar(32767f32)).to_u32();
     }
     pub(crate) fn parts_by_voxels(
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_55: impl rt::Into<rt::Scalar<u32>>,
+        level_57: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_55)))
+        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16627,10 +16745,10 @@ impl<'g> Resources<'g> {
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_55: rt::Scalar<u32>,
+        level_57: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_coarser_voxel(b_19.at, level_55);
-        let _e6 = self.v_coarser_voxel(a_19.at, level_55);
+        let _e4 = self.v_coarser_voxel(b_19.at, level_57);
+        let _e6 = self.v_coarser_voxel(a_19.at, level_57);
         let _e8 = self.v_longest_of((_e4 - _e6));
         return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
     }
@@ -16640,9 +16758,9 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: impl rt::Into<rt::Vec2<f32>>,
-        level_56: impl rt::Into<rt::Scalar<u32>>,
+        level_58: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_56)))
+        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16652,13 +16770,13 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: rt::Vec2<f32>,
-        level_56: rt::Scalar<u32>,
+        level_58: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         if rt::Scalar::into_branch_condition(grid_13.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))) {
-            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_56);
+            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_58);
             return _e9;
         }
-        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_56);
+        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_58);
         return _e10;
     }
     pub(crate) fn pixel_eye(&self, pixel_85: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -16698,95 +16816,95 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_pixel_direction(point_20);
         return <PixelIn>::new(_e6, _e7, side_4, a_21, b_21, c_14, shell_4);
     }
-    pub(crate) fn placed_over(&self, at_130: Entered, hit_52: Hit) -> Entered {
-        rt::into(self.v_placed_over(at_130, hit_52))
+    pub(crate) fn placed_over(&self, at_134: Entered, hit_52: Hit) -> Entered {
+        rt::into(self.v_placed_over(at_134, hit_52))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_placed_over(&self, at_130: Entered, hit_52: Hit) -> Entered {
+    pub(super) fn v_placed_over(&self, at_134: Entered, hit_52: Hit) -> Entered {
         let mut placed: Entered;
 
-        let uv_48 = hit_52.uv;
-        let aside_9 = (uv_48 - at_130.uv);
-        let _e7 = self.v_field_height_stage(uv_48, rt::Scalar(hit_52.height), rt::Scalar(at_130.level));
+        let uv_46 = hit_52.uv;
+        let aside_9 = (uv_46 - at_134.uv);
+        let _e7 = self.v_field_height_stage(uv_46, rt::Scalar(hit_52.height), rt::Scalar(at_134.level));
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
         let height_26 = (_e10 + (_e13 * _e7));
-        placed = at_130;
-        placed.point = (((at_130.point + (at_130.tangent * aside_9.x())) + (at_130.bitangent * aside_9.y())) + (at_130.normal * height_26));
-        placed.uv = uv_48;
+        placed = at_134;
+        placed.point = (((at_134.point + (at_134.tangent * aside_9.x())) + (at_134.bitangent * aside_9.y())) + (at_134.normal * height_26));
+        placed.uv = uv_46;
         let _e31 = placed;
         return _e31;
     }
     pub(crate) fn surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_131: Entered,
+        at_135: Entered,
         path_82: Path,
         hit_53: Hit,
         params_112: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_131, path_82, hit_53, rt::into(params_112)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_135, path_82, hit_53, rt::into(params_112)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_131: Entered,
+        at_135: Entered,
         path_82: Path,
         hit_53: Hit,
         params_112: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_over(at_131, hit_53);
+        let _e5 = self.v_placed_over(at_135, hit_53);
         return _e5;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_87: PixelIn,
-        at_132: Entered,
+        at_136: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_21: impl rt::Into<rt::Vec3<f32>>,
-        uv_39: impl rt::Into<rt::Vec2<f32>>,
+        uv_37: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_132, rt::into(weights_4), rt::into(point_21), rt::into(uv_39)))
+        rt::into(self.v_placed_at(pixel_87, at_136, rt::into(weights_4), rt::into(point_21), rt::into(uv_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_placed_at(
         &self,
         pixel_87: PixelIn,
-        at_132: Entered,
+        at_136: Entered,
         weights_4: rt::Vec3<f32>,
         point_21: rt::Vec3<f32>,
-        uv_39: rt::Vec2<f32>,
+        uv_37: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_21, uv_39, at_132.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_21, uv_37, at_136.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_132.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_132.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_132.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_136.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_136.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_136.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_133: Entered,
+        at_137: Entered,
         path_83: Path,
         hit_54: Hit,
         params_113: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_133, path_83, hit_54, rt::into(params_113)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_137, path_83, hit_54, rt::into(params_113)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_133: Entered,
+        at_137: Entered,
         path_83: Path,
         hit_54: Hit,
         params_113: rt::Vec4<f32>,
@@ -16797,27 +16915,27 @@ impl<'g> Resources<'g> {
         let s_5 = ((rt::Scalar(path_83.start) + rt::Scalar(hit_54.t)) - _e7);
         let _e15 = self.v_point_of_way(pixel_88, _e8, (along_46 * s_5), rt::Scalar(hit_54.height));
         let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_133, weights_7, (pixel_88.origin + (along_46 * (rt::Scalar(path_83.start) + rt::Scalar(hit_54.t)))), hit_54.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_137, weights_7, (pixel_88.origin + (along_46 * (rt::Scalar(path_83.start) + rt::Scalar(hit_54.t)))), hit_54.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_134: Entered,
+        at_138: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_134, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_138, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_quadric_frame(
         &self,
-        at_134: Entered,
+        at_138: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
         let mut local_109: rt::Scalar<bool>;
 
-        placed_2 = at_134;
-        let _e5 = self.v_quadric_slope(at_134.of_surface.xyz(), aside);
+        placed_2 = at_138;
+        let _e5 = self.v_quadric_slope(at_138.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
             local_109 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
@@ -16828,13 +16946,13 @@ impl<'g> Resources<'g> {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_7 = at_134.metric;
+        let m_7 = at_138.metric;
         let area_7 = ((m_7.x() * m_7.z()) - (m_7.y() * m_7.y()));
         let along_t = (((_e5.x() * m_7.z()) - (_e5.y() * m_7.y())) / area_7);
         let along_b = (((_e5.y() * m_7.x()) - (_e5.x() * m_7.y())) / area_7);
-        placed_2.tangent = (at_134.tangent + (at_134.normal * _e5.x()));
-        placed_2.bitangent = (at_134.bitangent + (at_134.normal * _e5.y()));
-        placed_2.normal = ((at_134.normal - (at_134.tangent * along_t)) - (at_134.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_138.tangent + (at_138.normal * _e5.x()));
+        placed_2.bitangent = (at_138.bitangent + (at_138.normal * _e5.y()));
+        placed_2.normal = ((at_138.normal - (at_138.tangent * along_t)) - (at_138.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -16851,26 +16969,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_135: Entered,
+        at_139: Entered,
         path_84: Path,
         hit_55: Hit,
         params_114: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_135, path_84, hit_55, rt::into(params_114)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_139, path_84, hit_55, rt::into(params_114)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_135: Entered,
+        at_139: Entered,
         path_84: Path,
         hit_55: Hit,
         params_114: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_135, (hit_55.uv - at_135.uv));
+        let _e8 = self.v_quadric_frame(at_139, (hit_55.uv - at_139.uv));
         placed_3 = _e8;
         placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_84.start) + rt::Scalar(hit_55.t))));
         placed_3.uv = hit_55.uv;
@@ -16880,36 +16998,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_136: Entered,
+        at_140: Entered,
         path_85: Path,
         hit_56: Hit,
         params_115: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_136, path_85, hit_56, rt::into(params_115)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_140, path_85, hit_56, rt::into(params_115)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_136: Entered,
+        at_140: Entered,
         path_85: Path,
         hit_56: Hit,
         params_115: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_56.uv - at_136.uv);
-        let _e11 = self.v_field_height_stage(hit_56.uv, rt::Scalar(hit_56.height), rt::Scalar(at_136.level));
+        let aside_10 = (hit_56.uv - at_140.uv);
+        let _e11 = self.v_field_height_stage(hit_56.uv, rt::Scalar(hit_56.height), rt::Scalar(at_140.level));
         let _e14 = rt::Scalar(self.surface_settings.bias_m);
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let height_27 = (_e14 + (_e17 * _e11));
         let _e20 = self.v_base_height();
         let _e24 = self.v_traced_scale_m();
-        let _e28 = self.v_quadric_at(at_136.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e20 - at_136.of_surface.w()) * _e24) + _e28);
-        let _e30 = self.v_quadric_frame(at_136, aside_10);
+        let _e28 = self.v_quadric_at(at_140.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e20 - at_140.of_surface.w()) * _e24) + _e28);
+        let _e30 = self.v_quadric_frame(at_140, aside_10);
         placed_4 = _e30;
-        placed_4.point = (((at_136.point + (at_136.tangent * aside_10.x())) + (at_136.bitangent * aside_10.y())) + (at_136.normal * (height_27 + lifted_2)));
+        placed_4.point = (((at_140.point + (at_140.tangent * aside_10.x())) + (at_140.bitangent * aside_10.y())) + (at_140.normal * (height_27 + lifted_2)));
         placed_4.uv = hit_56.uv;
         let _e48 = placed_4;
         return _e48;
@@ -16917,18 +17035,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_137: Entered,
+        at_141: Entered,
         path_86: Path,
         hit_57: Hit,
         params_116: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_137, path_86, hit_57, rt::into(params_116)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_141, path_86, hit_57, rt::into(params_116)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_137: Entered,
+        at_141: Entered,
         path_86: Path,
         hit_57: Hit,
         params_116: rt::Vec4<f32>,
@@ -16970,63 +17088,63 @@ impl<'g> Resources<'g> {
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_53));
         let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_86.start) + rt::Scalar(hit_57.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_137, weights_8.xyz(), point_33, hit_57.uv);
+        let _e58 = self.v_placed_at(pixel_91, at_141, weights_8.xyz(), point_33, hit_57.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_138: Entered,
+        at_142: Entered,
         path_87: Path,
         hit_58: Hit,
         params_117: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_138, path_87, hit_58, rt::into(params_117)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_142, path_87, hit_58, rt::into(params_117)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_138: Entered,
+        at_142: Entered,
         path_87: Path,
         hit_58: Hit,
         params_117: rt::Vec4<f32>,
     ) -> Entered {
-        return at_138;
+        return at_142;
     }
     pub(crate) fn surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_139: Entered,
+        at_143: Entered,
         path_88: Path,
         hit_59: Hit,
         params_118: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_139, path_88, hit_59, rt::into(params_118)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_143, path_88, hit_59, rt::into(params_118)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_139: Entered,
+        at_143: Entered,
         path_88: Path,
         hit_59: Hit,
         params_118: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_over(at_139, hit_59);
+        let _e5 = self.v_placed_over(at_143, hit_59);
         return _e5;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_140: Entered, path_89: Path, hit_60: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_140, path_89, hit_60))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_144: Entered, path_89: Path, hit_60: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_144, path_89, hit_60))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_placed_in_image(&self, pixel_94: PixelIn, at_140: Entered, path_89: Path, hit_60: Hit) -> Entered {
+    pub(super) fn v_placed_in_image(&self, pixel_94: PixelIn, at_144: Entered, path_89: Path, hit_60: Hit) -> Entered {
         let mut placed_5: Entered;
 
         let _e6 = self.v_image_of_object(rt::Scalar(path_89.base).to_u32());
-        placed_5 = at_140;
+        placed_5 = at_144;
         placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_89.start) + rt::Scalar(hit_60.t))));
         placed_5.uv = hit_60.uv;
         let _e20 = placed_5.point;
@@ -17059,41 +17177,41 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_141: Entered,
+        at_145: Entered,
         path_90: Path,
         hit_61: Hit,
         params_119: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_141, path_90, hit_61, rt::into(params_119)))
+        rt::into(self.v_surface_object_place(pixel_95, at_145, path_90, hit_61, rt::into(params_119)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_141: Entered,
+        at_145: Entered,
         path_90: Path,
         hit_61: Hit,
         params_119: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_141, path_90, hit_61);
+        let _e5 = self.v_placed_in_image(pixel_95, at_145, path_90, hit_61);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_142: Entered,
+        at_146: Entered,
         path_91: Path,
         hit_62: Hit,
         params_120: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_142, path_91, hit_62, rt::into(params_120)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_146, path_91, hit_62, rt::into(params_120)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_142: Entered,
+        at_146: Entered,
         path_91: Path,
         hit_62: Hit,
         params_120: rt::Vec4<f32>,
@@ -17101,7 +17219,7 @@ impl<'g> Resources<'g> {
         let mut placed_6: Entered;
         let mut local_110: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_142, path_91, hit_62);
+        let _e5 = self.v_placed_in_image(pixel_96, at_146, path_91, hit_62);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
@@ -17123,18 +17241,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_143: Entered,
+        at_147: Entered,
         path_92: Path,
         hit_63: Hit,
         params_121: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_143, path_92, hit_63, rt::into(params_121)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_147, path_92, hit_63, rt::into(params_121)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_143: Entered,
+        at_147: Entered,
         path_92: Path,
         hit_63: Hit,
         params_121: rt::Vec4<f32>,
@@ -17142,17 +17260,17 @@ impl<'g> Resources<'g> {
         let mut of_image: Path;
         let mut placed_7: Entered;
 
-        let _e6 = self.v_slice_at(at_143.point);
+        let _e6 = self.v_slice_at(at_147.point);
         let number_26 = rt::Scalar(_e6.number);
         of_image = path_92;
         rt::Scalar(of_image.base) = number_26.to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_97, at_143, _e11, hit_63);
+        let _e12 = self.v_placed_in_image(pixel_97, at_147, _e11, hit_63);
         placed_7 = _e12;
         let _e16 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e16.elementwise_eq(CELLS_MASK)) {
             let _e20 = self.v_image_of_object(number_26);
-            let _e23 = self.v_normal_of_mask(_e20, hit_63.uv, at_143.normal);
+            let _e23 = self.v_normal_of_mask(_e20, hit_63.uv, at_147.normal);
             placed_7.normal = _e23;
             let _e26 = placed_7.normal;
             placed_7.facing = _e26;
@@ -17160,74 +17278,74 @@ impl<'g> Resources<'g> {
         let _e27 = placed_7;
         return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_144: Entered, path_93: Path, hit_64: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_144, path_93, hit_64))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_148: Entered, path_93: Path, hit_64: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_148, path_93, hit_64))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_place_stage(&self, pixel_98: PixelIn, at_144: Entered, path_93: Path, hit_64: Hit) -> Entered {
+    pub(super) fn v_surface_place_stage(&self, pixel_98: PixelIn, at_148: Entered, path_93: Path, hit_64: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_144, path_93, hit_64, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_148, path_93, hit_64, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_144, path_93, hit_64, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_148, path_93, hit_64, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_144, path_93, hit_64, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_148, path_93, hit_64, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_144, path_93, hit_64, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_148, path_93, hit_64, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_144, path_93, hit_64, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_148, path_93, hit_64, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_144, path_93, hit_64, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_148, path_93, hit_64, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_144, path_93, hit_64, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_148, path_93, hit_64, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_144, path_93, hit_64, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_148, path_93, hit_64, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_144, path_93, hit_64, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_148, path_93, hit_64, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_144, path_93, hit_64, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_148, path_93, hit_64, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_145: Entered, path_94: Path, hit_65: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_145, path_94, hit_65))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_149: Entered, path_94: Path, hit_65: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_149, path_94, hit_65))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_place_on_segment(&self, pixel_99: PixelIn, at_145: Entered, path_94: Path, hit_65: Hit) -> Entered {
+    pub(super) fn v_place_on_segment(&self, pixel_99: PixelIn, at_149: Entered, path_94: Path, hit_65: Hit) -> Entered {
         let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_145, path_94, hit_65);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_149, path_94, hit_65);
         placed_8 = _e4;
         let _e7 = self.v_depth_on_ray(pixel_99, path_94, hit_65);
         rt::Scalar(placed_8.depth) = _e7;
@@ -17237,23 +17355,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_100: PixelIn,
-        at_146: Entered,
+        at_150: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_66: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_100, at_146, rt::into(segment), hit_66))
+        rt::into(self.v_place_hit(pixel_100, at_150, rt::into(segment), hit_66))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_place_hit(
         &self,
         pixel_100: PixelIn,
-        at_146: Entered,
+        at_150: Entered,
         segment: rt::Scalar<u32>,
         hit_66: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_100, at_146, segment);
-        let _e5 = self.v_place_on_segment(pixel_100, at_146, _e4, hit_66);
+        let _e4 = self.v_segment_of(pixel_100, at_150, segment);
+        let _e5 = self.v_place_on_segment(pixel_100, at_150, _e4, hit_66);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -17282,25 +17400,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_147: Entered,
+        at_151: Entered,
         hit_67: Hit,
         number_19: impl rt::Into<rt::Scalar<u32>>,
         k_38: impl rt::Into<rt::Scalar<u32>>,
         count_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_147, hit_67, rt::into(number_19), rt::into(k_38), rt::into(count_8)))
+        rt::into(self.v_point_of_light(at_151, hit_67, rt::into(number_19), rt::into(k_38), rt::into(count_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_point_of_light(
         &self,
-        at_147: Entered,
+        at_151: Entered,
         hit_67: Hit,
         number_19: rt::Scalar<u32>,
         k_38: rt::Scalar<u32>,
         count_8: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_19, at_147.point);
+        let _e6 = self.v_toward_light(number_19, at_151.point);
         if rt::Scalar::into_branch_condition(count_8.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_67);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_38, count_8);
@@ -17358,8 +17476,8 @@ impl<'g> Resources<'g> {
         let mut height_13: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_39: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_167 = (place_25 * params_122.x());
-        let own_1 = at_167.floor();
+        let at_171 = (place_25 * params_122.x());
+        let own_1 = at_171.floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_39;
@@ -17377,7 +17495,7 @@ impl<'g> Resources<'g> {
                     let _e34 = self.v_unit_of(_e33);
                     let beside_8 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
                     let middle_18 = ((cell_44 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_8 * (rt::Scalar(0.5f32) * params_122.z())));
-                    let away_2 = ((at_167 - middle_18) / rt::Vec2::splat_from_scalar(params_122.y()));
+                    let away_2 = ((at_171 - middle_18) / rt::Vec2::splat_from_scalar(params_122.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
                     let _e58 = self.v_sine_of((time + _e56));
@@ -17561,31 +17679,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_148: Entered,
+        at_152: Entered,
         hit_68: Hit,
         number_21: impl rt::Into<rt::Scalar<u32>>,
         k_41: impl rt::Into<rt::Scalar<u32>>,
         count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_148, hit_68, rt::into(number_21), rt::into(k_41), rt::into(count_10)))
+        rt::into(self.v_ray_to_light(at_152, hit_68, rt::into(number_21), rt::into(k_41), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ray_to_light(
         &self,
-        at_148: Entered,
+        at_152: Entered,
         hit_68: Hit,
         number_21: rt::Scalar<u32>,
         k_41: rt::Scalar<u32>,
         count_10: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_148, hit_68, number_21, k_41, count_10);
-        let _e6 = self.v_field_light_ray_stage(at_148, hit_68, _e5);
+        let _e5 = self.v_point_of_light(at_152, hit_68, number_21, k_41, count_10);
+        let _e6 = self.v_field_light_ray_stage(at_152, hit_68, _e5);
         return _e6;
     }
     pub(crate) fn shade_blinn_phong_material(
         &self,
-        at_149: Entered,
+        at_153: Entered,
         hit_69: Hit,
         normal_21: impl rt::Into<rt::Vec3<f32>>,
         mean_3: impl rt::Into<rt::Scalar<f32>>,
@@ -17593,13 +17711,13 @@ impl<'g> Resources<'g> {
         color_1: impl rt::Into<rt::Vec3<f32>>,
         params_126: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_blinn_phong_material(at_149, hit_69, rt::into(normal_21), rt::into(mean_3), rt::into(view_27), rt::into(color_1), rt::into(params_126)))
+        rt::into(self.v_shade_blinn_phong_material(at_153, hit_69, rt::into(normal_21), rt::into(mean_3), rt::into(view_27), rt::into(color_1), rt::into(params_126)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shade_blinn_phong_material(
         &self,
-        at_149: Entered,
+        at_153: Entered,
         hit_69: Hit,
         normal_21: rt::Vec3<f32>,
         mean_3: rt::Scalar<f32>,
@@ -17618,7 +17736,7 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_metallic_roughness_material(
         &self,
-        at_150: Entered,
+        at_154: Entered,
         hit_70: Hit,
         normal_22: impl rt::Into<rt::Vec3<f32>>,
         mean_4: impl rt::Into<rt::Scalar<f32>>,
@@ -17626,12 +17744,12 @@ impl<'g> Resources<'g> {
         color_2: impl rt::Into<rt::Vec3<f32>>,
         params_127: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_metallic_roughness_material(at_150, hit_70, rt::into(normal_22), rt::into(mean_4), rt::into(view_28), rt::into(color_2), rt::into(params_127)))
+        rt::into(self.v_shade_metallic_roughness_material(at_154, hit_70, rt::into(normal_22), rt::into(mean_4), rt::into(view_28), rt::into(color_2), rt::into(params_127)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_material(
         &self,
-        at_150: Entered,
+        at_154: Entered,
         hit_70: Hit,
         normal_22: rt::Vec3<f32>,
         mean_4: rt::Scalar<f32>,
@@ -17643,7 +17761,7 @@ impl<'g> Resources<'g> {
         let mut alpha_1: rt::Scalar<f32>;
         let mut squared_alpha: rt::Scalar<f32>;
 
-        let _e9 = self.v_occlusion_roughness_metalness(hit_70.uv, rt::Scalar(at_150.footprint));
+        let _e9 = self.v_occlusion_roughness_metalness(hit_70.uv, rt::Scalar(at_154.footprint));
         let _e12 = rt::Scalar(self.surface_settings.roughness);
         roughness_1 = (_e12 * _e9.y()).max(rt::Scalar(0.045f32));
         let _e20 = rt::Scalar(self.surface_settings.metallic);
@@ -17681,7 +17799,7 @@ impl<'g> Resources<'g> {
         let white_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let _e103 = self.v_reflected_by(_e91, specular_2);
         let reflected_1 = (_e103 * (white_1 + (specular_2 * again)));
-        let _e117 = self.v_emission_at(hit_70.uv, rt::Scalar(at_150.footprint));
+        let _e117 = self.v_emission_at(hit_70.uv, rt::Scalar(at_154.footprint));
         let _e119 = roughness_1;
         let _e120 = alpha_1;
         let _e121 = squared_alpha;
@@ -17689,20 +17807,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_material_stage(
         &self,
-        at_151: Entered,
+        at_155: Entered,
         hit_71: Hit,
         normal_23: impl rt::Into<rt::Vec3<f32>>,
         mean_5: impl rt::Into<rt::Scalar<f32>>,
         view_29: impl rt::Into<rt::Vec3<f32>>,
         color_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_material_stage(at_151, hit_71, rt::into(normal_23), rt::into(mean_5), rt::into(view_29), rt::into(color_3)))
+        rt::into(self.v_shade_material_stage(at_155, hit_71, rt::into(normal_23), rt::into(mean_5), rt::into(view_29), rt::into(color_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shade_material_stage(
         &self,
-        at_151: Entered,
+        at_155: Entered,
         hit_71: Hit,
         normal_23: rt::Vec3<f32>,
         mean_5: rt::Scalar<f32>,
@@ -17713,12 +17831,12 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e10) {
             0u32 => {
                 let _e15 = self.surface_settings.choices[8usize].params;
-                let _e16 = self.v_shade_blinn_phong_material(at_151, hit_71, normal_23, mean_5, view_29, color_3, _e15);
+                let _e16 = self.v_shade_blinn_phong_material(at_155, hit_71, normal_23, mean_5, view_29, color_3, _e15);
                 return _e16;
             }
             _ => {
                 let _e21 = self.surface_settings.choices[8usize].params;
-                let _e22 = self.v_shade_metallic_roughness_material(at_151, hit_71, normal_23, mean_5, view_29, color_3, _e21);
+                let _e22 = self.v_shade_metallic_roughness_material(at_155, hit_71, normal_23, mean_5, view_29, color_3, _e21);
                 return _e22;
             }
         }
@@ -17749,16 +17867,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_152: Entered,
+        at_156: Entered,
         seen_3: SeenNormals,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_152, seen_3, rt::into(toward_3)))
+        rt::into(self.v_seen_cosine(at_156, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_cosine(
         &self,
-        at_152: Entered,
+        at_156: Entered,
         seen_3: SeenNormals,
         toward_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -17767,7 +17885,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_3.normal.dot(toward_3).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_152, toward_3);
+        let _e10 = self.v_to_tangent_space(at_156, toward_3);
         let middle_19 = seen_3.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_19, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
         let one_2 = (rt::Scalar(seen_3.middle_seen) * middle_19.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -17915,11 +18033,11 @@ impl<'g> Resources<'g> {
             let shadowing = ((cosine_8 * cosine_8) + (a_43 * (rt::Scalar(1f32) - (cosine_8 * cosine_8)).max(rt::Scalar(0f32)))).sqrt();
             let visible_3 = ((cosine_8 * rt::Scalar(material_12.masking)) + (rt::Scalar(material_12.upright) * shadowing));
             let facets = ((rt::Scalar(0.5f32) * a_43) / ((spread_1 * spread_1) * visible_3));
-            let rest_11 = (rt::Scalar(1f32) - (rt::Scalar(0.5f32) * squared_sum.sqrt())).max(rt::Scalar(0f32));
-            let squared_rest = (rest_11 * rest_11);
+            let rest_13 = (rt::Scalar(1f32) - (rt::Scalar(0.5f32) * squared_sum.sqrt())).max(rt::Scalar(0f32));
+            let squared_rest = (rest_13 * rest_13);
             let white_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
             let more_1 = (white_2 - material_12.specular).max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
-            let fresnel_1 = (material_12.specular + (more_1 * ((squared_rest * squared_rest) * rest_11)));
+            let fresnel_1 = (material_12.specular + (more_1 * ((squared_rest * squared_rest) * rest_13)));
             let specular_4 = ((fresnel_1 * (white_2 + (material_12.specular * rt::Scalar(material_12.again)))) * facets);
             return (((material_12.diffuse * (white_2 - fresnel_1)) + specular_4) * cosine_8);
         }
@@ -17963,19 +18081,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_153: Entered,
+        at_157: Entered,
         hit_72: Hit,
         seen_4: SeenNormals,
         view_33: impl rt::Into<rt::Vec3<f32>>,
         color_4: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_153, hit_72, seen_4, rt::into(view_33), rt::into(color_4), visible))
+        rt::into(self.v_reflected_light(at_157, hit_72, seen_4, rt::into(view_33), rt::into(color_4), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_reflected_light(
         &self,
-        at_153: Entered,
+        at_157: Entered,
         hit_72: Hit,
         seen_4: SeenNormals,
         view_33: rt::Vec3<f32>,
@@ -17985,8 +18103,8 @@ impl<'g> Resources<'g> {
         let mut light_20: rt::Vec3<f32>;
         let mut k_42: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e8 = self.v_shade_material_stage(at_153, hit_72, seen_4.normal, rt::Scalar(seen_4.length), view_33, color_4);
-        let _e12 = self.v_ambient_stage(at_153, hit_72, (seen_4.normal * rt::Scalar(seen_4.length)), view_33, _e8);
+        let _e8 = self.v_shade_material_stage(at_157, hit_72, seen_4.normal, rt::Scalar(seen_4.length), view_33, color_4);
+        let _e12 = self.v_ambient_stage(at_157, hit_72, (seen_4.normal * rt::Scalar(seen_4.length)), view_33, _e8);
         light_20 = ((_e12 * rt::Scalar(_e8.occlusion)) + _e8.emission);
         'naga_break: loop {
             'naga_continue: {
@@ -17998,8 +18116,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e25 = k_42;
-                    let _e27 = self.v_toward_light(_e25, at_153.point);
-                    let _e29 = self.v_seen_cosine(at_153, seen_4, _e27.direction);
+                    let _e27 = self.v_toward_light(_e25, at_157.point);
+                    let _e29 = self.v_seen_cosine(at_157, seen_4, _e27.direction);
                     let _e33 = self.v_shade_light_stage(_e8, seen_4.normal, rt::Scalar(seen_4.length), _e29, view_33, _e27.direction);
                     let _e34 = light_20;
                     let _e37 = k_42;
@@ -18024,25 +18142,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_along(
         &self,
-        at_154: impl rt::Into<rt::Vec3<i32>>,
+        at_158: impl rt::Into<rt::Vec3<i32>>,
         axis_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<i32> {
-        rt::into(self.v_seen_along(rt::into(at_154), rt::into(axis_3)))
+        rt::into(self.v_seen_along(rt::into(at_158), rt::into(axis_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_along(
         &self,
-        at_154: rt::Vec3<i32>,
+        at_158: rt::Vec3<i32>,
         axis_3: rt::Scalar<u32>,
     ) -> rt::Vec3<i32> {
         if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(0u32))) {
-            return at_154;
+            return at_158;
         }
         if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(1u32))) {
-            return <rt::Vec3<i32>>::from_scalars(at_154.y(), at_154.z(), at_154.x());
+            return <rt::Vec3<i32>>::from_scalars(at_158.y(), at_158.z(), at_158.x());
         }
-        return <rt::Vec3<i32>>::from_scalars(at_154.z(), at_154.x(), at_154.y());
+        return <rt::Vec3<i32>>::from_scalars(at_158.z(), at_158.x(), at_158.y());
     }
     pub(crate) fn z_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_z_of(rt::into(depth_8)))
@@ -18063,61 +18181,61 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_155: Entered,
+        at_159: Entered,
         hit_73: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_155, hit_73, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_159, hit_73, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_155: Entered,
+        at_159: Entered,
         hit_73: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_73.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_73.cost.x(), hit_73.cost.y(), hit_73.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e45 = self.v_field_height_stage(hit_73.uv, rt::Scalar(hit_73.height), rt::Scalar(at_155.level));
-        let view_36 = (origin_2 - at_155.point).normalize();
-        let _e49 = self.v_field_normals_stage(at_155, hit_73, view_36);
-        let _e50 = self.v_object_color_stage(at_155, hit_73, view_36);
-        let _e51 = self.v_reflected_light(at_155, hit_73, _e49, view_36, _e50, visible_1);
+        let _e45 = self.v_field_height_stage(hit_73.uv, rt::Scalar(hit_73.height), rt::Scalar(at_159.level));
+        let view_36 = (origin_2 - at_159.point).normalize();
+        let _e49 = self.v_field_normals_stage(at_159, hit_73, view_36);
+        let _e50 = self.v_object_color_stage(at_159, hit_73, view_36);
+        let _e51 = self.v_reflected_light(at_159, hit_73, _e49, view_36, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_11 = (at_155.point - origin_2).dot(_e56.xyz());
+        let depth_11 = (at_159.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
         let _e67 = self.v_cell_of(((hit_73.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_155.depth));
+        let _e87 = self.v_z_of(rt::Scalar(at_159.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_73.exhausted), hit_73.uv, _e45, at_155.point, _e49.normal, depth_11, rt::Scalar(hit_73.t), _e67.to_i32(), hit_73.cost.x(), hit_73.cost.y(), hit_73.cost.z(), visible_1[0usize].x(), rt::Scalar(at_155.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_73.exhausted), hit_73.uv, _e45, at_159.point, _e49.normal, depth_11, rt::Scalar(hit_73.t), _e67.to_i32(), hit_73.cost.x(), hit_73.cost.y(), hit_73.cost.z(), visible_1[0usize].x(), rt::Scalar(at_159.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_156: Entered,
+        at_160: Entered,
         hit_74: Hit,
         number_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_156, hit_74, rt::into(number_22)))
+        rt::into(self.v_visible_light(at_160, hit_74, rt::into(number_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_visible_light(
         &self,
-        at_156: Entered,
+        at_160: Entered,
         hit_74: Hit,
         number_22: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_22, at_156.point);
-        let _e5 = self.v_shadow_stage(at_156, hit_74, _e4);
+        let _e4 = self.v_toward_light(number_22, at_160.point);
+        let _e5 = self.v_shadow_stage(at_160, hit_74, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_157: Entered, hit_75: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_157, hit_75))
+    pub(crate) fn visible_lights(&self, at_161: Entered, hit_75: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_161, hit_75))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_visible_lights(&self, at_157: Entered, hit_75: Hit) -> [rt::Vec4<f32>; 8] {
+    pub(super) fn v_visible_lights(&self, at_161: Entered, hit_75: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_43: rt::Scalar<u32> = rt::Scalar(0u32);
 
@@ -18136,7 +18254,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_43;
                     let _e17 = k_43;
-                    let _e18 = self.v_visible_light(at_157, hit_75, _e17);
+                    let _e18 = self.v_visible_light(at_161, hit_75, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_43;
                     k_43 = (_e23 + rt::Scalar(1u32));
@@ -18192,10 +18310,10 @@ impl<'g> Resources<'g> {
         a_23: BaseSite,
         b_23: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_158: impl rt::Into<rt::Scalar<u32>>,
+        at_162: impl rt::Into<rt::Scalar<u32>>,
         parts_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_23, b_23, rt::into(shares), rt::into(at_158), rt::into(parts_3)))
+        rt::into(self.v_site_between(a_23, b_23, rt::into(shares), rt::into(at_162), rt::into(parts_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -18204,11 +18322,11 @@ impl<'g> Resources<'g> {
         a_23: BaseSite,
         b_23: BaseSite,
         shares: rt::Vec2<f32>,
-        at_158: rt::Scalar<u32>,
+        at_162: rt::Scalar<u32>,
         parts_3: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_3 - at_158).to_f32() * shares.x());
-        let of_b = (at_158.to_f32() * shares.y());
+        let of_a = ((parts_3 - at_162).to_f32() * shares.x());
+        let of_b = (at_162.to_f32() * shares.y());
         let sum_13 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_23, b_23, b_23, <rt::Vec3<f32>>::from_scalars((of_a / sum_13), (of_b / sum_13), rt::Scalar(0f32)));
         return _e17;
@@ -18342,9 +18460,9 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_19: Voxel,
-        level_57: impl rt::Into<rt::Scalar<u32>>,
+        level_59: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_57)))
+        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -18353,11 +18471,11 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_19: Voxel,
-        level_57: rt::Scalar<u32>,
+        level_59: rt::Scalar<u32>,
     ) -> Sweep {
-        let _e5 = self.v_coarser_voxel(a_27.at, level_57);
-        let _e7 = self.v_coarser_voxel(b_27.at, level_57);
-        let _e9 = self.v_coarser_voxel(c_19.at, level_57);
+        let _e5 = self.v_coarser_voxel(a_27.at, level_59);
+        let _e7 = self.v_coarser_voxel(b_27.at, level_59);
+        let _e9 = self.v_coarser_voxel(c_19.at, level_59);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }
@@ -18405,14 +18523,14 @@ impl<'g> Resources<'g> {
     ) -> SweptColumn {
         let mut local_113: rt::Scalar<bool>;
 
-        let n_16 = sweep_8.parts.x();
+        let n_19 = sweep_8.parts.x();
         let m_8 = sweep_8.parts.y();
         let _e7 = self.v_first_of_top(sweep_8, column_5);
         let _e10 = self.v_first_of_top(sweep_8, (column_5 + rt::Scalar(1i32)));
-        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_16);
-        let top_12 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_16)), is_behind);
+        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_19);
+        let top_12 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_19)), is_behind);
         let from_top = _e7.max(rt::Scalar(1i32));
-        let of_top_1 = (_e10.min((n_16 + m_8)) - from_top);
+        let of_top_1 = (_e10.min((n_19 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
             local_113 = column_5.elementwise_ge(sweep_8.end.x());
         } else {
@@ -18540,9 +18658,9 @@ impl<'g> Resources<'g> {
         let down_4 = (grid_14.middle.y() - ((grid_14.up.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e42));
         let far_19 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_168 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_19), far_19);
+        let at_172 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_19), far_19);
         let _e60 = share;
-        return <Voxel>::new((at_168 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
+        return <Voxel>::new((at_172 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
     }
     pub(crate) fn zip_goes_left(&self, zip: Zip) -> bool {
         rt::into(self.v_zip_goes_left(zip))

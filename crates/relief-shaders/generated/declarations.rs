@@ -3296,23 +3296,71 @@ const CELL_LIMIT = 1073741824.0;"#,
     },
     Declaration {
         module: "shared/height",
-        name: "wrap_index",
+        name: "continued_index",
         sampling: None,
-        uses: &["WRAP_CLAMP", "WRAP_REPEAT", "surface_settings"],
-        text: r#"// The texel that stands for index i in a row of n.
-fn wrap_index(i: i32, n: i32) -> i32 {
-    if (surface_settings.wrap == WRAP_CLAMP) {
+        uses: &["WRAP_CLAMP", "WRAP_REPEAT", "unfolded"],
+        text: r#"// The texel that stands for index i in a row of n that this wrap continues. Shaders hold this text and the next
+// many times over, and a division is long: there is one in each.
+fn continued_index(i: i32, n: i32, wrap: u32) -> i32 {
+    if (wrap == WRAP_CLAMP) {
         return clamp(i, 0, n - 1);
     }
     if (i >= 0 && i < n) {
         return i;
     }
-    if (surface_settings.wrap == WRAP_REPEAT) {
-        return ((i % n) + n) % n;
+    let period = select(2 * n, n, wrap == WRAP_REPEAT);
+    let rest = i % period;
+    return unfolded(select(rest, rest + period, rest < 0), n, period);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "continued_pair",
+        sampling: None,
+        uses: &["WRAP_CLAMP", "WRAP_REPEAT", "unfolded"],
+        text: r#"// The texels that stand for index i and for the next one.
+fn continued_pair(i: i32, n: i32, wrap: u32) -> vec2i {
+    if (wrap == WRAP_CLAMP) {
+        return vec2i(clamp(i, 0, n - 1), clamp(i + 1, 0, n - 1));
     }
-    let period = 2 * n;
-    let folded = ((i % period) + period) % period;
-    return select(period - 1 - folded, folded, folded < n);
+    if (i >= 0 && i + 1 < n) {
+        return vec2i(i, i + 1);
+    }
+    let period = select(2 * n, n, wrap == WRAP_REPEAT);
+    let rest = i % period;
+    let first = select(rest, rest + period, rest < 0);
+    let second = select(first + 1, 0, first + 1 == period);
+    return vec2i(unfolded(first, n, period), unfolded(second, n, period));
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "unfolded",
+        sampling: None,
+        uses: &[],
+        text: r#"// The texel at a place of a row's period, whose second half goes back.
+fn unfolded(i: i32, n: i32, period: i32) -> i32 {
+    return select(period - 1 - i, i, i < n);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "wrap_index",
+        sampling: None,
+        uses: &["continued_index", "surface_settings"],
+        text: r#"// The texel of the height map, or of a map of its wrap, that stands for index i in a row of n.
+fn wrap_index(i: i32, n: i32) -> i32 {
+    return continued_index(i, n, surface_settings.wrap);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "wrap_pair",
+        sampling: None,
+        uses: &["continued_pair", "surface_settings"],
+        text: r#"// The texels that stand for index i and for the next one.
+fn wrap_pair(i: i32, n: i32) -> vec2i {
+    return continued_pair(i, n, surface_settings.wrap);
 }"#,
     },
     Declaration {
@@ -3381,21 +3429,19 @@ fn height_cell(cell: vec2i, level: u32) -> vec4f {
         module: "shared/height",
         name: "wrapped_cell",
         sampling: None,
-        uses: &["height_map", "height_texels", "wrap_index"],
+        uses: &["height_map", "height_texels", "wrap_pair"],
         text: r#"// The corners of a cell that may lie outside the map. SIMD code has a shorter way for cells inside,
 // and comes here for the others.
 fn wrapped_cell(cell: vec2i, level: u32) -> vec4f {
     let n = height_texels(level);
     let k = i32(level);
-    let i0 = wrap_index(cell.x, n.x);
-    let i1 = wrap_index(cell.x + 1, n.x);
-    let j0 = wrap_index(cell.y, n.y);
-    let j1 = wrap_index(cell.y + 1, n.y);
+    let i = wrap_pair(cell.x, n.x);
+    let j = wrap_pair(cell.y, n.y);
     return vec4f(
-        textureLoad(height_map, vec2i(i0, j0), k).x,
-        textureLoad(height_map, vec2i(i1, j0), k).x,
-        textureLoad(height_map, vec2i(i0, j1), k).x,
-        textureLoad(height_map, vec2i(i1, j1), k).x,
+        textureLoad(height_map, vec2i(i.x, j.x), k).x,
+        textureLoad(height_map, vec2i(i.y, j.x), k).x,
+        textureLoad(height_map, vec2i(i.x, j.y), k).x,
+        textureLoad(height_map, vec2i(i.y, j.y), k).x,
     );
 }"#,
     },
@@ -3428,20 +3474,18 @@ fn slice_begin(slice: i32) -> vec2i {
         module: "shared/height",
         name: "slice_cell",
         sampling: None,
-        uses: &["height_map", "slice_begin", "surface_settings", "wrap_index"],
+        uses: &["height_map", "slice_begin", "surface_settings", "wrap_pair"],
         text: r#"// The corners of a dual cell in a slice of a volume, in the order of `height_cell`.
 fn slice_cell(cell: vec2i, slice: i32) -> vec4f {
     let size = vec3i(surface_settings.volume.xyz);
     let begin = slice_begin(slice);
-    let i0 = begin.x + wrap_index(cell.x, size.x);
-    let i1 = begin.x + wrap_index(cell.x + 1, size.x);
-    let j0 = begin.y + wrap_index(cell.y, size.y);
-    let j1 = begin.y + wrap_index(cell.y + 1, size.y);
+    let i = vec2i(begin.x, begin.x) + wrap_pair(cell.x, size.x);
+    let j = vec2i(begin.y, begin.y) + wrap_pair(cell.y, size.y);
     return vec4f(
-        textureLoad(height_map, vec2i(i0, j0), 0).x,
-        textureLoad(height_map, vec2i(i1, j0), 0).x,
-        textureLoad(height_map, vec2i(i0, j1), 0).x,
-        textureLoad(height_map, vec2i(i1, j1), 0).x,
+        textureLoad(height_map, vec2i(i.x, j.x), 0).x,
+        textureLoad(height_map, vec2i(i.y, j.x), 0).x,
+        textureLoad(height_map, vec2i(i.x, j.y), 0).x,
+        textureLoad(height_map, vec2i(i.y, j.y), 0).x,
     );
 }"#,
     },
@@ -3460,14 +3504,15 @@ fn voxel_texel(cell: vec3i) -> vec2i {
         module: "shared/height",
         name: "wrap_cell",
         sampling: None,
-        uses: &["WRAP_REPEAT", "surface_settings", "wrap_index"],
+        uses: &["WRAP_REPEAT", "surface_settings", "wrap_index", "wrap_pair"],
         text: r#"// The dual cell that stands for cell i in a row of n. Where a map is mirrored, so are its cells: cell n lies
 // between the images of the texels n - 1 and n - 2.
 fn wrap_cell(i: i32, n: i32) -> i32 {
     if (surface_settings.wrap == WRAP_REPEAT) {
         return wrap_index(i, n);
     }
-    return min(wrap_index(i, n), wrap_index(i + 1, n));
+    let pair = wrap_pair(i, n);
+    return min(pair.x, pair.y);
 }"#,
     },
     Declaration {
@@ -3489,7 +3534,7 @@ fn in_hole(uv: vec2f) -> bool {
         module: "shared/height",
         name: "is_in_hole",
         sampling: None,
-        uses: &["cell_of", "color_at", "height_size", "height_texels", "hole_map", "surface_settings", "wrap_index"],
+        uses: &["cell_of", "color_at", "height_size", "height_texels", "hole_map", "surface_settings", "wrap_pair"],
         text: r#"// The same test for a surface that has holes.
 fn is_in_hole(uv: vec2f) -> bool {
     if ((surface_settings.has_holes & 2u) != 0u) {
@@ -3502,12 +3547,10 @@ fn is_in_hole(uv: vec2f) -> bool {
     }
     let n = height_texels(0u);
     let cell = vec2i(cell_of(uv * height_size(0u) - vec2f(0.5, 0.5)));
-    let i0 = wrap_index(cell.x, n.x);
-    let i1 = wrap_index(cell.x + 1, n.x);
-    let j0 = wrap_index(cell.y, n.y);
-    let j1 = wrap_index(cell.y + 1, n.y);
-    let above = max(textureLoad(hole_map, vec2i(i0, j0), 0).x, textureLoad(hole_map, vec2i(i1, j0), 0).x);
-    let below = max(textureLoad(hole_map, vec2i(i0, j1), 0).x, textureLoad(hole_map, vec2i(i1, j1), 0).x);
+    let i = wrap_pair(cell.x, n.x);
+    let j = wrap_pair(cell.y, n.y);
+    let above = max(textureLoad(hole_map, vec2i(i.x, j.x), 0).x, textureLoad(hole_map, vec2i(i.y, j.x), 0).x);
+    let below = max(textureLoad(hole_map, vec2i(i.x, j.y), 0).x, textureLoad(hole_map, vec2i(i.y, j.y), 0).x);
     return max(above, below) > 0.0;
 }"#,
     },
@@ -3553,16 +3596,12 @@ struct Around {
         module: "shared/height",
         name: "texels_around",
         sampling: None,
-        uses: &["Around", "cell_of", "wrap_index"],
+        uses: &["Around", "cell_of", "wrap_pair"],
         text: r#"fn texels_around(uv: vec2f, n: vec2i) -> Around {
     let point = uv * vec2f(n) - vec2f(0.5, 0.5);
     let cell = cell_of(point);
     let i = vec2i(cell);
-    return Around(
-        vec2i(wrap_index(i.x, n.x), wrap_index(i.x + 1, n.x)),
-        vec2i(wrap_index(i.y, n.y), wrap_index(i.y + 1, n.y)),
-        point - cell,
-    );
+    return Around(wrap_pair(i.x, n.x), wrap_pair(i.y, n.y), point - cell);
 }"#,
     },
     Declaration {
@@ -3574,24 +3613,6 @@ struct Around {
     let top = h00 + (h10 - h00) * part.x;
     let bottom = h01 + (h11 - h01) * part.x;
     return top + (bottom - top) * part.y;
-}"#,
-    },
-    Declaration {
-        module: "shared/height",
-        name: "color_index",
-        sampling: None,
-        uses: &["WRAP_CLAMP", "WRAP_REPEAT"],
-        text: r#"// The texel that stands for index i in a row of n of the colour map, continued by that wrap.
-fn color_index(i: i32, n: i32, wrap: u32) -> i32 {
-    if (wrap == WRAP_CLAMP) {
-        return clamp(i, 0, n - 1);
-    }
-    if (wrap == WRAP_REPEAT) {
-        return ((i % n) + n) % n;
-    }
-    let period = 2 * n;
-    let folded = ((i % period) + period) % period;
-    return select(period - 1 - folded, folded, folded < n);
 }"#,
     },
     Declaration {
@@ -3610,7 +3631,7 @@ fn color_place(uv: vec2f) -> vec2f {
         module: "shared/height",
         name: "color_texels_around",
         sampling: None,
-        uses: &["Around", "cell_of", "color_index", "surface_settings"],
+        uses: &["Around", "cell_of", "continued_pair", "surface_settings"],
         text: r#"// The four texels around a place of a map of that size with the colour map's wrap.
 fn color_texels_around(place: vec2f, n: vec2i) -> Around {
     let point = place * vec2f(n) - vec2f(0.5, 0.5);
@@ -3618,11 +3639,7 @@ fn color_texels_around(place: vec2f, n: vec2i) -> Around {
     let i = vec2i(cell);
     let u = surface_settings.color_wrap_u;
     let v = surface_settings.color_wrap_v;
-    return Around(
-        vec2i(color_index(i.x, n.x, u), color_index(i.x + 1, n.x, u)),
-        vec2i(color_index(i.y, n.y, v), color_index(i.y + 1, n.y, v)),
-        point - cell,
-    );
+    return Around(continued_pair(i.x, n.x, u), continued_pair(i.y, n.y, v), point - cell);
 }"#,
     },
     Declaration {
@@ -3716,14 +3733,11 @@ fn material_at(uv: vec2f, layer: i32, level: u32) -> vec4f {
     },
     Declaration {
         module: "shared/height",
-        name: "normal_at",
-        sampling: Some(Sampling::Exact),
-        uses: &["bilinear", "level_texels", "normal_map", "surface_settings", "texels_around"],
-        text: r#"// A layer of a level of the normal map at texture coordinates. The first begins with a vector in
-// tangent space, +Y along -B, not normalised. From level 1 on there are two layers, as
-// `normals_of_level` reads them.
-fn normal_at(uv: vec2f, layer: i32, level: u32) -> vec4f {
-    let at = texels_around(uv, level_texels(surface_settings.normal_size, level));
+        name: "normal_between",
+        sampling: None,
+        uses: &["Around", "bilinear", "normal_map"],
+        text: r#"// A layer of a level of the normal map, between the four texels around a place.
+fn normal_between(at: Around, layer: i32, level: u32) -> vec4f {
     let k = i32(level);
     return bilinear(
         textureLoad(normal_map, vec2i(at.columns.x, at.rows.x), layer, k),
@@ -3737,10 +3751,54 @@ fn normal_at(uv: vec2f, layer: i32, level: u32) -> vec4f {
     Declaration {
         module: "shared/height",
         name: "normal_at",
+        sampling: Some(Sampling::Exact),
+        uses: &["level_texels", "normal_between", "surface_settings", "texels_around"],
+        text: r#"// The first layer of a level of the normal map at texture coordinates. It begins with a vector in tangent space,
+// +Y along -B, not normalised.
+fn normal_at(uv: vec2f, level: u32) -> vec4f {
+    return normal_between(texels_around(uv, level_texels(surface_settings.normal_size, level)), 0, level);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "normal_at",
         sampling: Some(Sampling::Fast),
         uses: &["map_sampler", "normal_map"],
-        text: r#"fn normal_at(uv: vec2f, layer: i32, level: u32) -> vec4f {
-    return textureSampleLevel(normal_map, map_sampler, uv, layer, f32(level));
+        text: r#"fn normal_at(uv: vec2f, level: u32) -> vec4f {
+    return textureSampleLevel(normal_map, map_sampler, uv, 0, f32(level));
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "NormalLayers",
+        sampling: None,
+        uses: &[],
+        text: r#"// The two layers that the normal map has from level 1 on.
+struct NormalLayers {
+    first: vec4f,
+    second: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "normal_layers",
+        sampling: Some(Sampling::Exact),
+        uses: &["NormalLayers", "level_texels", "normal_between", "surface_settings", "texels_around"],
+        text: r#"fn normal_layers(uv: vec2f, level: u32) -> NormalLayers {
+    let at = texels_around(uv, level_texels(surface_settings.normal_size, level));
+    return NormalLayers(normal_between(at, 0, level), normal_between(at, 1, level));
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "normal_layers",
+        sampling: Some(Sampling::Fast),
+        uses: &["NormalLayers", "map_sampler", "normal_map"],
+        text: r#"fn normal_layers(uv: vec2f, level: u32) -> NormalLayers {
+    return NormalLayers(
+        textureSampleLevel(normal_map, map_sampler, uv, 0, f32(level)),
+        textureSampleLevel(normal_map, map_sampler, uv, 1, f32(level)),
+    );
 }"#,
     },
     Declaration {
@@ -4387,11 +4445,9 @@ fn detail_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
         module: "shared/maps",
         name: "detail_texel_between",
         sampling: None,
-        uses: &["SLOT_DETAIL", "bilinear", "detail_texel", "height_texels", "surface_settings", "texels_around"],
-        text: r#"// The map of visible normals between the four texels around a place, for a level of detail from its
-// first one on. One read.
-fn detail_texel_between(uv: vec2f, layer: i32, level: u32) -> vec4f {
-    let at = texels_around(uv, height_texels(level));
+        uses: &["Around", "SLOT_DETAIL", "bilinear", "detail_texel", "surface_settings"],
+        text: r#"// The map of visible normals between four texels, for a level of detail from its first one on. One read.
+fn detail_texel_between(at: Around, layer: i32, level: u32) -> vec4f {
     let k = i32(level - surface_settings.maps[SLOT_DETAIL].first_level);
     return bilinear(
         detail_texel(vec2i(at.columns.x, at.rows.x), layer, k),
@@ -4619,7 +4675,7 @@ fn to_tangent_space(at: Entered, v: vec3f) -> vec3f {
         text: r#"// The normal in the finest level.
 fn finest_normal(at: Entered, uv: vec2f) -> vec3f {
     if (surface_settings.has_normal == 1u) {
-        return normalize(from_tangent_space(at, normal_at(uv, 0, 0u).xyz));
+        return normalize(from_tangent_space(at, normal_at(uv, 0u).xyz));
     }
     return normal_from_height(at, uv);
 }"#,
@@ -6478,21 +6534,20 @@ fn means_of_one(n: vec3f) -> Normals {
         module: "shared/seen_normals",
         name: "normals_of_level",
         sampling: None,
-        uses: &["Entered", "Normals", "finest_normal", "means_of_one", "normal_at", "surface_settings", "to_tangent_space"],
-        text: r#"// The normals in the texels of a level.
+        uses: &["Entered", "Normals", "normal_layers", "surface_settings"],
+        text: r#"// The normals in the texels of a level from 1 on.
 fn normals_of_level(at: Entered, uv: vec2f, level: u32) -> Normals {
-    if (level == 0u) {
-        return means_of_one(to_tangent_space(at, finest_normal(at, uv)));
-    }
-    if (surface_settings.has_normal == 1u) {
-        return Normals(normal_at(uv, 0, level), normal_at(uv, 1, level));
+    let has_normal = surface_settings.has_normal == 1u;
+    let read = normal_layers(uv, select(level - 1u, level, has_normal));
+    if (has_normal) {
+        return Normals(read.first, read.second);
     }
     // Derived normals hold for tiles of other lengths: where a tile is longer, slopes are as much flatter.
     let tile = surface_settings.normal_tile_m;
     let x = tile.x * dot(normalize(at.tangent), at.tangent) / dot(at.tangent, at.tangent);
     let y = tile.y * dot(normalize(at.bitangent), at.bitangent) / dot(at.bitangent, at.bitangent);
-    let first = normal_at(uv, 0, level - 1u);
-    let second = normal_at(uv, 1, level - 1u);
+    let first = read.first;
+    let second = read.second;
     // The tangential parts keep their length. So the normal stands more upright, and with it
     // everything that it weights.
     let flatter = vec3f(first.x * x, first.y * y, first.z);
@@ -6657,7 +6712,7 @@ fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
         module: "shared/seen_normals",
         name: "mesostructure_normals",
         sampling: None,
-        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "has_table", "levels_of", "normals_of_level", "one_seen", "seen_normals", "surface_settings", "table_of", "table_part", "with_table"],
+        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "has_table", "levels_of", "means_of_one", "normals_of_level", "one_seen", "seen_normals", "surface_settings", "table_of", "table_part", "to_tangent_space", "with_table"],
         text: r#"// The normals within the footprint of a point that an eye in direction `view` sees.
 fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
     if (surface_settings.has_vertex_normals == 1u) {
@@ -6670,12 +6725,21 @@ fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
     let width = shown + (1.0 - shown) * at.fade;
     let texels = at.footprint * surface_settings.normal_texels * width;
     let levels = levels_of(texels, surface_settings.normal_levels);
-    if (levels.fine == 0u && !(levels.part > 0.0)) {
-        return one_seen(finest_normal(at, uv));
+    var first = vec4f(0.0, 0.0, 0.0, 0.0);
+    var second = first;
+    if (levels.fine == 0u) {
+        let normal = finest_normal(at, uv);
+        if (!(levels.part > 0.0)) {
+            return one_seen(normal);
+        }
+        let fine = means_of_one(to_tangent_space(at, normal));
+        first = fine.first;
+        second = fine.second;
+    } else {
+        let fine = normals_of_level(at, uv, levels.fine);
+        first = fine.first;
+        second = fine.second;
     }
-    let fine = normals_of_level(at, uv, levels.fine);
-    var first = fine.first;
-    var second = fine.second;
     if (levels.part > 0.0) {
         let coarse = normals_of_level(at, uv, levels.fine + 1u);
         first = first + (coarse.first - first) * levels.part;
@@ -6761,25 +6825,37 @@ struct SeenTexel {
     },
     Declaration {
         module: "shared/seen_table",
+        name: "SeenPlace",
+        sampling: None,
+        uses: &["Around", "Levels"],
+        text: r#"// A place between two levels of detail: the texels around it in either.
+struct SeenPlace {
+    fine: Around,
+    coarse: Around,
+    levels: Levels,
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
         name: "seen_texel",
         sampling: None,
-        uses: &["SEEN_ELEVATIONS", "SeenTexel", "detail_texel_between"],
+        uses: &["Around", "SEEN_ELEVATIONS", "SeenTexel", "detail_texel_between"],
         text: r#"// The values of a direction around a place, in a level of detail.
-fn seen_texel(uv: vec2f, azimuth: i32, elevation: i32, level: u32) -> SeenTexel {
+fn seen_texel(at: Around, azimuth: i32, elevation: i32, level: u32) -> SeenTexel {
     let layer = 2 * (azimuth * i32(SEEN_ELEVATIONS) + elevation);
-    return SeenTexel(detail_texel_between(uv, layer, level), detail_texel_between(uv, layer + 1, level));
+    return SeenTexel(detail_texel_between(at, layer, level), detail_texel_between(at, layer + 1, level));
 }"#,
     },
     Declaration {
         module: "shared/seen_table",
         name: "seen_in_levels",
         sampling: None,
-        uses: &["Levels", "SeenTexel", "seen_between", "seen_texel"],
+        uses: &["SeenPlace", "SeenTexel", "seen_between", "seen_texel"],
         text: r#"// The values of a direction around a place, between two levels.
-fn seen_in_levels(uv: vec2f, azimuth: i32, elevation: i32, levels: Levels) -> SeenTexel {
-    let fine = seen_texel(uv, azimuth, elevation, levels.fine);
-    if (levels.part > 0.0) {
-        return seen_between(fine, seen_texel(uv, azimuth, elevation, levels.fine + 1u), levels.part);
+fn seen_in_levels(at: SeenPlace, azimuth: i32, elevation: i32) -> SeenTexel {
+    let fine = seen_texel(at.fine, azimuth, elevation, at.levels.fine);
+    if (at.levels.part > 0.0) {
+        return seen_between(fine, seen_texel(at.coarse, azimuth, elevation, at.levels.fine + 1u), at.levels.part);
     }
     return fine;
 }"#,
@@ -6798,7 +6874,7 @@ fn has_table(levels: Levels) -> bool {
         module: "shared/seen_table",
         name: "table_of",
         sampling: None,
-        uses: &["Entered", "Levels", "SEEN_AZIMUTHS", "SEEN_ELEVATIONS", "SLOT_DETAIL", "SeenTable", "climb", "seen_between", "seen_in_levels", "surface_settings", "turn_of"],
+        uses: &["Entered", "Levels", "SEEN_AZIMUTHS", "SEEN_ELEVATIONS", "SLOT_DETAIL", "SeenPlace", "SeenTable", "climb", "height_texels", "seen_between", "seen_in_levels", "surface_settings", "texels_around", "turn_of"],
         text: r#"// The visible normals around a place for an eye in direction `view`, between the four directions of
 // the table around it.
 fn table_of(at: Entered, uv: vec2f, view: vec3f, levels: Levels) -> SeenTable {
@@ -6814,8 +6890,13 @@ fn table_of(at: Entered, uv: vec2f, view: vec3f, levels: Levels) -> SeenTable {
     let e0 = i32(floor(elevation));
     let e1 = min(e0 + 1, i32(SEEN_ELEVATIONS) - 1);
     let across = azimuth - floor(azimuth);
-    let low = seen_between(seen_in_levels(uv, a0, e0, levels), seen_in_levels(uv, a1, e0, levels), across);
-    let high = seen_between(seen_in_levels(uv, a0, e1, levels), seen_in_levels(uv, a1, e1, levels), across);
+    let place = SeenPlace(
+        texels_around(uv, height_texels(levels.fine)),
+        texels_around(uv, height_texels(levels.fine + 1u)),
+        levels,
+    );
+    let low = seen_between(seen_in_levels(place, a0, e0), seen_in_levels(place, a1, e0), across);
+    let high = seen_between(seen_in_levels(place, a0, e1), seen_in_levels(place, a1, e1), across);
     let seen = seen_between(low, high, elevation - floor(elevation));
     // Where a tile is longer than it was baked for, slopes are as much flatter; normals stay as long.
     let x = tile.x * dot(normalize(at.tangent), at.tangent) / dot(at.tangent, at.tangent);

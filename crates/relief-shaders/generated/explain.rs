@@ -21,7 +21,7 @@ impl Marked<'_> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_3: rt::Scalar<bool>;
+        let mut local_4: rt::Scalar<bool>;
 
         near_2 = above;
         far_2 = below;
@@ -50,11 +50,11 @@ impl Marked<'_> {
                     let _e35 = near_2;
                     if rt::Scalar::into_branch_condition(middle_1.elementwise_gt(_e35)) {
                         let _e39 = far_2;
-                        local_3 = middle_1.elementwise_lt(_e39);
+                        local_4 = middle_1.elementwise_lt(_e39);
                     } else {
-                        local_3 = rt::Scalar(false);
+                        local_4 = rt::Scalar(false);
                     }
-                    let _e42 = local_3;
+                    let _e42 = local_4;
                     if rt::Scalar::into_branch_condition((!_e42)) {
                         break 'naga_break;
                     }
@@ -87,7 +87,7 @@ impl Marked<'_> {
         let mut near_5: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut local_22: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -102,11 +102,11 @@ impl Marked<'_> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_5;
             let _e19 = self.v_path_height(path_25, _e18);
-            local_22 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_23 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_22 = rt::Scalar(true);
+            local_23 = rt::Scalar(true);
         }
-        let _e23 = local_22;
+        let _e23 = local_23;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -251,7 +251,7 @@ impl Marked<'_> {
         let mut t_24: rt::Scalar<f32>;
         let mut cell_30: rt::Vec2<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut local_23: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_7.cost);
@@ -313,11 +313,11 @@ impl Marked<'_> {
                     }
                     if rt::Scalar::into_branch_condition(end_3.elementwise_ge(rt::Scalar(found_7.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_23 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
+                            local_24 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_23 = rt::Scalar(true);
+                            local_24 = rt::Scalar(true);
                         }
-                        let _e92 = local_23;
+                        let _e92 = local_24;
                         if rt::Scalar::into_branch_condition(_e92) {
                             let _e95 = cost_7;
                             let _e96 = self.v_hit_on_path(path_29, rt::Scalar(found_7.far), rt::Scalar(0u32), _e95);
@@ -786,7 +786,7 @@ impl Marked<'_> {
                     let _e23 = t_30;
                     self.v_mark_turn(_e23);
                     let _e25 = cost_12.x();
-                    let first_5 = _e25.elementwise_eq(rt::Scalar(0u32));
+                    let first_6 = _e25.elementwise_eq(rt::Scalar(0u32));
                     let _e28 = cell_32;
                     let _e29 = self.v_whole_cell(_e28);
                     let _e31 = self.v_height_cell(_e29, rt::Scalar(path_38.level));
@@ -834,7 +834,7 @@ impl Marked<'_> {
                         if rt::Scalar::into_branch_condition(_e86) {
                             let _e87 = t_30;
                             let _e88 = cost_12;
-                            let _e89 = self.v_found_in_cell(_e85, _e87, span_9, first_5, _e88);
+                            let _e89 = self.v_found_in_cell(_e85, _e87, span_9, first_6, _e88);
                             return _e89;
                         }
                         let _e90 = t_30;
@@ -869,7 +869,7 @@ impl Marked<'_> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut k_7: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_25: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
 
         let aside_1 = path_39.duv.length();
         'naga_break: loop {
@@ -893,11 +893,11 @@ impl Marked<'_> {
                     if rt::Scalar::into_branch_condition(_e23.elementwise_le(rt::Scalar(0f32))) {
                         let _e29 = t_31;
                         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(0f32))) {
-                            local_25 = _e23.elementwise_lt(rt::Scalar(0f32));
+                            local_26 = _e23.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_25 = rt::Scalar(false);
+                            local_26 = rt::Scalar(false);
                         }
-                        let _e37 = local_25;
+                        let _e37 = local_26;
                         if rt::Scalar::into_branch_condition(_e37) {
                             let _e39 = cost_13;
                             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e23, _e23, _e39);
@@ -927,10 +927,10 @@ impl Marked<'_> {
                     let _e65 = self.v_path_height(path_39, _e64);
                     self.v_mark_cone(_e63, (_e65 - _e23), _e55);
                     let _e68 = t_31;
-                    let rest_1 = (rt::Scalar(path_39.exit) - _e68);
+                    let rest_3 = (rt::Scalar(path_39.exit) - _e68);
                     let _e70 = t_31;
                     let _e71 = self.v_path_slope(path_39, _e70);
-                    let rise_5 = (_e71 + (path_39.h.z().min(rt::Scalar(0f32)) * rest_1));
+                    let rise_5 = (_e71 + (path_39.h.z().min(rt::Scalar(0f32)) * rest_3));
                     let terms_1 = (path_39.h.x().abs() + (rt::Scalar(path_39.exit) * (path_39.h.y().abs() + (rt::Scalar(path_39.exit) * path_39.h.z().abs()))));
                     let far_10 = (((path_39.uv.abs() + (path_39.duv.abs() * rt::Scalar(path_39.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e55);
                     let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_10.x()) + far_10.y()));
@@ -971,10 +971,10 @@ impl Marked<'_> {
         let mut cost_14: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_26: rt::Scalar<bool>;
         let mut local_27: rt::Scalar<bool>;
         let mut local_28: rt::Scalar<bool>;
         let mut local_29: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_40);
         let _e4 = self.v_height_texels(rt::Scalar(path_40.level));
@@ -1007,11 +1007,11 @@ impl Marked<'_> {
                     let _e49 = self.v_image_of(_e46.x(), _e4.x());
                     let _e52 = self.v_image_of(_e46.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e49.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_26 = _e52.y().elementwise_eq(rt::Scalar(2i32));
+                        local_27 = _e52.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_26 = rt::Scalar(true);
+                        local_27 = rt::Scalar(true);
                     }
-                    let _e63 = local_26;
+                    let _e63 = local_27;
                     if rt::Scalar::into_branch_condition(_e63) {
                         looks = rt::Scalar(true);
                     } else {
@@ -1050,18 +1050,18 @@ impl Marked<'_> {
                         let _e138 = looks;
                         if rt::Scalar::into_branch_condition((!_e138)) {
                             let _e142 = next_3;
-                            local_27 = _e142.elementwise_lt(end_7);
-                        } else {
-                            local_27 = rt::Scalar(false);
-                        }
-                        let _e145 = local_27;
-                        if rt::Scalar::into_branch_condition(_e145) {
-                            let _e148 = self.v_path_height(path_40, end_7);
-                            local_28 = _e148.elementwise_lt(_e71.x());
+                            local_28 = _e142.elementwise_lt(end_7);
                         } else {
                             local_28 = rt::Scalar(false);
                         }
-                        let _e152 = local_28;
+                        let _e145 = local_28;
+                        if rt::Scalar::into_branch_condition(_e145) {
+                            let _e148 = self.v_path_height(path_40, end_7);
+                            local_29 = _e148.elementwise_lt(_e71.x());
+                        } else {
+                            local_29 = rt::Scalar(false);
+                        }
+                        let _e152 = local_29;
                         if rt::Scalar::into_branch_condition(_e152) {
                             let _e153 = safe_;
                             let _e154 = cost_14;
@@ -1072,11 +1072,11 @@ impl Marked<'_> {
                     let _e156 = next_3;
                     if rt::Scalar::into_branch_condition((!_e156.elementwise_lt(end_7))) {
                         let _e161 = t_32;
-                        local_29 = (!end_7.elementwise_gt(_e161));
+                        local_30 = (!end_7.elementwise_gt(_e161));
                     } else {
-                        local_29 = rt::Scalar(true);
+                        local_30 = rt::Scalar(true);
                     }
-                    let _e165 = local_29;
+                    let _e165 = local_30;
                     if rt::Scalar::into_branch_condition(_e165) {
                         let _e166 = looks;
                         if rt::Scalar::into_branch_condition(_e166) {
@@ -1130,7 +1130,7 @@ impl Marked<'_> {
         let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
         let mut slope_5: rt::Scalar<f32>;
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_41);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -1150,7 +1150,7 @@ impl Marked<'_> {
                     let _e23 = t_33;
                     self.v_mark_turn(_e23);
                     let _e25 = cost_15.x();
-                    let first_6 = _e25.elementwise_eq(rt::Scalar(0u32));
+                    let first_7 = _e25.elementwise_eq(rt::Scalar(0u32));
                     let _e28 = cell_34;
                     let _e29 = self.v_whole_cell(_e28);
                     let _e31 = self.v_height_cell(_e29, rt::Scalar(path_41.level));
@@ -1176,11 +1176,11 @@ impl Marked<'_> {
                     let _e83 = self.v_least_at(above_4, span_11);
                     let _e84 = self.v_quadratic(above_4, _e83);
                     if rt::Scalar::into_branch_condition(_e84.elementwise_gt(of_heights_1)) {
-                        local_30 = above_4.x().elementwise_gt(of_heights_1);
+                        local_31 = above_4.x().elementwise_gt(of_heights_1);
                     } else {
-                        local_30 = rt::Scalar(false);
+                        local_31 = rt::Scalar(false);
                     }
-                    let _e91 = local_30;
+                    let _e91 = local_31;
                     if rt::Scalar::into_branch_condition(_e91) {
                         if rt::Scalar::into_branch_condition(end_8.elementwise_lt(rt::Scalar(path_41.exit))) {
                             let _e94 = cell_34;
@@ -1205,7 +1205,7 @@ impl Marked<'_> {
                         if rt::Scalar::into_branch_condition(_e109) {
                             let _e110 = t_33;
                             let _e111 = cost_15;
-                            let _e112 = self.v_found_in_cell(_e108, _e110, span_11, first_6, _e111);
+                            let _e112 = self.v_found_in_cell(_e108, _e110, span_11, first_7, _e111);
                             return _e112;
                         }
                     }
@@ -1223,11 +1223,11 @@ impl Marked<'_> {
                         let _e142 = slope_5;
                         let lost_3 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e142) * far_11));
                         let _e148 = t_33;
-                        let rest_2 = (rt::Scalar(path_41.exit) - _e148);
+                        let rest_4 = (rt::Scalar(path_41.exit) - _e148);
                         let _e150 = slope_5;
-                        let _e155 = self.v_stays_above(above_4, _e150, left_3.x(), _e2.step.x(), lost_3.x(), rest_2);
+                        let _e155 = self.v_stays_above(above_4, _e150, left_3.x(), _e2.step.x(), lost_3.x(), rest_4);
                         let _e156 = slope_5;
-                        let _e161 = self.v_stays_above(above_4, _e156, left_3.y(), _e2.step.y(), lost_3.y(), rest_2);
+                        let _e161 = self.v_stays_above(above_4, _e156, left_3.y(), _e2.step.y(), lost_3.y(), rest_4);
                         let _e162 = next_4;
                         let _e163 = t_33;
                         next_4 = _e162.max((_e163 + _e155.min(_e161)));
@@ -1330,9 +1330,9 @@ impl Marked<'_> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
-        let mut local_31: rt::Scalar<bool>;
         let mut local_32: rt::Scalar<bool>;
         let mut local_33: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_44);
         let _e4 = self.v_height_texels(rt::Scalar(path_44.level));
@@ -1383,24 +1383,24 @@ impl Marked<'_> {
                         let _e83 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e83.elementwise_ne(over.x()))) {
                             let _e90 = parent.y();
-                            local_32 = _e90.elementwise_ne(over.y());
+                            local_33 = _e90.elementwise_ne(over.y());
                         } else {
-                            local_32 = rt::Scalar(true);
+                            local_33 = rt::Scalar(true);
                         }
-                        let _e94 = local_32;
-                        local_31 = _e94;
+                        let _e94 = local_33;
+                        local_32 = _e94;
                     } else {
-                        local_31 = rt::Scalar(false);
+                        local_32 = rt::Scalar(false);
                     }
-                    let left_4 = local_31;
+                    let left_4 = local_32;
                     if rt::Scalar::into_branch_condition(left_4) {
                         let _e99 = level_27;
                         let _e100 = top_3;
-                        local_33 = _e99.elementwise_lt(_e100);
+                        local_34 = _e99.elementwise_lt(_e100);
                     } else {
-                        local_33 = rt::Scalar(false);
+                        local_34 = rt::Scalar(false);
                     }
-                    let _e103 = local_33;
+                    let _e103 = local_34;
                     if rt::Scalar::into_branch_condition(_e103) {
                         level_27 = above_level;
                     }
@@ -1648,11 +1648,11 @@ impl Marked<'_> {
         let mut near_9: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
         let mut start: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_46);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -1696,11 +1696,11 @@ impl Marked<'_> {
                         let _e81 = t_36;
                         if rt::Scalar::into_branch_condition(_e80.elementwise_lt(_e81)) {
                             let _e85 = near_gap_5;
-                            local_35 = _e85.elementwise_gt(rt::Scalar(0f32));
+                            local_36 = _e85.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_35 = rt::Scalar(false);
+                            local_36 = rt::Scalar(false);
                         }
-                        let _e89 = local_35;
+                        let _e89 = local_36;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e90 = near_9;
                             let _e91 = t_36;
@@ -1775,11 +1775,11 @@ impl Marked<'_> {
                     if rt::Scalar::into_branch_condition(params_34.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e185 = next_5;
                         let _e186 = t_36;
-                        local_36 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_46.exit))));
+                        local_37 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_46.exit))));
                     } else {
-                        local_36 = rt::Scalar(false);
+                        local_37 = rt::Scalar(false);
                     }
-                    let _e194 = local_36;
+                    let _e194 = local_37;
                     if rt::Scalar::into_branch_condition(_e194) {
                         let _e196 = t_36;
                         let _e198 = gap;
@@ -1825,7 +1825,7 @@ impl Marked<'_> {
         let mut near_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_47);
@@ -1865,11 +1865,11 @@ impl Marked<'_> {
                         let _e54 = t_37;
                         if rt::Scalar::into_branch_condition(_e53.elementwise_lt(_e54)) {
                             let _e58 = near_gap_6;
-                            local_37 = _e58.elementwise_gt(rt::Scalar(0f32));
+                            local_38 = _e58.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_37 = rt::Scalar(false);
+                            local_38 = rt::Scalar(false);
                         }
-                        let _e62 = local_37;
+                        let _e62 = local_38;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = near_10;
                             let _e64 = t_37;
@@ -1960,7 +1960,7 @@ impl Marked<'_> {
         let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut next_7: rt::Scalar<f32>;
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_48);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -2022,11 +2022,11 @@ impl Marked<'_> {
                         let _e118 = next_7;
                         if rt::Scalar::into_branch_condition((!_e118.elementwise_lt(end_13))) {
                             let _e123 = t_38;
-                            local_38 = (!end_13.elementwise_gt(_e123));
+                            local_39 = (!end_13.elementwise_gt(_e123));
                         } else {
-                            local_38 = rt::Scalar(true);
+                            local_39 = rt::Scalar(true);
                         }
-                        let _e127 = local_38;
+                        let _e127 = local_39;
                         if rt::Scalar::into_branch_condition(_e127) {
                             let _e128 = cost_21;
                             cost_21 = (_e128 + HEIGHTS_READ);

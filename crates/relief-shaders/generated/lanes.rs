@@ -284,26 +284,36 @@ lanes! { fn along_slice(r: &Resources<'_>, h_a0: Vec4<F>, at_a1: Vec2<F>, dx_a2:
 lanes! { fn cell_of(r: &Resources<'_>, point_a0: Vec2<F>) -> Vec2<F> {
     return Vec2 { x: min_with(max_with(floor(point_a0.x), splat((-1073741800.0f32))), splat(1073741800.0f32)), y: min_with(max_with(floor(point_a0.y), splat((-1073741800.0f32))), splat(1073741800.0f32)) };
 } }
-lanes! { fn wrap_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> I {
+lanes! { fn unfolded(r: &Resources<'_>, i_a0: I, n_a1: i32, period_a2: i32) -> I {
+    return sel_i(lt_i(i_a0, splat_i(n_a1)), i_a0, sub_i(splat_i(period_a2.wrapping_sub(1i32)), i_a0));
+} }
+lanes! { fn continued_pair(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32, wrap_a2: u32) -> Vec2<I> {
     let mut ex = within;
-    let mut ret: I = splat_i(0i32);
+    let mut ret: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
     let mut both_v0: M = splat_m(false);
-    if (r.surface_settings.wrap == 1u32) {
-        return min_i(max_i(i_a0, splat_i(0i32)), splat_i(n_a1.wrapping_sub(1i32)));
+    if (wrap_a2 == 1u32) {
+        return Vec2 { x: min_i(max_i(i_a0, splat_i(0i32)), splat_i(n_a1.wrapping_sub(1i32))), y: min_i(max_i(add_i(i_a0, splat_i(1i32)), splat_i(0i32)), splat_i(n_a1.wrapping_sub(1i32))) };
     }
-    both_v0 = and(ge_i(i_a0, splat_i(0i32)), lt_i(i_a0, splat_i(n_a1)));
-    let e_17 = both_v0;
-    let c1 = e_17;
-    ret = i_a0;
+    both_v0 = and(ge_i(i_a0, splat_i(0i32)), lt_i(add_i(i_a0, splat_i(1i32)), splat_i(n_a1)));
+    let e_24 = both_v0;
+    let c1 = e_24;
+    ret = Vec2 { x: i_a0, y: add_i(i_a0, splat_i(1i32)) };
     ex = and_not(ex, c1);
-    if (r.surface_settings.wrap == 0u32) {
-        if none(ex) { return ret; }
-        return sel_i(ex, rem_i(add_i(rem_i(i_a0, splat_i(n_a1)), splat_i(n_a1)), splat_i(n_a1)), ret);
-    }
-    let period_27 = 2i32.wrapping_mul(n_a1);
+    let period_32 = (if (wrap_a2 == 0u32) { n_a1 } else { 2i32.wrapping_mul(n_a1) });
     if none(ex) { return ret; }
-    let folded_30 = rem_i(add_i(rem_i(i_a0, splat_i(period_27)), splat_i(period_27)), splat_i(period_27));
-    return sel_i(ex, sel_i(lt_i(folded_30, splat_i(n_a1)), folded_30, sub_i(splat_i(period_27.wrapping_sub(1i32)), folded_30)), ret);
+    let rest_33 = rem_i(i_a0, splat_i(period_32));
+    let first_37 = sel_i(lt_i(rest_33, splat_i(0i32)), add_i(rest_33, splat_i(period_32)), rest_33);
+    let second_44 = sel_i(eq_i(add_i(first_37, splat_i(1i32)), splat_i(period_32)), splat_i(0i32), add_i(first_37, splat_i(1i32)));
+    let e_45 = unfolded(r, first_37, n_a1, period_32);
+    let e_46 = unfolded(r, second_44, n_a1, period_32);
+    let y2 = Vec2 { x: e_45, y: e_46 };
+    return Vec2 { x: sel_i(ex, y2.x, ret.x), y: sel_i(ex, y2.y, ret.y) };
+} }
+lanes! { fn wrap_pair(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> Vec2<I> {
+    let mut ex = within;
+    let mut ret: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
+    let e_5 = continued_pair(r, ex, i_a0, n_a1, r.surface_settings.wrap);
+    return e_5;
 } }
 lanes! { fn texels_around(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, n_a1: Vec2<i32>) -> Around {
     let mut ex = within;
@@ -311,11 +321,9 @@ lanes! { fn texels_around(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, n_a1: Ve
     let point_7 = Vec2 { x: sub(mul(uv_a0.x, splat((n_a1.x as f32))), splat(0.5f32)), y: sub(mul(uv_a0.y, splat((n_a1.y as f32))), splat(0.5f32)) };
     let cell_8 = cell_of(r, point_7);
     let i_9 = Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) };
-    let e_12 = wrap_index(r, ex, i_9.x, n_a1.x);
-    let e_17 = wrap_index(r, ex, add_i(i_9.x, splat_i(1i32)), n_a1.x);
-    let e_21 = wrap_index(r, ex, i_9.y, n_a1.y);
-    let e_26 = wrap_index(r, ex, add_i(i_9.y, splat_i(1i32)), n_a1.y);
-    return Around { columns: Vec2 { x: e_12, y: e_17 }, rows: Vec2 { x: e_21, y: e_26 }, part: Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) }, };
+    let e_12 = wrap_pair(r, ex, i_9.x, n_a1.x);
+    let e_15 = wrap_pair(r, ex, i_9.y, n_a1.y);
+    return Around { columns: e_12, rows: e_15, part: Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) }, };
 } }
 lanes! { fn bilinear(r: &Resources<'_>, h00_a0: Vec4<F>, h10_a1: Vec4<F>, h01_a2: Vec4<F>, h11_a3: Vec4<F>, part_a4: Vec2<F>) -> Vec4<F> {
     let top_8 = Vec4 { x: add(h00_a0.x, mul(sub(h10_a1.x, h00_a0.x), part_a4.x)), y: add(h00_a0.y, mul(sub(h10_a1.y, h00_a0.y), part_a4.x)), z: add(h00_a0.z, mul(sub(h10_a1.z, h00_a0.z), part_a4.x)), w: add(h00_a0.w, mul(sub(h10_a1.w, h00_a0.w), part_a4.x)) };
@@ -333,15 +341,13 @@ stage! { pub(super) fn wrapped_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let n_2 = r.height_texels(level_a1);
     let k_3 = (level_a1 as i32);
-    let i0_6 = wrap_index(r, ex, cell_a0.x, n_2.x);
-    let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
-    let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
-    let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
-    let e_22 = height_texel(&r.height_map, i0_6, j0_14, k_3);
-    let e_26 = height_texel(&r.height_map, i1_11, j0_14, k_3);
-    let e_30 = height_texel(&r.height_map, i0_6, j1_19, k_3);
-    let e_34 = height_texel(&r.height_map, i1_11, j1_19, k_3);
-    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
+    let i_6 = wrap_pair(r, ex, cell_a0.x, n_2.x);
+    let j_9 = wrap_pair(r, ex, cell_a0.y, n_2.y);
+    let e_14 = height_texel(&r.height_map, i_6.x, j_9.x, k_3);
+    let e_20 = height_texel(&r.height_map, i_6.y, j_9.x, k_3);
+    let e_26 = height_texel(&r.height_map, i_6.x, j_9.y, k_3);
+    let e_32 = height_texel(&r.height_map, i_6.y, j_9.y, k_3);
+    return Vec4 { x: e_14.x, y: e_20.x, z: e_26.x, w: e_32.x };
 } }
 lanes! { fn height_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u32) -> F {
     let mut ex = within;
@@ -384,19 +390,15 @@ lanes! { fn slice_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, slice_a1:
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let size_6 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
     let begin_7 = slice_begin(r, slice_a1);
-    let e_11 = wrap_index(r, ex, cell_a0.x, size_6.x);
-    let i0_12 = add_i(begin_7.x, e_11);
-    let e_18 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), size_6.x);
-    let i1_19 = add_i(begin_7.x, e_18);
-    let e_23 = wrap_index(r, ex, cell_a0.y, size_6.y);
-    let j0_24 = add_i(begin_7.y, e_23);
-    let e_30 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), size_6.y);
-    let j1_31 = add_i(begin_7.y, e_30);
-    let e_35 = height_texel(&r.height_map, i0_12, j0_24, 0i32);
-    let e_40 = height_texel(&r.height_map, i1_19, j0_24, 0i32);
-    let e_45 = height_texel(&r.height_map, i0_12, j1_31, 0i32);
-    let e_50 = height_texel(&r.height_map, i1_19, j1_31, 0i32);
-    return Vec4 { x: e_35.x, y: e_40.x, z: e_45.x, w: e_50.x };
+    let e_13 = wrap_pair(r, ex, cell_a0.x, size_6.x);
+    let i_14 = Vec2 { x: add_i(begin_7.x, e_13.x), y: add_i(begin_7.x, e_13.y) };
+    let e_20 = wrap_pair(r, ex, cell_a0.y, size_6.y);
+    let j_21 = Vec2 { x: add_i(begin_7.y, e_20.x), y: add_i(begin_7.y, e_20.y) };
+    let e_27 = height_texel(&r.height_map, i_14.x, j_21.x, 0i32);
+    let e_34 = height_texel(&r.height_map, i_14.y, j_21.x, 0i32);
+    let e_41 = height_texel(&r.height_map, i_14.x, j_21.y, 0i32);
+    let e_48 = height_texel(&r.height_map, i_14.y, j_21.y, 0i32);
+    return Vec4 { x: e_27.x, y: e_34.x, z: e_41.x, w: e_48.x };
 } }
 lanes! { fn voxel_cell(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> VoxelCell {
     let mut ex = within;
@@ -617,6 +619,30 @@ lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
     let e_4 = r.object_parts_stage(path_a0.level);
     let parts_5 = (e_4 as f32);
     return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, splat(size_2.x)), splat(0.5f32)), splat(parts_5)), y: mul(sub(mul(path_a0.uv.y, splat(size_2.y)), splat(0.5f32)), splat(parts_5)) }, step: Vec2 { x: mul(mul(path_a0.duv.x, splat(size_2.x)), splat(parts_5)), y: mul(mul(path_a0.duv.y, splat(size_2.y)), splat(parts_5)) }, };
+} }
+lanes! { fn continued_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32, wrap_a2: u32) -> I {
+    let mut ex = within;
+    let mut ret: I = splat_i(0i32);
+    let mut both_v0: M = splat_m(false);
+    if (wrap_a2 == 1u32) {
+        return min_i(max_i(i_a0, splat_i(0i32)), splat_i(n_a1.wrapping_sub(1i32)));
+    }
+    both_v0 = and(ge_i(i_a0, splat_i(0i32)), lt_i(i_a0, splat_i(n_a1)));
+    let e_15 = both_v0;
+    let c1 = e_15;
+    ret = i_a0;
+    ex = and_not(ex, c1);
+    let period_20 = (if (wrap_a2 == 0u32) { n_a1 } else { 2i32.wrapping_mul(n_a1) });
+    if none(ex) { return ret; }
+    let rest_21 = rem_i(i_a0, splat_i(period_20));
+    let e_26 = unfolded(r, sel_i(lt_i(rest_21, splat_i(0i32)), add_i(rest_21, splat_i(period_20)), rest_21), n_a1, period_20);
+    return sel_i(ex, e_26, ret);
+} }
+lanes! { fn wrap_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> I {
+    let mut ex = within;
+    let mut ret: I = splat_i(0i32);
+    let e_5 = continued_index(r, ex, i_a0, n_a1, r.surface_settings.wrap);
+    return e_5;
 } }
 lanes! { fn slope_of(r: &Resources<'_>, within: M, value_a0: F) -> F {
     let mut ex = within;
@@ -3742,9 +3768,8 @@ lanes! { fn wrap_cell(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> I {
         let e_7 = wrap_index(r, ex, i_a0, n_a1);
         return e_7;
     }
-    let e_8 = wrap_index(r, ex, i_a0, n_a1);
-    let e_11 = wrap_index(r, ex, add_i(i_a0, splat_i(1i32)), n_a1);
-    return min_i(e_8, e_11);
+    let pair_8 = wrap_pair(r, ex, i_a0, n_a1);
+    return min_i(pair_8.x, pair_8.y);
 } }
 lanes! { fn voxel_texel(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> Vec2<I> {
     let mut ex = within;

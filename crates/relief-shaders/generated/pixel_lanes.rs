@@ -472,6 +472,24 @@ lanes! { fn zero_mirrored() -> Mirrored {
 } }
 
 #[derive(Clone, Copy)]
+pub struct NormalLayers {
+    pub first: Vec4<F>,
+    pub second: Vec4<F>,
+}
+lanes! { fn sel_normal_layers(m: M, a: &NormalLayers, b: &NormalLayers) -> NormalLayers {
+    NormalLayers {
+        first: Vec4 { x: sel(m, a.first.x, b.first.x), y: sel(m, a.first.y, b.first.y), z: sel(m, a.first.z, b.first.z), w: sel(m, a.first.w, b.first.w) },
+        second: Vec4 { x: sel(m, a.second.x, b.second.x), y: sel(m, a.second.y, b.second.y), z: sel(m, a.second.z, b.second.z), w: sel(m, a.second.w, b.second.w) },
+    }
+} }
+lanes! { fn zero_normal_layers() -> NormalLayers {
+    NormalLayers {
+        first: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        second: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct Normals {
     pub first: Vec4<F>,
     pub second: Vec4<F>,
@@ -755,6 +773,27 @@ lanes! { fn zero_seen_normals() -> SeenNormals {
         others_seen: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
         table_part: splat(0f32),
         table: zero_seen_table(),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct SeenPlace {
+    pub fine: Around,
+    pub coarse: Around,
+    pub levels: Levels,
+}
+lanes! { fn sel_seen_place(m: M, a: &SeenPlace, b: &SeenPlace) -> SeenPlace {
+    SeenPlace {
+        fine: sel_around(m, &a.fine, &b.fine),
+        coarse: sel_around(m, &a.coarse, &b.coarse),
+        levels: sel_levels(m, &a.levels, &b.levels),
+    }
+} }
+lanes! { fn zero_seen_place() -> SeenPlace {
+    SeenPlace {
+        fine: zero_around(),
+        coarse: zero_around(),
+        levels: zero_levels(),
     }
 } }
 
@@ -1440,26 +1479,36 @@ lanes! { fn from_tangent_space(r: &Resources<'_>, at_a0: &Entered, n_a1: Vec3<F>
 lanes! { fn cell_of(r: &Resources<'_>, point_a0: Vec2<F>) -> Vec2<F> {
     return Vec2 { x: min_with(max_with(floor(point_a0.x), splat((-1073741800.0f32))), splat(1073741800.0f32)), y: min_with(max_with(floor(point_a0.y), splat((-1073741800.0f32))), splat(1073741800.0f32)) };
 } }
-lanes! { fn wrap_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: I) -> I {
+lanes! { fn unfolded(r: &Resources<'_>, i_a0: I, n_a1: I, period_a2: I) -> I {
+    return sel_i(lt_i(i_a0, n_a1), i_a0, sub_i(sub_i(period_a2, splat_i(1i32)), i_a0));
+} }
+lanes! { fn continued_pair(r: &Resources<'_>, within: M, i_a0: I, n_a1: I, wrap_a2: u32) -> Vec2<I> {
     let mut ex = within;
-    let mut ret: I = splat_i(0i32);
+    let mut ret: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
     let mut both_v0: M = splat_m(false);
-    if (r.surface_settings.wrap == 1u32) {
-        return min_i(max_i(i_a0, splat_i(0i32)), sub_i(n_a1, splat_i(1i32)));
+    if (wrap_a2 == 1u32) {
+        return Vec2 { x: min_i(max_i(i_a0, splat_i(0i32)), sub_i(n_a1, splat_i(1i32))), y: min_i(max_i(add_i(i_a0, splat_i(1i32)), splat_i(0i32)), sub_i(n_a1, splat_i(1i32))) };
     }
-    both_v0 = and(ge_i(i_a0, splat_i(0i32)), lt_i(i_a0, n_a1));
-    let e_17 = both_v0;
-    let c1 = e_17;
-    ret = i_a0;
+    both_v0 = and(ge_i(i_a0, splat_i(0i32)), lt_i(add_i(i_a0, splat_i(1i32)), n_a1));
+    let e_24 = both_v0;
+    let c1 = e_24;
+    ret = Vec2 { x: i_a0, y: add_i(i_a0, splat_i(1i32)) };
     ex = and_not(ex, c1);
-    if (r.surface_settings.wrap == 0u32) {
-        if none(ex) { return ret; }
-        return sel_i(ex, rem_i(add_i(rem_i(i_a0, n_a1), n_a1), n_a1), ret);
-    }
-    let period_27 = mul_i(splat_i(2i32), n_a1);
+    let period_32 = sel_i(splat_m((wrap_a2 == 0u32)), n_a1, mul_i(splat_i(2i32), n_a1));
     if none(ex) { return ret; }
-    let folded_30 = rem_i(add_i(rem_i(i_a0, period_27), period_27), period_27);
-    return sel_i(ex, sel_i(lt_i(folded_30, n_a1), folded_30, sub_i(sub_i(period_27, splat_i(1i32)), folded_30)), ret);
+    let rest_33 = rem_i(i_a0, period_32);
+    let first_37 = sel_i(lt_i(rest_33, splat_i(0i32)), add_i(rest_33, period_32), rest_33);
+    let second_44 = sel_i(eq_i(add_i(first_37, splat_i(1i32)), period_32), splat_i(0i32), add_i(first_37, splat_i(1i32)));
+    let e_45 = unfolded(r, first_37, n_a1, period_32);
+    let e_46 = unfolded(r, second_44, n_a1, period_32);
+    let y2 = Vec2 { x: e_45, y: e_46 };
+    return Vec2 { x: sel_i(ex, y2.x, ret.x), y: sel_i(ex, y2.y, ret.y) };
+} }
+lanes! { fn wrap_pair(r: &Resources<'_>, within: M, i_a0: I, n_a1: I) -> Vec2<I> {
+    let mut ex = within;
+    let mut ret: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
+    let e_5 = continued_pair(r, ex, i_a0, n_a1, r.surface_settings.wrap);
+    return e_5;
 } }
 lanes! { fn texels_around(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, n_a1: Vec2<I>) -> Around {
     let mut ex = within;
@@ -1467,11 +1516,9 @@ lanes! { fn texels_around(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, n_a1: Ve
     let point_7 = Vec2 { x: sub(mul(uv_a0.x, f_of_i(n_a1.x)), splat(0.5f32)), y: sub(mul(uv_a0.y, f_of_i(n_a1.y)), splat(0.5f32)) };
     let cell_8 = cell_of(r, point_7);
     let i_9 = Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) };
-    let e_12 = wrap_index(r, ex, i_9.x, n_a1.x);
-    let e_17 = wrap_index(r, ex, add_i(i_9.x, splat_i(1i32)), n_a1.x);
-    let e_21 = wrap_index(r, ex, i_9.y, n_a1.y);
-    let e_26 = wrap_index(r, ex, add_i(i_9.y, splat_i(1i32)), n_a1.y);
-    return Around { columns: Vec2 { x: e_12, y: e_17 }, rows: Vec2 { x: e_21, y: e_26 }, part: Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) }, };
+    let e_12 = wrap_pair(r, ex, i_9.x, n_a1.x);
+    let e_15 = wrap_pair(r, ex, i_9.y, n_a1.y);
+    return Around { columns: e_12, rows: e_15, part: Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) }, };
 } }
 lanes! { fn level_texels(r: &Resources<'_>, finest_a0: Vec2<u32>, level_a1: U) -> Vec2<I> {
     return Vec2 { x: max_i(i_of_u(shr_u(splat_u(finest_a0.x), i_of_u(level_a1))), splat_i(1i32)), y: max_i(i_of_u(shr_u(splat_u(finest_a0.y), i_of_u(level_a1))), splat_i(1i32)) };
@@ -1927,30 +1974,26 @@ lanes! { fn wrapped_cell_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, leve
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let n_2 = height_texels(r, level_a1);
     let k_3 = i_of_u(level_a1);
-    let i0_6 = wrap_index(r, ex, cell_a0.x, n_2.x);
-    let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
-    let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
-    let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
-    let e_22 = height_texel_of_each(&r.height_map, ex, i0_6, j0_14, k_3);
-    let e_26 = height_texel_of_each(&r.height_map, ex, i1_11, j0_14, k_3);
-    let e_30 = height_texel_of_each(&r.height_map, ex, i0_6, j1_19, k_3);
-    let e_34 = height_texel_of_each(&r.height_map, ex, i1_11, j1_19, k_3);
-    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
+    let i_6 = wrap_pair(r, ex, cell_a0.x, n_2.x);
+    let j_9 = wrap_pair(r, ex, cell_a0.y, n_2.y);
+    let e_14 = height_texel_of_each(&r.height_map, ex, i_6.x, j_9.x, k_3);
+    let e_20 = height_texel_of_each(&r.height_map, ex, i_6.y, j_9.x, k_3);
+    let e_26 = height_texel_of_each(&r.height_map, ex, i_6.x, j_9.y, k_3);
+    let e_32 = height_texel_of_each(&r.height_map, ex, i_6.y, j_9.y, k_3);
+    return Vec4 { x: e_14.x, y: e_20.x, z: e_26.x, w: e_32.x };
 } }
 lanes! { fn wrapped_cell_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let n_2 = height_texels(r, splat_u(level_a1));
     let k_3 = (level_a1 as i32);
-    let i0_6 = wrap_index(r, ex, cell_a0.x, n_2.x);
-    let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
-    let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
-    let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
-    let e_22 = height_texel(&r.height_map, i0_6, j0_14, k_3);
-    let e_26 = height_texel(&r.height_map, i1_11, j0_14, k_3);
-    let e_30 = height_texel(&r.height_map, i0_6, j1_19, k_3);
-    let e_34 = height_texel(&r.height_map, i1_11, j1_19, k_3);
-    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
+    let i_6 = wrap_pair(r, ex, cell_a0.x, n_2.x);
+    let j_9 = wrap_pair(r, ex, cell_a0.y, n_2.y);
+    let e_14 = height_texel(&r.height_map, i_6.x, j_9.x, k_3);
+    let e_20 = height_texel(&r.height_map, i_6.y, j_9.x, k_3);
+    let e_26 = height_texel(&r.height_map, i_6.x, j_9.y, k_3);
+    let e_32 = height_texel(&r.height_map, i_6.y, j_9.y, k_3);
+    return Vec4 { x: e_14.x, y: e_20.x, z: e_26.x, w: e_32.x };
 } }
 lanes! { fn height_cell_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
@@ -2140,19 +2183,15 @@ lanes! { fn slice_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, slice_a1:
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let size_6 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
     let begin_7 = slice_begin(r, slice_a1);
-    let e_11 = wrap_index(r, ex, cell_a0.x, splat_i(size_6.x));
-    let i0_12 = add_i(begin_7.x, e_11);
-    let e_18 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), splat_i(size_6.x));
-    let i1_19 = add_i(begin_7.x, e_18);
-    let e_23 = wrap_index(r, ex, cell_a0.y, splat_i(size_6.y));
-    let j0_24 = add_i(begin_7.y, e_23);
-    let e_30 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), splat_i(size_6.y));
-    let j1_31 = add_i(begin_7.y, e_30);
-    let e_35 = height_texel(&r.height_map, i0_12, j0_24, 0i32);
-    let e_40 = height_texel(&r.height_map, i1_19, j0_24, 0i32);
-    let e_45 = height_texel(&r.height_map, i0_12, j1_31, 0i32);
-    let e_50 = height_texel(&r.height_map, i1_19, j1_31, 0i32);
-    return Vec4 { x: e_35.x, y: e_40.x, z: e_45.x, w: e_50.x };
+    let e_13 = wrap_pair(r, ex, cell_a0.x, splat_i(size_6.x));
+    let i_14 = Vec2 { x: add_i(begin_7.x, e_13.x), y: add_i(begin_7.x, e_13.y) };
+    let e_20 = wrap_pair(r, ex, cell_a0.y, splat_i(size_6.y));
+    let j_21 = Vec2 { x: add_i(begin_7.y, e_20.x), y: add_i(begin_7.y, e_20.y) };
+    let e_27 = height_texel(&r.height_map, i_14.x, j_21.x, 0i32);
+    let e_34 = height_texel(&r.height_map, i_14.y, j_21.x, 0i32);
+    let e_41 = height_texel(&r.height_map, i_14.x, j_21.y, 0i32);
+    let e_48 = height_texel(&r.height_map, i_14.y, j_21.y, 0i32);
+    return Vec4 { x: e_27.x, y: e_34.x, z: e_41.x, w: e_48.x };
 } }
 lanes! { fn voxel_cell(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> VoxelCell {
     let mut ex = within;
@@ -2764,32 +2803,21 @@ lanes! { fn chord_reach(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, 
     let e_18 = shell_slack(r, pixel_a0, middle_a2);
     return add(e_18, mul(splat((2.0f32 * params_a3.x)), texel_17));
 } }
-lanes! { fn color_index(r: &Resources<'_>, i_a0: I, n_a1: I, wrap_a2: u32) -> I {
-    if (wrap_a2 == 1u32) {
-        return min_i(max_i(i_a0, splat_i(0i32)), sub_i(n_a1, splat_i(1i32)));
-    }
-    if (wrap_a2 == 0u32) {
-        return rem_i(add_i(rem_i(i_a0, n_a1), n_a1), n_a1);
-    }
-    let period_15 = mul_i(splat_i(2i32), n_a1);
-    let folded_18 = rem_i(add_i(rem_i(i_a0, period_15), period_15), period_15);
-    return sel_i(lt_i(folded_18, n_a1), folded_18, sub_i(sub_i(period_15, splat_i(1i32)), folded_18));
-} }
-lanes! { fn color_texels_around(r: &Resources<'_>, place_a0: Vec2<F>, n_a1: Vec2<I>) -> Around {
+lanes! { fn color_texels_around(r: &Resources<'_>, within: M, place_a0: Vec2<F>, n_a1: Vec2<I>) -> Around {
+    let mut ex = within;
+    let mut ret: Around = zero_around();
     let point_7 = Vec2 { x: sub(mul(place_a0.x, f_of_i(n_a1.x)), splat(0.5f32)), y: sub(mul(place_a0.y, f_of_i(n_a1.y)), splat(0.5f32)) };
     let cell_8 = cell_of(r, point_7);
     let i_9 = Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) };
-    let e_18 = color_index(r, i_9.x, n_a1.x, r.surface_settings.color_wrap_u);
-    let e_23 = color_index(r, add_i(i_9.x, splat_i(1i32)), n_a1.x, r.surface_settings.color_wrap_u);
-    let e_27 = color_index(r, i_9.y, n_a1.y, r.surface_settings.color_wrap_v);
-    let e_32 = color_index(r, add_i(i_9.y, splat_i(1i32)), n_a1.y, r.surface_settings.color_wrap_v);
-    return Around { columns: Vec2 { x: e_18, y: e_23 }, rows: Vec2 { x: e_27, y: e_32 }, part: Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) }, };
+    let e_18 = continued_pair(r, ex, i_9.x, n_a1.x, r.surface_settings.color_wrap_u);
+    let e_21 = continued_pair(r, ex, i_9.y, n_a1.y, r.surface_settings.color_wrap_v);
+    return Around { columns: e_18, rows: e_21, part: Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) }, };
 } }
 lanes! { fn color_of_texels_ll(r: &Resources<'_>, within: M, place_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let e_5 = level_texels(r, r.surface_settings.color_size, level_a1);
-    let at_6 = color_texels_around(r, place_a0, e_5);
+    let at_6 = color_texels_around(r, ex, place_a0, e_5);
     let k_7 = i_of_u(level_a1);
     let e_14 = color_texel_of_each(&r.color_map, ex, at_6.columns.x, at_6.rows.x, splat_i(0i32), k_7);
     let e_21 = color_texel_of_each(&r.color_map, ex, at_6.columns.y, at_6.rows.x, splat_i(0i32), k_7);
@@ -2798,9 +2826,11 @@ lanes! { fn color_of_texels_ll(r: &Resources<'_>, within: M, place_a0: Vec2<F>, 
     let e_37 = bilinear(r, e_14, e_21, e_28, e_35, Vec2 { x: at_6.part.x, y: at_6.part.y });
     return e_37;
 } }
-lanes! { fn color_of_texels_ls(r: &Resources<'_>, place_a0: Vec2<F>, level_a1: u32) -> Vec4<F> {
+lanes! { fn color_of_texels_ls(r: &Resources<'_>, within: M, place_a0: Vec2<F>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let e_5 = level_texels(r, r.surface_settings.color_size, splat_u(level_a1));
-    let at_6 = color_texels_around(r, place_a0, e_5);
+    let at_6 = color_texels_around(r, ex, place_a0, e_5);
     let k_7 = (level_a1 as i32);
     let e_14 = color_texel(&r.color_map, at_6.columns.x, at_6.rows.x, 0i32, k_7);
     let e_21 = color_texel(&r.color_map, at_6.columns.y, at_6.rows.x, 0i32, k_7);
@@ -2821,9 +2851,11 @@ lanes! { fn color_at_ll(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: 
     let e_3 = color_of_texels_ll(r, ex, e_2, level_a1);
     return e_3;
 } }
-lanes! { fn color_at_ls(r: &Resources<'_>, uv_a0: Vec2<F>, level_a1: u32) -> Vec4<F> {
+lanes! { fn color_at_ls(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let e_2 = color_place(r, uv_a0);
-    let e_3 = color_of_texels_ls(r, e_2, level_a1);
+    let e_3 = color_of_texels_ls(r, ex, e_2, level_a1);
     return e_3;
 } }
 lanes! { fn object_texel_l(r: &Resources<'_>, place_a0: Vec2<I>) -> Vec4<F> {
@@ -2962,7 +2994,7 @@ stage! { fn color_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, view_
         let image_15 = image_of_object_l(r, ex, e_14);
         let e_16 = sum_v0;
         let e_18 = place_in_image(r, &image_15, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
-        let e_21 = color_at_ls(r, Vec2 { x: e_18.x, y: e_18.y }, 0u32);
+        let e_21 = color_at_ls(r, ex, Vec2 { x: e_18.x, y: e_18.y }, 0u32);
         let e_23 = k_v1;
         let e_24 = frame_weight(r, &frames_2, e_23);
         sum_v0 = Vec3 { x: add(e_16.x, mul(e_21.x, e_24)), y: add(e_16.y, mul(e_21.y, e_24)), z: add(e_16.z, mul(e_21.z, e_24)) };
@@ -3078,12 +3110,12 @@ stage! { fn object_color(r: &Resources<'_>, within: M, at_a0: &Entered, view_a1:
     let e_116 = image3_v6;
     let e_117 = image_of_object_l(r, ex, e_116);
     let e_119 = place_in_image(r, &e_117, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
-    let e_122 = color_at_ls(r, Vec2 { x: e_109.x, y: e_109.y }, 0u32);
+    let e_122 = color_at_ls(r, ex, Vec2 { x: e_109.x, y: e_109.y }, 0u32);
     let e_124 = weight1_v8;
     let first_125 = Vec3 { x: mul(e_122.x, e_124), y: mul(e_122.y, e_124), z: mul(e_122.z, e_124) };
-    let e_127 = color_at_ls(r, Vec2 { x: e_114.x, y: e_114.y }, 0u32);
+    let e_127 = color_at_ls(r, ex, Vec2 { x: e_114.x, y: e_114.y }, 0u32);
     let e_129 = weight2_v9;
-    let e_133 = color_at_ls(r, Vec2 { x: e_119.x, y: e_119.y }, 0u32);
+    let e_133 = color_at_ls(r, ex, Vec2 { x: e_119.x, y: e_119.y }, 0u32);
     let e_135 = weight3_v10;
     let sum_137 = Vec3 { x: add(add(first_125.x, mul(e_127.x, e_129)), mul(e_133.x, e_135)), y: add(add(first_125.y, mul(e_127.y, e_129)), mul(e_133.y, e_135)), z: add(add(first_125.z, mul(e_127.z, e_129)), mul(e_133.z, e_135)) };
     let e_138 = weight1_v8;
@@ -3210,24 +3242,22 @@ lanes! { fn detail_texel(r: &Resources<'_>, within: M, place_a0: Vec2<I>, layer_
     let e_9 = decoded(r, e_4, &r.surface_settings.maps[0]);
     return e_9;
 } }
-lanes! { fn detail_texel_between(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1: I, level_a2: U) -> Vec4<F> {
+lanes! { fn detail_texel_between(r: &Resources<'_>, within: M, at_a0: &Around, layer_a1: I, level_a2: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let e_3 = height_texels(r, level_a2);
-    let at_4 = texels_around(r, ex, uv_a0, e_3);
-    let k_11 = i_of_u(sub_u(level_a2, splat_u(r.surface_settings.maps[0].first_level)));
-    let e_17 = detail_texel(r, ex, Vec2 { x: at_4.columns.x, y: at_4.rows.x }, layer_a1, k_11);
-    let e_23 = detail_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.x }, layer_a1, k_11);
-    let e_29 = detail_texel(r, ex, Vec2 { x: at_4.columns.x, y: at_4.rows.y }, layer_a1, k_11);
-    let e_35 = detail_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.y }, layer_a1, k_11);
-    let e_37 = bilinear(r, e_17, e_23, e_29, e_35, Vec2 { x: at_4.part.x, y: at_4.part.y });
-    return e_37;
+    let k_9 = i_of_u(sub_u(level_a2, splat_u(r.surface_settings.maps[0].first_level)));
+    let e_15 = detail_texel(r, ex, Vec2 { x: at_a0.columns.x, y: at_a0.rows.x }, layer_a1, k_9);
+    let e_21 = detail_texel(r, ex, Vec2 { x: at_a0.columns.y, y: at_a0.rows.x }, layer_a1, k_9);
+    let e_27 = detail_texel(r, ex, Vec2 { x: at_a0.columns.x, y: at_a0.rows.y }, layer_a1, k_9);
+    let e_33 = detail_texel(r, ex, Vec2 { x: at_a0.columns.y, y: at_a0.rows.y }, layer_a1, k_9);
+    let e_35 = bilinear(r, e_15, e_21, e_27, e_33, Vec2 { x: at_a0.part.x, y: at_a0.part.y });
+    return e_35;
 } }
 lanes! { fn material_of_texels(r: &Resources<'_>, within: M, place_a0: Vec2<F>, layer_a1: i32, level_a2: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let e_6 = level_texels(r, r.surface_settings.material_size, level_a2);
-    let at_7 = color_texels_around(r, place_a0, e_6);
+    let at_7 = color_texels_around(r, ex, place_a0, e_6);
     let k_8 = i_of_u(level_a2);
     let e_15 = color_texel_of_each(&r.material_map, ex, at_7.columns.x, at_7.rows.x, splat_i(layer_a1), k_8);
     let e_22 = color_texel_of_each(&r.material_map, ex, at_7.columns.y, at_7.rows.x, splat_i(layer_a1), k_8);
@@ -4122,31 +4152,33 @@ lanes! { fn one_seen(r: &Resources<'_>, normal_a0: Vec3<F>) -> SeenNormals {
     let table_13 = no_table(r);
     return SeenNormals { normal: normal_a0, length: splat(1.0f32), differ: splat_u(0u32), middle: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, along: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, across: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, slope: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, slope_along: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, slope_across: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, upright: splat(1.0f32), middle_seen: splat(0.0f32), others_seen: Vec4 { x: splat(parts_12.x), y: splat(parts_12.y), z: splat(parts_12.z), w: splat(parts_12.w) }, table_part: splat(0.0f32), table: table_13, };
 } }
-lanes! { fn normal_at_lsl(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1: i32, level_a2: U) -> Vec4<F> {
+lanes! { fn normal_between_lsl(r: &Resources<'_>, within: M, at_a0: &Around, layer_a1: i32, level_a2: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let e_6 = level_texels(r, r.surface_settings.normal_size, level_a2);
-    let at_7 = texels_around(r, ex, uv_a0, e_6);
-    let k_8 = i_of_u(level_a2);
-    let e_15 = color_texel_of_each(&r.normal_map, ex, at_7.columns.x, at_7.rows.x, splat_i(layer_a1), k_8);
-    let e_22 = color_texel_of_each(&r.normal_map, ex, at_7.columns.y, at_7.rows.x, splat_i(layer_a1), k_8);
-    let e_29 = color_texel_of_each(&r.normal_map, ex, at_7.columns.x, at_7.rows.y, splat_i(layer_a1), k_8);
-    let e_36 = color_texel_of_each(&r.normal_map, ex, at_7.columns.y, at_7.rows.y, splat_i(layer_a1), k_8);
-    let e_38 = bilinear(r, e_15, e_22, e_29, e_36, Vec2 { x: at_7.part.x, y: at_7.part.y });
-    return e_38;
+    let k_3 = i_of_u(level_a2);
+    let e_10 = color_texel_of_each(&r.normal_map, ex, at_a0.columns.x, at_a0.rows.x, splat_i(layer_a1), k_3);
+    let e_17 = color_texel_of_each(&r.normal_map, ex, at_a0.columns.y, at_a0.rows.x, splat_i(layer_a1), k_3);
+    let e_24 = color_texel_of_each(&r.normal_map, ex, at_a0.columns.x, at_a0.rows.y, splat_i(layer_a1), k_3);
+    let e_31 = color_texel_of_each(&r.normal_map, ex, at_a0.columns.y, at_a0.rows.y, splat_i(layer_a1), k_3);
+    let e_33 = bilinear(r, e_10, e_17, e_24, e_31, Vec2 { x: at_a0.part.x, y: at_a0.part.y });
+    return e_33;
 } }
-lanes! { fn normal_at_lss(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1: i32, level_a2: u32) -> Vec4<F> {
+lanes! { fn normal_between_lss(r: &Resources<'_>, at_a0: &Around, layer_a1: i32, level_a2: u32) -> Vec4<F> {
+    let k_3 = (level_a2 as i32);
+    let e_10 = color_texel(&r.normal_map, at_a0.columns.x, at_a0.rows.x, layer_a1, k_3);
+    let e_17 = color_texel(&r.normal_map, at_a0.columns.y, at_a0.rows.x, layer_a1, k_3);
+    let e_24 = color_texel(&r.normal_map, at_a0.columns.x, at_a0.rows.y, layer_a1, k_3);
+    let e_31 = color_texel(&r.normal_map, at_a0.columns.y, at_a0.rows.y, layer_a1, k_3);
+    let e_33 = bilinear(r, e_10, e_17, e_24, e_31, Vec2 { x: at_a0.part.x, y: at_a0.part.y });
+    return e_33;
+} }
+lanes! { fn normal_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let e_6 = level_texels(r, r.surface_settings.normal_size, splat_u(level_a2));
-    let at_7 = texels_around(r, ex, uv_a0, e_6);
-    let k_8 = (level_a2 as i32);
-    let e_15 = color_texel(&r.normal_map, at_7.columns.x, at_7.rows.x, layer_a1, k_8);
-    let e_22 = color_texel(&r.normal_map, at_7.columns.y, at_7.rows.x, layer_a1, k_8);
-    let e_29 = color_texel(&r.normal_map, at_7.columns.x, at_7.rows.y, layer_a1, k_8);
-    let e_36 = color_texel(&r.normal_map, at_7.columns.y, at_7.rows.y, layer_a1, k_8);
-    let e_38 = bilinear(r, e_15, e_22, e_29, e_36, Vec2 { x: at_7.part.x, y: at_7.part.y });
-    return e_38;
+    let e_5 = level_texels(r, r.surface_settings.normal_size, splat_u(level_a1));
+    let e_6 = texels_around(r, ex, uv_a0, e_5);
+    let e_8 = normal_between_lss(r, &e_6, 0i32, level_a1);
+    return e_8;
 } }
 lanes! { fn sloped_cell(r: &Resources<'_>, i_a0: Vec2<I>) -> Vec2<I> {
     if (r.surface_settings.wrap != 1u32) {
@@ -4263,14 +4295,14 @@ lanes! { fn finest_normal(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: 
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     if (r.surface_settings.has_normal == 1u32) {
-        let e_9 = normal_at_lss(r, ex, uv_a1, 0i32, 0u32);
-        let e_11 = from_tangent_space(r, at_a0, Vec3 { x: e_9.x, y: e_9.y, z: e_9.z });
-        let length1 = sqrt(add(add(mul(e_11.x, e_11.x), mul(e_11.y, e_11.y)), mul(e_11.z, e_11.z)));
-        let e_12 = Vec3 { x: div(e_11.x, length1), y: div(e_11.y, length1), z: div(e_11.z, length1) };
-        return e_12;
+        let e_8 = normal_at(r, ex, uv_a1, 0u32);
+        let e_10 = from_tangent_space(r, at_a0, Vec3 { x: e_8.x, y: e_8.y, z: e_8.z });
+        let length1 = sqrt(add(add(mul(e_10.x, e_10.x), mul(e_10.y, e_10.y)), mul(e_10.z, e_10.z)));
+        let e_11 = Vec3 { x: div(e_10.x, length1), y: div(e_10.y, length1), z: div(e_10.z, length1) };
+        return e_11;
     }
-    let e_13 = normal_from_height(r, ex, at_a0, uv_a1);
-    return e_13;
+    let e_12 = normal_from_height(r, ex, at_a0, uv_a1);
+    return e_12;
 } }
 lanes! { fn means_of_one(r: &Resources<'_>, n_a0: Vec3<F>) -> Normals {
     let upright_3 = max_with(n_a0.z, splat(0.05f32));
@@ -4285,38 +4317,33 @@ lanes! { fn to_tangent_space(r: &Resources<'_>, at_a0: &Entered, v_a1: Vec3<F>) 
     let along_v_5 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
     return Vec3 { x: add(add(add(mul(along_u_3.x, v_a1.x), mul(along_u_3.y, v_a1.y)), mul(along_u_3.z, v_a1.z)), splat(0.0f32)), y: neg(add(add(add(mul(along_v_5.x, v_a1.x), mul(along_v_5.y, v_a1.y)), mul(along_v_5.z, v_a1.z)), splat(0.0f32))), z: add(add(add(mul(at_a0.normal.x, v_a1.x), mul(at_a0.normal.y, v_a1.y)), mul(at_a0.normal.z, v_a1.z)), splat(0.0f32)) };
 } }
+lanes! { fn normal_layers(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> NormalLayers {
+    let mut ex = within;
+    let mut ret: NormalLayers = zero_normal_layers();
+    let e_5 = level_texels(r, r.surface_settings.normal_size, level_a1);
+    let at_6 = texels_around(r, ex, uv_a0, e_5);
+    let e_8 = normal_between_lsl(r, ex, &at_6, 0i32, level_a1);
+    let e_10 = normal_between_lsl(r, ex, &at_6, 1i32, level_a1);
+    return NormalLayers { first: e_8, second: e_10, };
+} }
 lanes! { fn normals_of_level(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, level_a2: U) -> Normals {
     let mut ex = within;
     let mut ret: Normals = zero_normals();
-    let (b1, c2) = (ex, eq_u(level_a2, splat_u(0u32)));
-    ex = and(b1, c2);
-    if any(ex) {
-        let e_5 = finest_normal(r, ex, at_a0, uv_a1);
-        let e_6 = to_tangent_space(r, at_a0, e_5);
-        let e_7 = means_of_one(r, e_6);
-        ret = e_7;
-        ex = no_lane();
+    let has_normal_7 = (r.surface_settings.has_normal == 1u32);
+    let read_11 = normal_layers(r, ex, uv_a1, sel_u(splat_m(has_normal_7), level_a2, sub_u(level_a2, splat_u(1u32))));
+    if has_normal_7 {
+        return Normals { first: Vec4 { x: read_11.first.x, y: read_11.first.y, z: read_11.first.z, w: read_11.first.w }, second: Vec4 { x: read_11.second.x, y: read_11.second.y, z: read_11.second.z, w: read_11.second.w }, };
     }
-    ex = and_not(b1, c2);
-    if (r.surface_settings.has_normal == 1u32) {
-        if none(ex) { return ret; }
-        let e_14 = normal_at_lsl(r, ex, uv_a1, 0i32, level_a2);
-        let e_16 = normal_at_lsl(r, ex, uv_a1, 1i32, level_a2);
-        return sel_normals(ex, &Normals { first: e_14, second: e_16, }, &ret);
-    }
-    let length3 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
-    let e_23 = Vec3 { x: div(at_a0.tangent.x, length3), y: div(at_a0.tangent.y, length3), z: div(at_a0.tangent.z, length3) };
-    let x_30 = div(mul(splat(r.surface_settings.normal_tile_m.x), add(add(add(mul(e_23.x, at_a0.tangent.x), mul(e_23.y, at_a0.tangent.y)), mul(e_23.z, at_a0.tangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)), splat(0.0f32)));
-    let length4 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
-    let e_33 = Vec3 { x: div(at_a0.bitangent.x, length4), y: div(at_a0.bitangent.y, length4), z: div(at_a0.bitangent.z, length4) };
-    let y_40 = div(mul(splat(r.surface_settings.normal_tile_m.y), add(add(add(mul(e_33.x, at_a0.bitangent.x), mul(e_33.y, at_a0.bitangent.y)), mul(e_33.z, at_a0.bitangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)), splat(0.0f32)));
-    if none(ex) { return ret; }
-    let first_44 = normal_at_lsl(r, ex, uv_a1, 0i32, sub_u(level_a2, splat_u(1u32)));
-    let second_48 = normal_at_lsl(r, ex, uv_a1, 1i32, sub_u(level_a2, splat_u(1u32)));
-    let flatter_54 = Vec3 { x: mul(first_44.x, x_30), y: mul(first_44.y, y_40), z: first_44.z };
-    let longer_60 = sqrt(div(add(add(add(mul(first_44.x, first_44.x), mul(first_44.y, first_44.y)), mul(first_44.z, first_44.z)), splat(0.0f32)), add(add(add(mul(flatter_54.x, flatter_54.x), mul(flatter_54.y, flatter_54.y)), mul(flatter_54.z, flatter_54.z)), splat(0.0f32))));
-    let squares_71 = Vec3 { x: mul(mul(mul(second_48.x, x_30), x_30), longer_60), y: mul(mul(mul(second_48.y, x_30), y_40), longer_60), z: mul(mul(mul(second_48.z, y_40), y_40), longer_60) };
-    return sel_normals(ex, &Normals { first: Vec4 { x: mul(flatter_54.x, longer_60), y: mul(flatter_54.y, longer_60), z: mul(flatter_54.z, longer_60), w: mul(first_44.w, x_30) }, second: Vec4 { x: squares_71.x, y: squares_71.y, z: squares_71.z, w: mul(second_48.w, y_40) }, }, &ret);
+    let length1 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
+    let e_20 = Vec3 { x: div(at_a0.tangent.x, length1), y: div(at_a0.tangent.y, length1), z: div(at_a0.tangent.z, length1) };
+    let x_27 = div(mul(splat(r.surface_settings.normal_tile_m.x), add(add(add(mul(e_20.x, at_a0.tangent.x), mul(e_20.y, at_a0.tangent.y)), mul(e_20.z, at_a0.tangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)), splat(0.0f32)));
+    let length2 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
+    let e_30 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
+    let y_37 = div(mul(splat(r.surface_settings.normal_tile_m.y), add(add(add(mul(e_30.x, at_a0.bitangent.x), mul(e_30.y, at_a0.bitangent.y)), mul(e_30.z, at_a0.bitangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)), splat(0.0f32)));
+    let flatter_45 = Vec3 { x: mul(read_11.first.x, x_27), y: mul(read_11.first.y, y_37), z: read_11.first.z };
+    let longer_51 = sqrt(div(add(add(add(mul(read_11.first.x, read_11.first.x), mul(read_11.first.y, read_11.first.y)), mul(read_11.first.z, read_11.first.z)), splat(0.0f32)), add(add(add(mul(flatter_45.x, flatter_45.x), mul(flatter_45.y, flatter_45.y)), mul(flatter_45.z, flatter_45.z)), splat(0.0f32))));
+    let squares_62 = Vec3 { x: mul(mul(mul(read_11.second.x, x_27), x_27), longer_51), y: mul(mul(mul(read_11.second.y, x_27), y_37), longer_51), z: mul(mul(mul(read_11.second.z, y_37), y_37), longer_51) };
+    return Normals { first: Vec4 { x: mul(flatter_45.x, longer_51), y: mul(flatter_45.y, longer_51), z: mul(flatter_45.z, longer_51), w: mul(read_11.first.w, x_27) }, second: Vec4 { x: squares_62.x, y: squares_62.y, z: squares_62.z, w: mul(read_11.second.w, y_37) }, };
 } }
 lanes! { fn mean_of_five(r: &Resources<'_>, middle_a0: F, four_a1: F) -> F {
     return add(mul(middle_a0, splat(0.33333334f32)), mul(four_a1, splat(0.16666667f32)));
@@ -4384,28 +4411,28 @@ lanes! { fn with_table(r: &Resources<'_>, at_a0: &Entered, seen_a1: &SeenNormals
 lanes! { fn seen_between(r: &Resources<'_>, a_a0: &SeenTexel, b_a1: &SeenTexel, part_a2: F) -> SeenTexel {
     return SeenTexel { first: Vec4 { x: add(a_a0.first.x, mul(sub(b_a1.first.x, a_a0.first.x), part_a2)), y: add(a_a0.first.y, mul(sub(b_a1.first.y, a_a0.first.y), part_a2)), z: add(a_a0.first.z, mul(sub(b_a1.first.z, a_a0.first.z), part_a2)), w: add(a_a0.first.w, mul(sub(b_a1.first.w, a_a0.first.w), part_a2)) }, second: Vec4 { x: add(a_a0.second.x, mul(sub(b_a1.second.x, a_a0.second.x), part_a2)), y: add(a_a0.second.y, mul(sub(b_a1.second.y, a_a0.second.y), part_a2)), z: add(a_a0.second.z, mul(sub(b_a1.second.z, a_a0.second.z), part_a2)), w: add(a_a0.second.w, mul(sub(b_a1.second.w, a_a0.second.w), part_a2)) }, };
 } }
-lanes! { fn seen_texel(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, azimuth_a1: I, elevation_a2: I, level_a3: U) -> SeenTexel {
+lanes! { fn seen_texel(r: &Resources<'_>, within: M, at_a0: &Around, azimuth_a1: I, elevation_a2: I, level_a3: U) -> SeenTexel {
     let mut ex = within;
     let mut ret: SeenTexel = zero_seen_texel();
     let layer_8 = mul_i(splat_i(2i32), add_i(mul_i(azimuth_a1, splat_i(4i32)), elevation_a2));
-    let e_9 = detail_texel_between(r, ex, uv_a0, layer_8, level_a3);
-    let e_12 = detail_texel_between(r, ex, uv_a0, add_i(layer_8, splat_i(1i32)), level_a3);
+    let e_9 = detail_texel_between(r, ex, at_a0, layer_8, level_a3);
+    let e_12 = detail_texel_between(r, ex, at_a0, add_i(layer_8, splat_i(1i32)), level_a3);
     return SeenTexel { first: e_9, second: e_12, };
 } }
-lanes! { fn seen_in_levels(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, azimuth_a1: I, elevation_a2: I, levels_a3: &Levels) -> SeenTexel {
+lanes! { fn seen_in_levels(r: &Resources<'_>, within: M, at_a0: &SeenPlace, azimuth_a1: I, elevation_a2: I) -> SeenTexel {
     let mut ex = within;
     let mut ret: SeenTexel = zero_seen_texel();
-    let fine_5 = seen_texel(r, ex, uv_a0, azimuth_a1, elevation_a2, levels_a3.fine);
-    let (b1, c2) = (ex, gt(levels_a3.part, splat(0.0f32)));
+    let fine_6 = seen_texel(r, ex, &at_a0.fine, azimuth_a1, elevation_a2, at_a0.levels.fine);
+    let (b1, c2) = (ex, gt(at_a0.levels.part, splat(0.0f32)));
     ex = and(b1, c2);
     if any(ex) {
-        let e_12 = seen_texel(r, ex, uv_a0, azimuth_a1, elevation_a2, add_u(levels_a3.fine, splat_u(1u32)));
-        let e_14 = seen_between(r, &fine_5, &e_12, levels_a3.part);
-        ret = e_14;
+        let e_16 = seen_texel(r, ex, &at_a0.coarse, azimuth_a1, elevation_a2, add_u(at_a0.levels.fine, splat_u(1u32)));
+        let e_19 = seen_between(r, &fine_6, &e_16, at_a0.levels.part);
+        ret = e_19;
         ex = no_lane();
     }
     ex = and_not(b1, c2);
-    return sel_seen_texel(ex, &fine_5, &ret);
+    return sel_seen_texel(ex, &fine_6, &ret);
 } }
 lanes! { fn table_of(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, view_a2: Vec3<F>, levels_a3: &Levels) -> SeenTable {
     let mut ex = within;
@@ -4421,31 +4448,35 @@ lanes! { fn table_of(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<
     let e0_41 = i_of_f(floor(elevation_27));
     let e1_45 = min_i(add_i(e0_41, splat_i(1i32)), splat_i(3i32));
     let across_47 = sub(azimuth_31, floor(azimuth_31));
-    let e_48 = seen_in_levels(r, ex, uv_a1, a0_35, e0_41, levels_a3);
-    let e_49 = seen_in_levels(r, ex, uv_a1, a1_39, e0_41, levels_a3);
-    let low_50 = seen_between(r, &e_48, &e_49, across_47);
-    let e_51 = seen_in_levels(r, ex, uv_a1, a0_35, e1_45, levels_a3);
-    let e_52 = seen_in_levels(r, ex, uv_a1, a1_39, e1_45, levels_a3);
-    let high_53 = seen_between(r, &e_51, &e_52, across_47);
-    let seen_56 = seen_between(r, &low_50, &high_53, sub(elevation_27, floor(elevation_27)));
+    let e_49 = height_texels(r, levels_a3.fine);
+    let e_50 = texels_around(r, ex, uv_a1, e_49);
+    let e_54 = height_texels(r, add_u(levels_a3.fine, splat_u(1u32)));
+    let e_55 = texels_around(r, ex, uv_a1, e_54);
+    let place_56 = SeenPlace { fine: e_50, coarse: e_55, levels: *levels_a3, };
+    let e_57 = seen_in_levels(r, ex, &place_56, a0_35, e0_41);
+    let e_58 = seen_in_levels(r, ex, &place_56, a1_39, e0_41);
+    let low_59 = seen_between(r, &e_57, &e_58, across_47);
+    let e_60 = seen_in_levels(r, ex, &place_56, a0_35, e1_45);
+    let e_61 = seen_in_levels(r, ex, &place_56, a1_39, e1_45);
+    let high_62 = seen_between(r, &e_60, &e_61, across_47);
+    let seen_65 = seen_between(r, &low_59, &high_62, sub(elevation_27, floor(elevation_27)));
     let length1 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
-    let e_59 = Vec3 { x: div(at_a0.tangent.x, length1), y: div(at_a0.tangent.y, length1), z: div(at_a0.tangent.z, length1) };
-    let x_66 = div(mul(splat(r.surface_settings.maps[0].tile_m.x), add(add(add(mul(e_59.x, at_a0.tangent.x), mul(e_59.y, at_a0.tangent.y)), mul(e_59.z, at_a0.tangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)), splat(0.0f32)));
+    let e_68 = Vec3 { x: div(at_a0.tangent.x, length1), y: div(at_a0.tangent.y, length1), z: div(at_a0.tangent.z, length1) };
+    let x_75 = div(mul(splat(r.surface_settings.maps[0].tile_m.x), add(add(add(mul(e_68.x, at_a0.tangent.x), mul(e_68.y, at_a0.tangent.y)), mul(e_68.z, at_a0.tangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)), splat(0.0f32)));
     let length2 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
-    let e_69 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
-    let y_76 = div(mul(splat(r.surface_settings.maps[0].tile_m.y), add(add(add(mul(e_69.x, at_a0.bitangent.x), mul(e_69.y, at_a0.bitangent.y)), mul(e_69.z, at_a0.bitangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)), splat(0.0f32)));
-    let flatter_84 = Vec3 { x: mul(seen_56.first.x, x_66), y: mul(seen_56.first.y, y_76), z: seen_56.first.z };
-    let squared_87 = div(add(add(add(mul(seen_56.first.x, seen_56.first.x), mul(seen_56.first.y, seen_56.first.y)), mul(seen_56.first.z, seen_56.first.z)), splat(0.0f32)), add(add(add(mul(flatter_84.x, flatter_84.x), mul(flatter_84.y, flatter_84.y)), mul(flatter_84.z, flatter_84.z)), splat(0.0f32)));
-    let upright_96 = max_with(sub(sub(splat(1.0f32), seen_56.first.w), seen_56.second.y), splat(0.0f32));
-    let e_97 = sqrt(squared_87);
-    return SeenTable { mean: Vec3 { x: mul(flatter_84.x, e_97), y: mul(flatter_84.y, e_97), z: mul(flatter_84.z, e_97) }, squares: Vec3 { x: mul(mul(mul(seen_56.first.w, x_66), x_66), squared_87), y: mul(mul(mul(seen_56.second.y, y_76), y_76), squared_87), z: mul(upright_96, squared_87) }, products: Vec3 { x: mul(mul(mul(seen_56.second.x, x_66), y_76), squared_87), y: mul(mul(seen_56.second.z, x_66), squared_87), z: mul(mul(seen_56.second.w, y_76), squared_87) }, };
+    let e_78 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
+    let y_85 = div(mul(splat(r.surface_settings.maps[0].tile_m.y), add(add(add(mul(e_78.x, at_a0.bitangent.x), mul(e_78.y, at_a0.bitangent.y)), mul(e_78.z, at_a0.bitangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)), splat(0.0f32)));
+    let flatter_93 = Vec3 { x: mul(seen_65.first.x, x_75), y: mul(seen_65.first.y, y_85), z: seen_65.first.z };
+    let squared_96 = div(add(add(add(mul(seen_65.first.x, seen_65.first.x), mul(seen_65.first.y, seen_65.first.y)), mul(seen_65.first.z, seen_65.first.z)), splat(0.0f32)), add(add(add(mul(flatter_93.x, flatter_93.x), mul(flatter_93.y, flatter_93.y)), mul(flatter_93.z, flatter_93.z)), splat(0.0f32)));
+    let upright_105 = max_with(sub(sub(splat(1.0f32), seen_65.first.w), seen_65.second.y), splat(0.0f32));
+    let e_106 = sqrt(squared_96);
+    return SeenTable { mean: Vec3 { x: mul(flatter_93.x, e_106), y: mul(flatter_93.y, e_106), z: mul(flatter_93.z, e_106) }, squares: Vec3 { x: mul(mul(mul(seen_65.first.w, x_75), x_75), squared_96), y: mul(mul(mul(seen_65.second.y, y_85), y_85), squared_96), z: mul(upright_105, squared_96) }, products: Vec3 { x: mul(mul(mul(seen_65.second.x, x_75), y_85), squared_96), y: mul(mul(seen_65.second.z, x_75), squared_96), z: mul(mul(seen_65.second.w, y_85), squared_96) }, };
 } }
 lanes! { fn mesostructure_normals(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, view_a2: Vec3<F>) -> SeenNormals {
     let mut ex = within;
     let mut ret: SeenNormals = zero_seen_normals();
-    let mut both_v0: M = splat_m(false);
-    let mut first_v1: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let mut second_v2: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let mut first_v0: Vec4<F> = Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) };
+    let mut second_v1: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     if (r.surface_settings.has_vertex_normals == 1u32) {
         let e_9 = one_seen(r, Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z });
         return e_9;
@@ -4455,58 +4486,75 @@ lanes! { fn mesostructure_normals(r: &Resources<'_>, within: M, at_a0: &Entered,
     let width_18 = add(shown_13, mul(sub(splat(1.0f32), shown_13), at_a0.fade));
     let texels_24 = mul(mul(at_a0.footprint, splat(r.surface_settings.normal_texels)), width_18);
     let levels_28 = levels_of(r, ex, texels_24, r.surface_settings.normal_levels);
-    both_v0 = and(eq_u(levels_28.fine, splat_u(0u32)), not(gt(levels_28.part, splat(0.0f32))));
-    let e_39 = both_v0;
-    let (b1, c2) = (ex, e_39);
+    let e_35 = first_v0;
+    second_v1 = e_35;
+    let (b1, c2) = (ex, eq_u(levels_28.fine, splat_u(0u32)));
     ex = and(b1, c2);
     if any(ex) {
-        let e_40 = finest_normal(r, ex, at_a0, uv_a1);
-        let e_41 = one_seen(r, e_40);
-        ret = e_41;
-        ex = no_lane();
-    }
-    ex = and_not(b1, c2);
-    if none(ex) { return ret; }
-    let fine_43 = normals_of_level(r, ex, at_a0, uv_a1, levels_28.fine);
-    first_v1 = Vec4 { x: fine_43.first.x, y: fine_43.first.y, z: fine_43.first.z, w: fine_43.first.w };
-    second_v2 = Vec4 { x: fine_43.second.x, y: fine_43.second.y, z: fine_43.second.z, w: fine_43.second.w };
-    let (b3, c4) = (ex, gt(levels_28.part, splat(0.0f32)));
-    ex = and(b3, c4);
-    if any(ex) {
-        let coarse_54 = normals_of_level(r, ex, at_a0, uv_a1, add_u(levels_28.fine, splat_u(1u32)));
-        let e_55 = first_v1;
-        let e_57 = first_v1;
-        let (m5, y6) = (ex, Vec4 { x: add(e_55.x, mul(sub(coarse_54.first.x, e_57.x), levels_28.part)), y: add(e_55.y, mul(sub(coarse_54.first.y, e_57.y), levels_28.part)), z: add(e_55.z, mul(sub(coarse_54.first.z, e_57.z), levels_28.part)), w: add(e_55.w, mul(sub(coarse_54.first.w, e_57.w), levels_28.part)) });
-        first_v1 = Vec4 { x: sel(m5, y6.x, first_v1.x), y: sel(m5, y6.y, first_v1.y), z: sel(m5, y6.z, first_v1.z), w: sel(m5, y6.w, first_v1.w) };
-        let e_62 = second_v2;
-        let e_64 = second_v2;
-        let (m7, y8) = (ex, Vec4 { x: add(e_62.x, mul(sub(coarse_54.second.x, e_64.x), levels_28.part)), y: add(e_62.y, mul(sub(coarse_54.second.y, e_64.y), levels_28.part)), z: add(e_62.z, mul(sub(coarse_54.second.z, e_64.z), levels_28.part)), w: add(e_62.w, mul(sub(coarse_54.second.w, e_64.w), levels_28.part)) });
-        second_v2 = Vec4 { x: sel(m7, y8.x, second_v2.x), y: sel(m7, y8.y, second_v2.y), z: sel(m7, y8.z, second_v2.z), w: sel(m7, y8.w, second_v2.w) };
-    }
-    ex = b3;
-    let e_69 = first_v1;
-    let e_70 = second_v2;
-    let seen_72 = seen_normals(r, at_a0, &Normals { first: e_69, second: e_70, }, view_a2);
-    let part_73 = table_part(r, at_a0);
-    let (b9, c10) = (ex, gt(part_73, splat(0.0f32)));
-    ex = and(b9, c10);
-    if any(ex) {
-        let of_table_80 = levels_of(r, ex, at_a0.footprint, r.surface_settings.height_levels);
-        let e_81 = has_table(r, &of_table_80);
-        let (b11, c12) = (ex, e_81);
-        ex = and(b11, c12);
+        let normal_40 = finest_normal(r, ex, at_a0, uv_a1);
+        let (b3, c4) = (ex, not(gt(levels_28.part, splat(0.0f32))));
+        ex = and(b3, c4);
         if any(ex) {
-            let e_82 = table_of(r, ex, at_a0, uv_a1, view_a2, &of_table_80);
-            let e_83 = with_table(r, at_a0, &seen_72, &e_82, part_73);
-            ret = sel_seen_normals(ex, &e_83, &ret);
+            let e_45 = one_seen(r, normal_40);
+            ret = e_45;
             ex = no_lane();
         }
-        ex = and_not(b11, c12);
+        ex = and_not(b3, c4);
+        let e_46 = to_tangent_space(r, at_a0, normal_40);
+        let fine_47 = means_of_one(r, e_46);
+        let (m5, y6) = (ex, Vec4 { x: fine_47.first.x, y: fine_47.first.y, z: fine_47.first.z, w: fine_47.first.w });
+        first_v0 = Vec4 { x: sel(m5, y6.x, first_v0.x), y: sel(m5, y6.y, first_v0.y), z: sel(m5, y6.z, first_v0.z), w: sel(m5, y6.w, first_v0.w) };
+        let (m7, y8) = (ex, Vec4 { x: fine_47.second.x, y: fine_47.second.y, z: fine_47.second.z, w: fine_47.second.w });
+        second_v1 = Vec4 { x: sel(m7, y8.x, second_v1.x), y: sel(m7, y8.y, second_v1.y), z: sel(m7, y8.z, second_v1.z), w: sel(m7, y8.w, second_v1.w) };
     }
-    let x13 = ex;
-    ex = and_not(b9, c10);
-    ex = or(ex, x13);
-    return sel_seen_normals(ex, &seen_72, &ret);
+    let x9 = ex;
+    ex = and_not(b1, c2);
+    if any(ex) {
+        let fine_51 = normals_of_level(r, ex, at_a0, uv_a1, levels_28.fine);
+        let (m10, y11) = (ex, Vec4 { x: fine_51.first.x, y: fine_51.first.y, z: fine_51.first.z, w: fine_51.first.w });
+        first_v0 = Vec4 { x: sel(m10, y11.x, first_v0.x), y: sel(m10, y11.y, first_v0.y), z: sel(m10, y11.z, first_v0.z), w: sel(m10, y11.w, first_v0.w) };
+        let (m12, y13) = (ex, Vec4 { x: fine_51.second.x, y: fine_51.second.y, z: fine_51.second.z, w: fine_51.second.w });
+        second_v1 = Vec4 { x: sel(m12, y13.x, second_v1.x), y: sel(m12, y13.y, second_v1.y), z: sel(m12, y13.z, second_v1.z), w: sel(m12, y13.w, second_v1.w) };
+    }
+    ex = or(ex, x9);
+    if none(ex) { return ret; }
+    let (b14, c15) = (ex, gt(levels_28.part, splat(0.0f32)));
+    ex = and(b14, c15);
+    if any(ex) {
+        let coarse_60 = normals_of_level(r, ex, at_a0, uv_a1, add_u(levels_28.fine, splat_u(1u32)));
+        let e_61 = first_v0;
+        let e_63 = first_v0;
+        let (m16, y17) = (ex, Vec4 { x: add(e_61.x, mul(sub(coarse_60.first.x, e_63.x), levels_28.part)), y: add(e_61.y, mul(sub(coarse_60.first.y, e_63.y), levels_28.part)), z: add(e_61.z, mul(sub(coarse_60.first.z, e_63.z), levels_28.part)), w: add(e_61.w, mul(sub(coarse_60.first.w, e_63.w), levels_28.part)) });
+        first_v0 = Vec4 { x: sel(m16, y17.x, first_v0.x), y: sel(m16, y17.y, first_v0.y), z: sel(m16, y17.z, first_v0.z), w: sel(m16, y17.w, first_v0.w) };
+        let e_68 = second_v1;
+        let e_70 = second_v1;
+        let (m18, y19) = (ex, Vec4 { x: add(e_68.x, mul(sub(coarse_60.second.x, e_70.x), levels_28.part)), y: add(e_68.y, mul(sub(coarse_60.second.y, e_70.y), levels_28.part)), z: add(e_68.z, mul(sub(coarse_60.second.z, e_70.z), levels_28.part)), w: add(e_68.w, mul(sub(coarse_60.second.w, e_70.w), levels_28.part)) });
+        second_v1 = Vec4 { x: sel(m18, y19.x, second_v1.x), y: sel(m18, y19.y, second_v1.y), z: sel(m18, y19.z, second_v1.z), w: sel(m18, y19.w, second_v1.w) };
+    }
+    ex = b14;
+    let e_75 = first_v0;
+    let e_76 = second_v1;
+    let seen_78 = seen_normals(r, at_a0, &Normals { first: e_75, second: e_76, }, view_a2);
+    let part_79 = table_part(r, at_a0);
+    let (b20, c21) = (ex, gt(part_79, splat(0.0f32)));
+    ex = and(b20, c21);
+    if any(ex) {
+        let of_table_86 = levels_of(r, ex, at_a0.footprint, r.surface_settings.height_levels);
+        let e_87 = has_table(r, &of_table_86);
+        let (b22, c23) = (ex, e_87);
+        ex = and(b22, c23);
+        if any(ex) {
+            let e_88 = table_of(r, ex, at_a0, uv_a1, view_a2, &of_table_86);
+            let e_89 = with_table(r, at_a0, &seen_78, &e_88, part_79);
+            ret = sel_seen_normals(ex, &e_89, &ret);
+            ex = no_lane();
+        }
+        ex = and_not(b22, c23);
+    }
+    let x24 = ex;
+    ex = and_not(b20, c21);
+    ex = or(ex, x24);
+    return sel_seen_normals(ex, &seen_78, &ret);
 } }
 lanes! { fn field_heights_normals(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> SeenNormals {
     let mut ex = within;

@@ -82,7 +82,7 @@ const EXPLAIN_ROOT: (&str, &[&str]) = ("roots/explain", &["search_stage", "refin
 /// Search and refinement over lanes, with all that they reach.
 const TRACING: LaneText = LaneText {
     roots: &["trace", "shadow_search_stage", "wrapped_cell"],
-    same_arguments: &[("wrapped_cell", "level")],
+    same_arguments: &[("wrapped_cell", "level"), ("continued_index", "wrap"), ("continued_pair", "wrap")],
     shared_members: &[("Path", "ray"), ("Path", "level")],
     by_hand: &["height_cell", "whole_cell"],
     ..LaneText::EMPTY
@@ -104,7 +104,7 @@ const PIXELS: LaneText = LaneText {
     same_arguments: &[
         ("segment_of", "k"),
         ("hit_on_segment", "k"),
-        ("color_index", "wrap"),
+        ("continued_pair", "wrap"),
         ("ray_to_light", "number"),
         ("ray_to_light", "k"),
         ("ray_to_light", "count"),
