@@ -418,7 +418,7 @@ mod tests {
                     assert_eq!(values as u64, baked.iter().map(Shape::values).sum::<u64>());
                     // Once more with other settings.
                     // The sides of a volume must fit its map.
-                    for param in kind.params.iter().filter(|_| kind.name != "volume-distance") {
+                    for param in kind.params.iter().filter(|_| !kind.of_volume) {
                         if param.name != "bits" {
                             settings
                                 .set(param.name, f64::from(param.min.max(1.0).min(param.max)))

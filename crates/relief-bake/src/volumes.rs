@@ -16,7 +16,9 @@ mod faces;
 mod fit;
 mod heights;
 mod mesh;
+pub(crate) mod params;
 mod sponge;
+mod ways;
 
 pub use distance::{VolumeDistance, volume_distance};
 pub use error::VolumesError;
@@ -24,6 +26,7 @@ pub use fit::{Fit, MAX_TILES};
 pub use heights::volume_from_heights;
 pub use mesh::{MeshVolume, MeshVolumeSettings, Solid, volume_from_mesh};
 pub use sponge::{Sponge, volume_of_sponge};
+pub use ways::{Directions, ways_to_solid};
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 

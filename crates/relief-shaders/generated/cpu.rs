@@ -1600,6 +1600,21 @@ impl WayPoint {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// What a look-up tells: the way to the solid in voxels, if something solid is on it.
+pub struct WayToSolid {
+    pub is_solid: u32,
+    pub way: f32,
+}
+impl WayToSolid {
+    pub fn new(
+        is_solid: impl rt::Into<u32>,
+        way: impl rt::Into<f32>,
+    ) -> Self {
+        Self { is_solid: rt::into(is_solid), way: rt::into(way) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// Two chains that are zipped, the first one to the left: its place, and the next points on each.
 pub struct Zip {
     pub left: SweptChain,
@@ -2455,11 +2470,11 @@ impl<'g> Resources<'g> {
         let seen_6 = first_11.select(level_3, level_3.elementwise_gt(first_11));
         let _e9 = self.v_height_texels(seen_6);
         let _e10 = self.v_texels_around(uv_1, _e9);
-        let k_44 = (seen_6 - first_11).to_i32();
-        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_44);
-        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_44);
-        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_44);
-        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_44);
+        let k_45 = (seen_6 - first_11).to_i32();
+        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_45);
+        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_45);
+        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_45);
+        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_45);
         let _e42 = self.v_bilinear(_e19, _e26, _e33, _e40, _e10.part);
         return _e42;
     }
@@ -2824,11 +2839,11 @@ impl<'g> Resources<'g> {
         let most_3 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
         let corner_3 = point_23.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
         let texel_5 = corner_3.to_i32();
-        let k_45 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_45);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_45);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_45);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_45);
+        let k_46 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_46);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_46);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_46);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_46);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_23 - corner_3));
         return _e55.xyz();
     }
@@ -3232,13 +3247,13 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_46 = level_8.to_i32();
+        let k_47 = level_8.to_i32();
         let _e6 = self.v_wrap_pair(cell.x(), _e2.x());
         let _e9 = self.v_wrap_pair(cell.y(), _e2.y());
-        let _e14 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_46));
-        let _e20 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_46));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_46));
-        let _e32 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_46));
+        let _e14 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_47));
+        let _e20 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_47));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_47));
+        let _e32 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_47));
         return <rt::Vec4<f32>>::from_scalars(_e14.x(), _e20.x(), _e26.x(), _e32.x());
     }
     pub(crate) fn height_cell(
@@ -3439,14 +3454,14 @@ impl<'g> Resources<'g> {
         let limited = parts_4.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_27 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_29 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
-        let t_45 = place_29.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let place_30 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
+        let t_46 = place_30.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_2 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_2.cross(third_1).dot(normal_27) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_17 = (((offset - low_2) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_17), t_45, (place_29 - (along * t_45)).length(), volume);
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_17), t_46, (place_30 - (along * t_46)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -3856,9 +3871,9 @@ impl<'g> Resources<'g> {
         let size_1 = _e3.xyz().to_i32();
         let _e9 = self.surface_settings.volume.w();
         let in_row = _e9.to_i32();
-        let k_47 = slice.clamp(rt::Scalar(0i32), (size_1.z() - rt::Scalar(1i32)));
-        let row_8 = ((k_47.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
-        return <rt::Vec2<i32>>::from_scalars(((k_47 - (row_8 * in_row)) * size_1.x()), (row_8 * size_1.y()));
+        let k_48 = slice.clamp(rt::Scalar(0i32), (size_1.z() - rt::Scalar(1i32)));
+        let row_8 = ((k_48.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
+        return <rt::Vec2<i32>>::from_scalars(((k_48 - (row_8 * in_row)) * size_1.x()), (row_8 * size_1.y()));
     }
     pub(crate) fn slice_cell(
         &self,
@@ -4444,10 +4459,10 @@ impl<'g> Resources<'g> {
             let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_16));
             return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_16, sides);
         }
-        let k_48 = (number_1 - n_16);
-        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_48, m_4);
-        let x_8 = ((apex_1.x() * (m_4 - k_48)) + (sweep_1.end.x() * k_48));
-        let y_2 = ((apex_1.y() * (m_4 - k_48)) + (sweep_1.end.y() * k_48));
+        let k_49 = (number_1 - n_16);
+        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_49, m_4);
+        let x_8 = ((apex_1.x() * (m_4 - k_49)) + (sweep_1.end.x() * k_49));
+        let y_2 = ((apex_1.y() * (m_4 - k_49)) + (sweep_1.end.y() * k_49));
         return <SweptPoint>::new(_e29.x(), _e29.y(), x_8, y_2, m_4, ON_SECOND);
     }
     pub(crate) fn low_point(
@@ -4568,11 +4583,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval.y());
         }
-        let t_46 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
+        let t_47 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
         if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_46), interval.y());
+            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_47), interval.y());
         }
-        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_46));
+        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_47));
     }
     pub(crate) fn inside_unit(
         &self,
@@ -5218,11 +5233,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_27);
         let _e6 = self.v_color_texels_around(place_6, _e5);
-        let k_49 = level_27.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_49));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_49));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_49));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_49));
+        let k_50 = level_27.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_50));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_50));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_50));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_50));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -5288,9 +5303,9 @@ impl<'g> Resources<'g> {
         let y_4 = up_2.select(up_2.max(rt::Scalar(0f32)), is_hemi);
         let right_2 = _e7.xyz().dot(toward);
         let front = _e13.xyz().dot(toward);
-        let sum_6 = ((right_2.abs() + y_4.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
-        x_1 = (right_2 / sum_6);
-        z = (front / sum_6);
+        let sum_7 = ((right_2.abs() + y_4.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
+        x_1 = (right_2 / sum_7);
+        z = (front / sum_7);
         if rt::Scalar::into_branch_condition(y_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e44 = z;
             let _e48 = x_1;
@@ -5309,9 +5324,9 @@ impl<'g> Resources<'g> {
         let _e81 = z;
         let _e82 = x_1;
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
-        let place_30 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
-        let cell_40 = place_30.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
-        let part_14 = (place_30 - cell_40);
+        let place_31 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
+        let cell_40 = place_31.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
+        let part_14 = (place_31 - cell_40);
         let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
         let first_14 = ((cell_40.y().to_u32() * side_6) + cell_40.x().to_u32());
         let beside_4 = (first_14 + side_6).select((first_14 + rt::Scalar(1u32)), part_14.x().elementwise_gt(part_14.y()));
@@ -5547,11 +5562,11 @@ impl<'g> Resources<'g> {
         let _e129 = weight2_;
         let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
         let _e135 = weight3_;
-        let sum_7 = ((first_15 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let sum_8 = ((first_15 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
         let _e138 = weight1_;
         let _e139 = weight2_;
         let _e141 = weight3_;
-        return (sum_7 * (rt::Scalar(1f32) / ((_e138 + _e139) + _e141)));
+        return (sum_8 * (rt::Scalar(1f32) / ((_e138 + _e139) + _e141)));
     }
     pub(crate) fn color_of_object(
         &self,
@@ -5902,10 +5917,10 @@ impl<'g> Resources<'g> {
         let _e20 = self.frame.down;
         let _e22 = self.v_footprint_axis(pixel_13, at_29, normal_28, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
-        let sum_8 = both.dot(both);
+        let sum_9 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
-        let apart_2 = ((sum_8 - (rt::Scalar(2f32) * area_1)) * (sum_8 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
-        let longer = (rt::Scalar(0.5f32) * (sum_8 + apart_2));
+        let apart_2 = ((sum_9 - (rt::Scalar(2f32) * area_1)) * (sum_9 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
+        let longer = (rt::Scalar(0.5f32) * (sum_9 + apart_2));
         let shorter = ((area_1 * area_1) / longer);
         let squared_2 = shorter.max((longer / (anisotropy * anisotropy)));
         let _e53 = rt::Scalar(self.frame.sample_width);
@@ -6037,11 +6052,11 @@ impl<'g> Resources<'g> {
         level_31: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e7 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
-        let k_50 = (level_31 - _e7).to_i32();
-        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.x(), at_34.rows.x()), layer_3, k_50);
-        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.y(), at_34.rows.x()), layer_3, k_50);
-        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.x(), at_34.rows.y()), layer_3, k_50);
-        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.y(), at_34.rows.y()), layer_3, k_50);
+        let k_51 = (level_31 - _e7).to_i32();
+        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.x(), at_34.rows.x()), layer_3, k_51);
+        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.y(), at_34.rows.x()), layer_3, k_51);
+        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.x(), at_34.rows.y()), layer_3, k_51);
+        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.y(), at_34.rows.y()), layer_3, k_51);
         let _e35 = self.v_bilinear(_e15, _e21, _e27, _e33, at_34.part);
         return _e35;
     }
@@ -6621,9 +6636,9 @@ impl<'g> Resources<'g> {
         let _e27 = rest_1;
         let part_17 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
         let square_1 = (part_17 * part_17);
-        let sum_9 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
+        let sum_10 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_17) * sum_9));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_17) * sum_10));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -6811,13 +6826,13 @@ impl<'g> Resources<'g> {
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_31 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_6 = place_31.floor();
+        let place_32 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_6 = place_32.floor();
         let _e13 = self.v_search_texel_between(path_20, uv_10, below_6.to_i32());
         let lower_1 = _e13.x();
         let _e21 = self.v_search_texel_between(path_20, uv_10, (below_6 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_31 - below_6)));
+        return (lower_1 + ((upper - lower_1) * (place_32 - below_6)));
     }
     pub(crate) fn material_of_texels(
         &self,
@@ -6838,11 +6853,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.material_size;
         let _e6 = self.v_level_texels(_e5, level_35);
         let _e7 = self.v_color_texels_around(place_12, _e6);
-        let k_51 = level_35.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_51));
-        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_51));
-        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_51));
-        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_51));
+        let k_52 = level_35.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_52));
+        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_52));
+        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_52));
+        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_52));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -7291,8 +7306,8 @@ impl<'g> Resources<'g> {
         way_3: Way,
         beyond_1: rt::Vec3<f32>,
     ) -> Way {
-        let sum_10 = ((way_3.first + way_3.second) + way_3.third);
-        return <Way>::new((way_3.first + (sum_10 * beyond_1.x())), (way_3.second + (sum_10 * beyond_1.y())), (way_3.third + (sum_10 * beyond_1.z())), rt::Scalar(way_3.turn));
+        let sum_11 = ((way_3.first + way_3.second) + way_3.third);
+        return <Way>::new((way_3.first + (sum_11 * beyond_1.x())), (way_3.second + (sum_11 * beyond_1.y())), (way_3.third + (sum_11 * beyond_1.z())), rt::Scalar(way_3.turn));
     }
     pub(crate) fn root_behind(
         &self,
@@ -8159,7 +8174,7 @@ impl<'g> Resources<'g> {
         let uv_41 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_3 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
-        let sum_11 = ((((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z())) * rt::Scalar(pixel_40.side));
+        let sum_12 = ((((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z())) * rt::Scalar(pixel_40.side));
         let tt_1 = tangent_3.dot(tangent_3);
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
@@ -8171,7 +8186,7 @@ impl<'g> Resources<'g> {
         }
         let _e79 = local_40;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_41, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_41, tangent_3, bitangent_2, sum_12.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -8804,8 +8819,8 @@ impl<'g> Resources<'g> {
         let gap_1 = (end_6 * (_e31.y() + (_e31.z() * end_6)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_7 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_1) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_95 = <Path>::new(_e51, _e3.duv, h_7, (_e11 - end_6), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_6, rt::Scalar(1f32), rt::Scalar(0f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_95);
+        let path_97 = <Path>::new(_e51, _e3.duv, h_7, (_e11 - end_6), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_6, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_97);
     }
     pub(crate) fn field_heights_light_ray(
         &self,
@@ -8865,11 +8880,11 @@ impl<'g> Resources<'g> {
         layer_8: rt::Scalar<i32>,
         level_43: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let k_52 = level_43.to_i32();
-        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.x(), at_49.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
-        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.y(), at_49.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
-        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.x(), at_49.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
-        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.y(), at_49.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_52));
+        let k_53 = level_43.to_i32();
+        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.x(), at_49.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_53));
+        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.y(), at_49.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_53));
+        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.x(), at_49.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_53));
+        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.y(), at_49.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_53));
         let _e33 = self.v_bilinear(_e10, _e17, _e24, _e31, at_49.part);
         return _e33;
     }
@@ -9403,12 +9418,12 @@ impl<'g> Resources<'g> {
         let _e50 = self.v_texels_around(uv_26, _e49);
         let _e54 = self.v_height_texels((rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
         let _e55 = self.v_texels_around(uv_26, _e54);
-        let place_32 = <SeenPlace>::new(_e50, _e55, levels_1);
-        let _e57 = self.v_seen_in_levels(place_32, a0_1, e0_);
-        let _e58 = self.v_seen_in_levels(place_32, a1_1, e0_);
+        let place_33 = <SeenPlace>::new(_e50, _e55, levels_1);
+        let _e57 = self.v_seen_in_levels(place_33, a0_1, e0_);
+        let _e58 = self.v_seen_in_levels(place_33, a1_1, e0_);
         let _e59 = self.v_seen_between(_e57, _e58, across_8);
-        let _e60 = self.v_seen_in_levels(place_32, a0_1, e1_1);
-        let _e61 = self.v_seen_in_levels(place_32, a1_1, e1_1);
+        let _e60 = self.v_seen_in_levels(place_33, a0_1, e1_1);
+        let _e61 = self.v_seen_in_levels(place_33, a1_1, e1_1);
         let _e62 = self.v_seen_between(_e60, _e61, across_8);
         let _e65 = self.v_seen_between(_e59, _e62, (elevation_3 - elevation_3.floor()));
         let x_14 = ((tile_1.x() * at_61.tangent.normalize().dot(at_61.tangent)) / at_61.tangent.dot(at_61.tangent));
@@ -9520,15 +9535,15 @@ impl<'g> Resources<'g> {
     pub(super) fn v_field_slopes(&self, place_17: rt::Vec3<f32>) -> rt::Vec3<f32> {
         let i_12 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let j_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
-        let k_53 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
+        let k_54 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
         let _e14 = self.v_field_at_voxel((place_17 + i_12));
         let _e16 = self.v_field_at_voxel((place_17 - i_12));
         let along_i = (_e14 - _e16);
         let _e19 = self.v_field_at_voxel((place_17 + j_2));
         let _e21 = self.v_field_at_voxel((place_17 - j_2));
         let along_j = (_e19 - _e21);
-        let _e24 = self.v_field_at_voxel((place_17 + k_53));
-        let _e26 = self.v_field_at_voxel((place_17 - k_53));
+        let _e24 = self.v_field_at_voxel((place_17 + k_54));
+        let _e26 = self.v_field_at_voxel((place_17 - k_54));
         let along_k = (_e24 - _e26);
         return (<rt::Vec3<f32>>::from_scalars(along_i, along_j, along_k) / rt::Vec3::splat_from_scalar(rt::Scalar(1f32)));
     }
@@ -9560,8 +9575,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_LIT, way_19);
         }
-        let path_96 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, _e48, rt::Scalar(0f32), at_64.metric, RAY_SHADOW, rt::Scalar(at_64.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_96);
+        let path_98 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, _e48, rt::Scalar(0f32), at_64.metric, RAY_SHADOW, rt::Scalar(at_64.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_98);
     }
     pub(crate) fn field_volume_light_ray(
         &self,
@@ -9720,10 +9735,10 @@ impl<'g> Resources<'g> {
         let mut interval_4: rt::Vec2<f32>;
 
         let along_32 = pixel_47.direction.length();
-        let direction_6 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_32));
-        let _e9 = self.v_climb(at_70, direction_6);
+        let direction_7 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_32));
+        let _e9 = self.v_climb(at_70, direction_7);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_70.normal.dot(direction_6));
+        let descent_3 = (rt::Scalar(0f32) - at_70.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_10 = ((rt::Scalar(0f32) - descent_3) / _e15);
@@ -9986,10 +10001,10 @@ impl<'g> Resources<'g> {
         let mut local_52: rt::Scalar<bool>;
 
         let along_36 = pixel_51.direction.length();
-        let direction_7 = (pixel_51.direction / rt::Vec3::splat_from_scalar(along_36));
-        let _e9 = self.v_climb(at_74, direction_7);
+        let direction_8 = (pixel_51.direction / rt::Vec3::splat_from_scalar(along_36));
+        let _e9 = self.v_climb(at_74, direction_8);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_74.normal.dot(direction_7));
+        let descent_4 = (rt::Scalar(0f32) - at_74.normal.dot(direction_8));
         let _e15 = self.v_traced_scale_m();
         let height_21 = at_74.of_surface.w();
         let slope_12 = ((rt::Scalar(0f32) - descent_4) / _e15);
@@ -10323,10 +10338,10 @@ impl<'g> Resources<'g> {
         let b_37 = (pixel_54.b.position + (pixel_54.b.normal * step_m));
         let c_26 = (pixel_54.c.position + (pixel_54.c.normal * step_m));
         let n_17 = (b_37 - a_37).cross((c_26 - a_37));
-        let t_47 = (n_17.dot((a_37 - pixel_54.origin)) / n_17.dot(pixel_54.direction));
-        let lead = (far_2 - (t_47 * along_16));
+        let t_48 = (n_17.dot((a_37 - pixel_54.origin)) / n_17.dot(pixel_54.direction));
+        let lead = (far_2 - (t_48 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_53 = t_47.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_53 = t_48.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
             local_53 = rt::Scalar(false);
         }
@@ -10334,7 +10349,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_37, b_37, c_26, n_17, (pixel_54.origin + (pixel_54.direction * t_47)));
+        let _e68 = self.v_weights_of(a_37, b_37, c_26, n_17, (pixel_54.origin + (pixel_54.direction * t_48)));
         let aside_5 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_78.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_5, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
@@ -11078,15 +11093,15 @@ impl<'g> Resources<'g> {
                         t_18 = (_e69 - (gap_2 / change_6)).clamp((rt::Scalar(hit_20.t) - most_14), (rt::Scalar(hit_20.t) + most_14));
                     }
                     let _e78 = t_18;
-                    let place_33 = (along_40 * ((rt::Scalar(path_30.start) + _e78) - _e10));
+                    let place_34 = (along_40 * ((rt::Scalar(path_30.start) + _e78) - _e10));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e86 = t_18;
                         let _e87 = self.v_path_height(path_30, _e86);
-                        let _e88 = self.v_shell_point_near(_e11, place_33, _e87);
+                        let _e88 = self.v_shell_point_near(_e11, place_34, _e87);
                         point_16 = _e88;
                     } else {
                         let _e89 = point_16;
-                        let _e90 = self.v_shell_point_from(_e11, place_33, _e89);
+                        let _e90 = self.v_shell_point_from(_e11, place_34, _e89);
                         point_16 = _e90;
                     }
                 }
@@ -12052,15 +12067,15 @@ impl<'g> Resources<'g> {
                     let _e49 = last;
                     let _e50 = before_1;
                     let _e52 = last_gap;
-                    let t_48 = (_e48 + ((_e49 - _e50) * (_e52 / change_7))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let t_49 = (_e48 + ((_e49 - _e50) * (_e52 / change_7))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
                     let _e59 = last;
                     before_1 = _e59;
                     let _e60 = last_gap;
                     before_gap = _e60;
-                    last = t_48;
+                    last = t_49;
                     let _e61 = k_24;
                     if rt::Scalar::into_branch_condition(_e61.elementwise_lt(params_78.x())) {
-                        let _e64 = self.v_path_gap(path_55, t_48);
+                        let _e64 = self.v_path_gap(path_55, t_49);
                         last_gap = _e64;
                         let _e65 = cost_7;
                         let _e67 = self.v_field_cost_stage(rt::Scalar(path_55.level));
@@ -12215,9 +12230,9 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((before_5 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
             part_9 = (before_5 / (before_5 + behind_2));
         }
-        let cost_26 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let cost_27 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_9;
-        let _e49 = self.v_hit_on_path(path_57, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_26);
+        let _e49 = self.v_hit_on_path(path_57, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_27);
         return _e49;
     }
     pub(crate) fn voxel_path(&self, path_58: Path) -> VoxelPath {
@@ -12238,8 +12253,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(way_7.bend).elementwise_eq(rt::Scalar(0f32))) {
             return rt::Scalar(300000000000000000000000000000000000000f32);
         }
-        let t_49 = ((rt::Scalar(0f32) - way_7.step.z()) / (rt::Scalar(2f32) * rt::Scalar(way_7.bend)));
-        return rt::Scalar(300000000000000000000000000000000000000f32).select(t_49, t_49.elementwise_gt(rt::Scalar(0f32)));
+        let t_50 = ((rt::Scalar(0f32) - way_7.step.z()) / (rt::Scalar(2f32) * rt::Scalar(way_7.bend)));
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(t_50, t_50.elementwise_gt(rt::Scalar(0f32)));
     }
     pub(crate) fn voxel_place_on(
         &self,
@@ -12756,16 +12771,16 @@ impl<'g> Resources<'g> {
             return _e5;
         }
         let _e10 = self.v_first_root_on_path(path_60, rt::Scalar(found_13.near), rt::Scalar(found_13.far), params_81.x().to_u32());
-        let cost_27 = (found_13.cost + _e10.cost);
+        let cost_28 = (found_13.cost + _e10.cost);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e10.status).elementwise_eq(FOUND_BRACKET)) {
-            let _e19 = self.v_hit_on_path(path_60, rt::Scalar(_e10.far), rt::Scalar(0u32), cost_27);
+            let _e19 = self.v_hit_on_path(path_60, rt::Scalar(_e10.far), rt::Scalar(0u32), cost_28);
             return _e19;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_13.status).elementwise_eq(FOUND_BRACKET)) {
-            let _e30 = self.v_hit_on_path(path_60, rt::Scalar(found_13.far), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(_e10.status).elementwise_eq(FOUND_EXHAUSTED)), cost_27);
+            let _e30 = self.v_hit_on_path(path_60, rt::Scalar(found_13.far), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(_e10.status).elementwise_eq(FOUND_EXHAUSTED)), cost_28);
             return _e30;
         }
-        let _e31 = self.v_miss(cost_27);
+        let _e31 = self.v_miss(cost_28);
         return _e31;
     }
     pub(crate) fn refine_stage(&self, path_61: Path, found_14: SearchResult) -> Hit {
@@ -12890,8 +12905,8 @@ impl<'g> Resources<'g> {
                     let _e43 = cost_10;
                     cost_10 = (_e43 + STEP);
                     let _e47 = k_27;
-                    let t_50 = (rt::Scalar(path_63.exit) * (_e47 / steps_2));
-                    let _e50 = self.v_path_gap(path_63, t_50);
+                    let t_51 = (rt::Scalar(path_63.exit) * (_e47 / steps_2));
+                    let _e50 = self.v_path_gap(path_63, t_51);
                     let _e51 = cost_10;
                     let _e53 = self.v_field_cost_stage(rt::Scalar(path_63.level));
                     cost_10 = (_e51 + _e53);
@@ -12899,9 +12914,9 @@ impl<'g> Resources<'g> {
                         let _e58 = near_5;
                         let _e59 = near_gap_2;
                         let _e60 = cost_10;
-                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_50, _e59, _e50, _e60);
+                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_51, _e59, _e50, _e60);
                     }
-                    near_5 = t_50;
+                    near_5 = t_51;
                     near_gap_2 = _e50;
                     let _e62 = k_27;
                     k_27 = (_e62 + rt::Scalar(1f32));
@@ -13603,10 +13618,10 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_32.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_34 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let place_35 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_49;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_34.x() >> above_level), (place_34.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_35.x() >> above_level), (place_35.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
@@ -13669,7 +13684,7 @@ impl<'g> Resources<'g> {
                         cost_15 = (_e160 + _e162);
                         let _e165 = level_49;
                         let _e168 = level_49;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_34.x() >> _e165), (place_34.y() >> _e168));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_35.x() >> _e165), (place_35.y() >> _e168));
                         let _e172 = level_49;
                         let _e178 = self.v_search_texel(path_70, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_70.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
@@ -13712,7 +13727,7 @@ impl<'g> Resources<'g> {
                     }
                     let _e267 = level_49;
                     let _e272 = level_49;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_34.x() >> (_e267 + rt::Scalar(1u32))), (place_34.y() >> (_e272 + rt::Scalar(1u32))));
+                    parent = <rt::Vec2<i32>>::from_scalars((place_35.x() >> (_e267 + rt::Scalar(1u32))), (place_35.y() >> (_e272 + rt::Scalar(1u32))));
                     let _e277 = t_37;
                     t_37 = _e277.max(end_14);
                 }
@@ -13824,18 +13839,18 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_35 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_36 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
                     let _e59 = level_51;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_16;
                         cost_16 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_35, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_36, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
                         let _e70 = level_51;
                         let _e73 = level_51;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_35.x() >> _e70), (place_35.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_36.x() >> _e70), (place_36.y() >> _e73));
                         let _e76 = cost_16;
                         let _e78 = self.v_map_read(path_71, rt::Scalar(1u32));
                         cost_16 = (_e76 + _e78);
@@ -14750,129 +14765,294 @@ impl<'g> Resources<'g> {
         let _e109 = cost_22;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e107, _e108, rt::Scalar(1f32), rt::Scalar(1f32), _e109);
     }
-    pub(crate) fn search_stage(&self, path_78: Path) -> SearchResult {
-        rt::into(self.v_search_stage(path_78))
+    pub(crate) fn way_to_solid(
+        &self,
+        path_78: Path,
+        place_21: impl rt::Into<rt::Vec3<f32>>,
+        direction_5: impl rt::Into<rt::Vec3<f32>>,
+        params_95: impl rt::Into<rt::Vec4<f32>>,
+    ) -> WayToSolid {
+        rt::into(self.v_way_to_solid(path_78, rt::into(place_21), rt::into(direction_5), rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_search_stage(&self, path_78: Path) -> SearchResult {
+    pub(super) fn v_way_to_solid(
+        &self,
+        path_78: Path,
+        place_21: rt::Vec3<f32>,
+        direction_5: rt::Vec3<f32>,
+        params_95: rt::Vec4<f32>,
+    ) -> WayToSolid {
+        let mut sum_3: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut weights_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_29: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e4 = self.v_volume_size();
+        let last_14 = (_e4.z() - rt::Scalar(1f32));
+        let inside_7 = <rt::Vec3<f32>>::new_21(place_21.xy(), place_21.z().clamp(rt::Scalar(0f32), last_14));
+        let first_25 = inside_7.floor();
+        let part_23 = (inside_7 - first_25);
+        let _e15 = self.v_volume_size();
+        let size_4 = _e15.xy().to_i32();
+        let cell_43 = first_25.to_i32();
+        let _e21 = self.v_wrap_pair(cell_43.x(), size_4.x());
+        let _e24 = self.v_wrap_pair(cell_43.y(), size_4.y());
+        let elevation_4 = ((rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * direction_5.z())) * (params_95.z() - rt::Scalar(1f32))).clamp(rt::Scalar(0f32), (params_95.z() - rt::Scalar(1f32)));
+        let below_8 = elevation_4.floor().min((params_95.z() - rt::Scalar(2f32)));
+        let _e45 = self.v_turn_of(direction_5.xy());
+        let turn_5 = (_e45 * params_95.y());
+        let before_6 = turn_5.floor();
+        let most_16 = (params_95.w() * rt::Scalar(0.998f32));
+        'naga_break: loop {
+            'naga_continue: {
+                let _e58 = k_29;
+                if rt::Scalar::into_branch_condition(_e58.elementwise_lt(rt::Scalar(8u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e61 = k_29;
+                    let is_next = (_e61 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(1u32));
+                    let _e66 = k_29;
+                    let is_above = (_e66 & rt::Scalar(2u32)).elementwise_eq(rt::Scalar(2u32));
+                    let _e71 = k_29;
+                    let is_upper = (_e71 & rt::Scalar(4u32)).elementwise_eq(rt::Scalar(4u32));
+                    let behind_3 = (before_6 + rt::Scalar(1f32)).select(rt::Scalar(0f32), (before_6 + rt::Scalar(1f32)).elementwise_ge(params_95.y()));
+                    let azimuth_4 = before_6.select(behind_3, is_next);
+                    let layer_12 = (((azimuth_4 * params_95.z()) + below_8) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_above)).to_i32();
+                    let of_azimuth = (rt::Scalar(1f32) - (turn_5 - before_6)).select((turn_5 - before_6), is_next);
+                    let of_elevation = (rt::Scalar(1f32) - (elevation_4 - below_8)).select((elevation_4 - below_8), is_above);
+                    let of_slice = (rt::Scalar(1f32) - part_23.z()).select(part_23.z(), is_upper);
+                    let weight_2 = ((of_azimuth * of_elevation) * of_slice);
+                    let _e115 = self.v_slice_begin((cell_43.z() + rt::Scalar(0i32).select(rt::Scalar(1i32), is_upper)));
+                    let _e121 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.x())), layer_12, rt::Scalar(0i32));
+                    let _e128 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.x())), layer_12, rt::Scalar(0i32));
+                    let _e135 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.y())), layer_12, rt::Scalar(0i32));
+                    let _e142 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.y())), layer_12, rt::Scalar(0i32));
+                    let ways = <rt::Vec4<f32>>::from_scalars(_e121.x(), _e128.x(), _e135.x(), _e142.x());
+                    let beside_7 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) - part_23.x()), part_23.x());
+                    let corners_3 = (<rt::Vec4<f32>>::new_22((beside_7 * (rt::Scalar(1f32) - part_23.y())), (beside_7 * part_23.y())) * weight_2);
+                    let limit_12 = <rt::Vec4<f32>>::from_scalars(most_16, most_16, most_16, most_16);
+                    let none_3 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+                    let solid = none_3.select(corners_3, ways.elementwise_lt(limit_12));
+                    let way_20 = (solid * ways);
+                    let _e167 = weights_4;
+                    weights_4 = (_e167 + ((solid.x() + solid.y()) + (solid.z() + solid.w())));
+                    let _e176 = sum_3;
+                    sum_3 = (_e176 + ((way_20.x() + way_20.y()) + (way_20.z() + way_20.w())));
+                    let _e185 = k_29;
+                    k_29 = (_e185 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e188 = weights_4;
+        if rt::Scalar::into_branch_condition(_e188.elementwise_ge(rt::Scalar(0.5f32))) {
+            let _e192 = sum_3;
+            let _e193 = weights_4;
+            return <WayToSolid>::new(rt::Scalar(1u32), (_e192 / _e193));
+        }
+        return <WayToSolid>::new(rt::Scalar(0u32), params_95.w());
+    }
+    pub(crate) fn search_generalised(
+        &self,
+        path_79: Path,
+        params_96: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SearchResult {
+        rt::into(self.v_search_generalised(path_79, rt::into(params_96)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_generalised(
+        &self,
+        path_79: Path,
+        params_96: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let mut t_45: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_23: rt::Vec3<u32> = VOXELS_READ;
+        let mut looked: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e2 = self.v_voxel_path(path_79);
+        let _e7 = t_45;
+        let _e8 = self.v_voxel_place_on(_e2, _e7);
+        let _e9 = self.v_field_at_voxel(_e8);
+        if rt::Scalar::into_branch_condition(_e9.elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e13 = t_45;
+            let _e14 = t_45;
+            let _e15 = cost_23;
+            return <SearchResult>::new(FOUND_STARTED_BELOW, _e13, _e14, rt::Scalar(0f32), rt::Scalar(0f32), _e15);
+        }
+        let _e19 = self.v_volume_size();
+        let last_15 = (_e19.z() - rt::Scalar(1f32));
+        let limit_13 = params_96.x().to_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e27 = looked;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(limit_13)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e33 = t_45;
+                    let toward_9 = (_e2.step + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), ((rt::Scalar(2f32) * rt::Scalar(_e2.bend)) * _e33)));
+                    let speed_3 = toward_9.length();
+                    let direction_9 = (toward_9 / rt::Vec3::splat_from_scalar(speed_3));
+                    let _e42 = t_45;
+                    let _e43 = self.v_voxel_place_on(_e2, _e42);
+                    let beyond_7 = (_e43.z() - _e43.z().clamp(rt::Scalar(0f32), last_15));
+                    let is_inward = (beyond_7 * direction_9.z()).elementwise_lt(rt::Scalar(0f32));
+                    let before_7 = rt::Scalar(0f32).select((beyond_7 / direction_9.z()).abs(), is_inward);
+                    let _e60 = self.v_way_to_solid(path_79, (_e43 + (direction_9 * before_7)), direction_9, params_96);
+                    let _e61 = cost_23;
+                    let _e65 = self.v_map_read(path_79, rt::Scalar(32u32));
+                    cost_23 = ((_e61 + STEP) + _e65);
+                    let _e67 = looked;
+                    looked = (_e67 + rt::Scalar(1u32));
+                    let _e70 = t_45;
+                    let far_18 = (_e70 + ((before_7 + rt::Scalar(_e60.way)) / speed_3));
+                    if rt::Scalar::into_branch_condition((!far_18.elementwise_lt(rt::Scalar(path_79.exit)))) {
+                        let _e81 = cost_23;
+                        return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_79.exit), rt::Scalar(path_79.exit), rt::Scalar(1f32), rt::Scalar(1f32), _e81);
+                    }
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e60.is_solid).elementwise_eq(rt::Scalar(1u32))) {
+                        let _e92 = t_45;
+                        let _e95 = cost_23;
+                        return <SearchResult>::new(FOUND_ABOVE, (far_18 - (rt::Scalar(0.5f32) / speed_3)).max(_e92), rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(1f32), _e95);
+                    }
+                    t_45 = far_18;
+                }
+            }
+        }
+        let _e100 = t_45;
+        let _e101 = t_45;
+        let _e102 = cost_23;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e100, _e101, rt::Scalar(1f32), rt::Scalar(1f32), _e102);
+    }
+    pub(crate) fn search_stage(&self, path_80: Path) -> SearchResult {
+        rt::into(self.v_search_stage(path_80))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_stage(&self, path_80: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_78, _e10);
+                let _e11 = self.v_search_none(path_80, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_78, _e16);
+                let _e17 = self.v_search_linear(path_80, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_78, _e22);
+                let _e23 = self.v_search_cells(path_80, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_78, _e28);
+                let _e29 = self.v_search_frustum(path_80, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_78, _e34);
+                let _e35 = self.v_search_cone(path_80, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_78, _e40);
+                let _e41 = self.v_search_pyramid(path_80, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_78, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_80, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_78, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_80, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_78, _e58);
+                let _e59 = self.v_search_sphere(path_80, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_78, _e64);
+                let _e65 = self.v_search_cone_moved(path_80, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_78, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_80, _e70);
                 return _e71;
             }
             11u32 => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_78, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_80, _e76);
                 return _e77;
             }
-            _ => {
+            12u32 => {
                 let _e82 = self.surface_settings.choices[6usize].params;
-                let _e83 = self.v_search_voxels(path_78, _e82);
+                let _e83 = self.v_search_voxels(path_80, _e82);
                 return _e83;
+            }
+            _ => {
+                let _e88 = self.surface_settings.choices[6usize].params;
+                let _e89 = self.v_search_generalised(path_80, _e88);
+                return _e89;
             }
         }
     }
-    pub(crate) fn trace(&self, path_79: Path) -> Hit {
-        rt::into(self.v_trace(path_79))
+    pub(crate) fn trace(&self, path_81: Path) -> Hit {
+        rt::into(self.v_trace(path_81))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_trace(&self, path_79: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_79);
-        let _e2 = self.v_refine_stage(path_79, _e1);
+    pub(super) fn v_trace(&self, path_81: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_81);
+        let _e2 = self.v_refine_stage(path_81, _e1);
         return _e2;
     }
     pub(crate) fn object_none(
         &self,
         pixel_77: PixelIn,
         at_102: Entered,
-        params_95: impl rt::Into<rt::Vec4<f32>>,
+        params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_77, at_102, rt::into(params_95)))
+        rt::into(self.v_object_none(pixel_77, at_102, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_none(
         &self,
         pixel_77: PixelIn,
         at_102: Entered,
-        params_95: rt::Vec4<f32>,
+        params_97: rt::Vec4<f32>,
     ) -> FirstHit {
-        let mut cost_23: rt::Vec3<u32> = NO_COST;
+        let mut cost_24: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
-        let mut k_29: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_96: rt::Scalar<bool>;
 
-        let _e5 = cost_23;
+        let _e5 = cost_24;
         let _e6 = self.v_miss(_e5);
         first_4 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = k_29;
+                let _e13 = k_30;
                 if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_102.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e16 = k_29;
+                    let _e16 = k_30;
                     let _e17 = self.v_segment_of(pixel_77, at_102, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
-                        let _e22 = k_29;
+                        let _e22 = k_30;
                         let _e23 = self.v_hit_on_segment(pixel_77, at_102, _e17, _e21, _e22);
-                        let _e24 = cost_23;
-                        cost_23 = (_e24 + _e23.hit.cost);
+                        let _e24 = cost_24;
+                        cost_24 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
                             let _e34 = rt::Scalar(first_4.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
@@ -14890,12 +15070,12 @@ impl<'g> Resources<'g> {
                             }
                         }
                     }
-                    let _e50 = k_29;
-                    k_29 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_30;
+                    k_30 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e55 = cost_23;
+        let _e55 = cost_24;
         first_4.hit.cost = _e55;
         let _e56 = first_4;
         return _e56;
@@ -14905,26 +15085,26 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_103: Entered) -> FirstHit {
-        let mut cost_24: rt::Vec3<u32> = NO_COST;
+        let mut cost_25: rt::Vec3<u32> = NO_COST;
         let mut first_5: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_97: rt::Scalar<bool>;
         let mut local_98: rt::Scalar<bool>;
         let mut local_99: rt::Scalar<bool>;
 
-        let _e4 = cost_24;
+        let _e4 = cost_25;
         let _e5 = self.v_miss(_e4);
         first_5 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_16 = (rt::Scalar(at_103.segments) * MOST_ROUNDS);
+        let most_17 = (rt::Scalar(at_103.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
                 if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_103.segments))) {
                     let _e26 = turns;
-                    local_97 = _e26.elementwise_lt(most_16);
+                    local_97 = _e26.elementwise_lt(most_17);
                 } else {
                     local_97 = rt::Scalar(false);
                 }
@@ -14934,7 +15114,7 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = k_30;
+                    let _e30 = k_31;
                     let _e31 = self.v_segment_of(pixel_78, at_103, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
@@ -14947,7 +15127,7 @@ impl<'g> Resources<'g> {
                     }
                     let _e49 = local_98;
                     if rt::Scalar::into_branch_condition((!_e49)) {
-                        let _e52 = cost_24;
+                        let _e52 = cost_25;
                         let _e53 = self.v_miss(_e52);
                         first_5.hit = _e53;
                         let _e54 = first_5;
@@ -14955,17 +15135,17 @@ impl<'g> Resources<'g> {
                     }
                     let _e55 = self.v_beginning_at(_e31, passed);
                     let _e56 = self.v_trace(_e55);
-                    let _e57 = cost_24;
-                    cost_24 = (_e57 + _e56.cost);
+                    let _e57 = cost_25;
+                    cost_25 = (_e57 + _e56.cost);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e56.found).elementwise_eq(rt::Scalar(0u32))) {
-                        let _e64 = cost_24;
+                        let _e64 = cost_25;
                         let _e65 = self.v_miss(_e64);
                         first_5.hit = _e65;
                         let _e66 = first_5;
                         return _e66;
                     }
-                    let t_51 = (passed + rt::Scalar(_e56.t));
-                    let _e70 = self.v_metres_on(_e31, t_51);
+                    let t_52 = (passed + rt::Scalar(_e56.t));
+                    let _e70 = self.v_metres_on(_e31, t_52);
                     let at_m = (rt::Scalar(_e31.start) + _e70);
                     let _e74 = rt::Scalar(first_5.hit.found);
                     if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
@@ -14979,18 +15159,18 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e87) {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
-                        let _e93 = cost_24;
-                        let _e95 = k_30;
-                        let _e96 = self.v_hit_on_segment(pixel_78, at_103, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_51, _e93), _e95);
+                        let _e93 = cost_25;
+                        let _e95 = k_31;
+                        let _e96 = self.v_hit_on_segment(pixel_78, at_103, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_52, _e93), _e95);
                         first_5 = _e96;
                         let _e99 = first_5.hit.cost;
-                        cost_24 = _e99;
+                        cost_25 = _e99;
                     }
                     let _e100 = agreed;
                     agreed = (_e100 + rt::Scalar(1u32));
-                    let _e103 = k_30;
-                    let _e107 = k_30;
-                    k_30 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_103.segments)));
+                    let _e103 = k_31;
+                    let _e107 = k_31;
+                    k_31 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_103.segments)));
                     let _e113 = turns;
                     turns = (_e113 + rt::Scalar(1u32));
                 }
@@ -14998,7 +15178,7 @@ impl<'g> Resources<'g> {
         }
         let _e120 = agreed;
         rt::Scalar(first_5.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_103.segments)));
-        let _e126 = cost_24;
+        let _e126 = cost_25;
         first_5.hit.cost = _e126;
         let _e127 = first_5;
         return _e127;
@@ -15007,9 +15187,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_79: PixelIn,
         at_104: Entered,
-        params_96: impl rt::Into<rt::Vec4<f32>>,
+        params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_79, at_104, rt::into(params_96)))
+        rt::into(self.v_object_depth(pixel_79, at_104, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15017,7 +15197,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_79: PixelIn,
         at_104: Entered,
-        params_96: rt::Vec4<f32>,
+        params_98: rt::Vec4<f32>,
     ) -> FirstHit {
         let _e3 = self.v_first_in_all(pixel_79, at_104);
         return _e3;
@@ -15026,9 +15206,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_80: PixelIn,
         at_105: Entered,
-        params_97: impl rt::Into<rt::Vec4<f32>>,
+        params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_80, at_105, rt::into(params_97)))
+        rt::into(self.v_object_hull(pixel_80, at_105, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15036,7 +15216,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_80: PixelIn,
         at_105: Entered,
-        params_97: rt::Vec4<f32>,
+        params_99: rt::Vec4<f32>,
     ) -> FirstHit {
         let _e3 = self.v_first_in_all(pixel_80, at_105);
         return _e3;
@@ -15050,29 +15230,29 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
         let at_168 = ((uv_30 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(at_168);
-        let part_23 = (at_168 - _e8);
+        let part_24 = (at_168 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_16 = (rt::Scalar(1f32) - part_23.x());
-        let y_11 = (rt::Scalar(1f32) - part_23.y());
-        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_23.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_23.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_23.x() * part_23.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
-        let cover_2 = ((weights_6.x() + weights_6.y()) + (weights_6.z() + weights_6.w()));
+        let x_16 = (rt::Scalar(1f32) - part_24.x());
+        let y_11 = (rt::Scalar(1f32) - part_24.y());
+        let weights_7 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_24.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_24.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_24.x() * part_24.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let cover_2 = ((weights_7.x() + weights_7.y()) + (weights_7.z() + weights_7.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_6.dot(_e12) / cover_2));
+            return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_7.dot(_e12) / cover_2));
         }
         return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn look_along(
         &self,
-        path_80: Path,
+        path_82: Path,
         image_11: Image,
         steps_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_look_along(path_80, image_11, rt::into(steps_1)))
+        rt::into(self.v_look_along(path_82, image_11, rt::into(steps_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_look_along(
         &self,
-        path_80: Path,
+        path_82: Path,
         image_11: Image,
         steps_1: rt::Scalar<u32>,
     ) -> rt::Vec2<f32> {
@@ -15081,9 +15261,9 @@ impl<'g> Resources<'g> {
         let mut step_4: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        let beyond_7 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
-        let low_9 = (image_11.corner - beyond_7);
-        let high_3 = ((image_11.corner + image_11.extent) + beyond_7);
+        let beyond_8 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
+        let low_9 = (image_11.corner - beyond_8);
+        let high_3 = ((image_11.corner + image_11.extent) + beyond_8);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = step_4;
@@ -15093,7 +15273,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e23 = height_11;
-                    let _e30 = self.v_path_uv(path_80, ((_e23 - path_80.h.x()) / path_80.h.y()));
+                    let _e30 = self.v_path_uv(path_82, ((_e23 - path_82.h.x()) / path_82.h.y()));
                     let _e32 = self.v_look_into_frame(_e30.clamp(low_9, high_3));
                     cover = _e32.x();
                     let _e34 = height_11;
@@ -15112,48 +15292,48 @@ impl<'g> Resources<'g> {
         &self,
         pixel_81: PixelIn,
         at_106: Entered,
-        params_98: impl rt::Into<rt::Vec4<f32>>,
+        params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_81, at_106, rt::into(params_98)))
+        rt::into(self.v_object_blend(pixel_81, at_106, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_blend(
         &self,
         pixel_81: PixelIn,
         at_106: Entered,
-        params_98: rt::Vec4<f32>,
+        params_100: rt::Vec4<f32>,
     ) -> FirstHit {
-        let mut cost_25: rt::Vec3<u32> = NO_COST;
+        let mut cost_26: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut along_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut heaviest: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut first_6: FirstHit;
         let mut local_100: rt::Scalar<bool>;
 
-        let toward_9 = (-pixel_81.direction.normalize());
-        let _e6 = self.v_frames_around(toward_9);
+        let toward_10 = (-pixel_81.direction.normalize());
+        let _e6 = self.v_frames_around(toward_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_31;
+                let _e19 = k_32;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e22 = k_31;
+                    let _e22 = k_32;
                     let _e23 = self.v_frame_number(_e6, _e22);
                     let _e24 = self.v_image_of_object(_e23);
-                    let _e25 = k_31;
+                    let _e25 = k_32;
                     let _e26 = self.v_frame_weight(_e6, _e25);
-                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_9).elementwise_ge(rt::Scalar(0.05f32))) {
-                        let _e31 = k_31;
+                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_10).elementwise_ge(rt::Scalar(0.05f32))) {
+                        let _e31 = k_32;
                         let _e32 = self.v_segment_of(pixel_81, at_106, _e31);
-                        let _e35 = self.v_look_along(_e32, _e24, params_98.w().to_u32());
+                        let _e35 = self.v_look_along(_e32, _e24, params_100.w().to_u32());
                         let seen_7 = (_e26 * _e35.x());
-                        let _e38 = cost_25;
-                        cost_25 = (_e38 + (LOOK * (params_98.w().to_u32() + rt::Scalar(1u32))));
+                        let _e38 = cost_26;
+                        cost_26 = (_e38 + (LOOK * (params_100.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
                         cover_1 = (_e46 + seen_7);
                         let _e48 = along_18;
@@ -15161,16 +15341,16 @@ impl<'g> Resources<'g> {
                         let _e60 = most_1;
                         if rt::Scalar::into_branch_condition(seen_7.elementwise_gt(_e60)) {
                             most_1 = seen_7;
-                            let _e62 = k_31;
+                            let _e62 = k_32;
                             heaviest = _e62;
                         }
                     }
-                    let _e63 = k_31;
-                    k_31 = (_e63 + rt::Scalar(1u32));
+                    let _e63 = k_32;
+                    k_32 = (_e63 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e66 = cost_25;
+        let _e66 = cost_26;
         let _e67 = self.v_miss(_e66);
         first_6 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
         let _e72 = cover_1;
@@ -15189,11 +15369,11 @@ impl<'g> Resources<'g> {
         let _e85 = self.v_segment_of(pixel_81, at_106, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
-        let t_52 = ((_e86 / _e87) - rt::Scalar(_e85.start));
-        let _e93 = self.v_path_uv(_e85, t_52);
-        let _e94 = self.v_path_height(_e85, t_52);
-        let _e95 = cost_25;
-        let hit_76 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_52, _e95);
+        let t_53 = ((_e86 / _e87) - rt::Scalar(_e85.start));
+        let _e93 = self.v_path_uv(_e85, t_53);
+        let _e94 = self.v_path_height(_e85, t_53);
+        let _e95 = cost_26;
+        let hit_76 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_53, _e95);
         let _e97 = heaviest;
         let _e98 = self.v_hit_on_segment(pixel_81, at_106, _e85, hit_76, _e97);
         return _e98;
@@ -15290,77 +15470,82 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         return ((rt::Scalar(at_109.footprint) * at_109.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn shadow_search_stage(&self, path_81: Path) -> SearchResult {
-        rt::into(self.v_shadow_search_stage(path_81))
+    pub(crate) fn shadow_search_stage(&self, path_83: Path) -> SearchResult {
+        rt::into(self.v_shadow_search_stage(path_83))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_shadow_search_stage(&self, path_81: Path) -> SearchResult {
+    pub(super) fn v_shadow_search_stage(&self, path_83: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[10usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[10usize].params;
-                let _e11 = self.v_search_none(path_81, _e10);
+                let _e11 = self.v_search_none(path_83, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[10usize].params;
-                let _e17 = self.v_search_linear(path_81, _e16);
+                let _e17 = self.v_search_linear(path_83, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[10usize].params;
-                let _e23 = self.v_search_cells(path_81, _e22);
+                let _e23 = self.v_search_cells(path_83, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[10usize].params;
-                let _e29 = self.v_search_frustum(path_81, _e28);
+                let _e29 = self.v_search_frustum(path_83, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[10usize].params;
-                let _e35 = self.v_search_cone(path_81, _e34);
+                let _e35 = self.v_search_cone(path_83, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[10usize].params;
-                let _e41 = self.v_search_pyramid(path_81, _e40);
+                let _e41 = self.v_search_pyramid(path_83, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[10usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_81, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_83, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[10usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_81, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_83, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[10usize].params;
-                let _e59 = self.v_search_sphere(path_81, _e58);
+                let _e59 = self.v_search_sphere(path_83, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[10usize].params;
-                let _e65 = self.v_search_cone_moved(path_81, _e64);
+                let _e65 = self.v_search_cone_moved(path_83, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[10usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_81, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_83, _e70);
                 return _e71;
             }
             11u32 => {
                 let _e76 = self.surface_settings.choices[10usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_81, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_83, _e76);
                 return _e77;
             }
-            _ => {
+            12u32 => {
                 let _e82 = self.surface_settings.choices[10usize].params;
-                let _e83 = self.v_search_voxels(path_81, _e82);
+                let _e83 = self.v_search_voxels(path_83, _e82);
                 return _e83;
+            }
+            _ => {
+                let _e88 = self.surface_settings.choices[10usize].params;
+                let _e89 = self.v_search_generalised(path_83, _e88);
+                return _e89;
             }
         }
     }
@@ -15388,8 +15573,8 @@ impl<'g> Resources<'g> {
     pub(super) fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_17 = (turn_1 * rt::Scalar(6.2831855f32));
         let s_3 = (x_17 * x_17);
-        let last_14 = (rt::Scalar(-0.0001984127f32) + (s_3 * rt::Scalar(0.0000027557319f32)));
-        return (x_17 * (rt::Scalar(1f32) + (s_3 * (rt::Scalar(-0.16666667f32) + (s_3 * (rt::Scalar(0.008333334f32) + (s_3 * last_14)))))));
+        let last_16 = (rt::Scalar(-0.0001984127f32) + (s_3 * rt::Scalar(0.0000027557319f32)));
+        return (x_17 * (rt::Scalar(1f32) + (s_3 * (rt::Scalar(-0.16666667f32) + (s_3 * (rt::Scalar(0.008333334f32) + (s_3 * last_16)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -15397,9 +15582,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_24 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_24 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_24.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_25 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_25 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_25.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned_1(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned_1(rt::into(turn_3)))
@@ -15462,47 +15647,47 @@ impl<'g> Resources<'g> {
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let cell_43 = at_111.floor();
-        let part_25 = (at_111 - cell_43);
-        let fade = (((part_25 * part_25) * part_25) * ((part_25 * ((part_25 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
+        let cell_44 = at_111.floor();
+        let part_26 = (at_111 - cell_44);
+        let fade = (((part_26 * part_26) * part_26) * ((part_26 * ((part_26 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_43, part_25, count_6, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_43 + right_5), (part_25 - right_5), count_6, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_43 + down_1), (part_25 - down_1), count_6, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_43 + right_5) + down_1), ((part_25 - right_5) - down_1), count_6, turns_2, seed_3);
+        let _e24 = self.v_gradient_at(cell_44, part_26, count_6, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_44 + right_5), (part_26 - right_5), count_6, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_44 + down_1), (part_26 - down_1), count_6, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_44 + right_5) + down_1), ((part_26 - right_5) - down_1), count_6, turns_2, seed_3);
         let above_10 = (_e24 + ((_e27 - _e24) * fade.x()));
-        let below_8 = (_e30 + ((_e35 - _e30) * fade.x()));
-        return (above_10 + ((below_8 - above_10) * fade.y()));
+        let below_9 = (_e30 + ((_e35 - _e30) * fade.x()));
+        return (above_10 + ((below_9 - above_10) * fade.y()));
     }
     pub(crate) fn holds_filter(
         &self,
         view_18: LightView,
-        place_21: impl rt::Into<rt::Vec3<f32>>,
+        place_22: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_18, rt::into(place_21), rt::into(half)))
+        rt::into(self.v_holds_filter(view_18, rt::into(place_22), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_holds_filter(
         &self,
         view_18: LightView,
-        place_21: rt::Vec3<f32>,
+        place_22: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut local_101: rt::Scalar<bool>;
         let mut local_102: rt::Scalar<bool>;
 
-        let least_8 = (place_21.x().min(place_21.y()) - half);
-        let most_17 = (place_21.x().max(place_21.y()) + half);
-        if rt::Scalar::into_branch_condition(place_21.z().elementwise_gt(rt::Scalar(0f32))) {
+        let least_8 = (place_22.x().min(place_22.y()) - half);
+        let most_18 = (place_22.x().max(place_22.y()) + half);
+        if rt::Scalar::into_branch_condition(place_22.z().elementwise_gt(rt::Scalar(0f32))) {
             local_101 = least_8.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_101 = rt::Scalar(false);
         }
         let _e19 = local_101;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_102 = most_17.elementwise_le(rt::Scalar(view_18.size).to_f32());
+            local_102 = most_18.elementwise_le(rt::Scalar(view_18.size).to_f32());
         } else {
             local_102 = rt::Scalar(false);
         }
@@ -15513,11 +15698,11 @@ impl<'g> Resources<'g> {
         &self,
         plane_1: impl rt::Into<rt::Vec4<f32>>,
         position: impl rt::Into<rt::Vec3<f32>>,
-        direction_5: impl rt::Into<rt::Vec3<f32>>,
+        direction_6: impl rt::Into<rt::Vec3<f32>>,
         low_m: impl rt::Into<rt::Scalar<f32>>,
         high_m: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_is_before(rt::into(plane_1), rt::into(position), rt::into(direction_5), rt::into(low_m), rt::into(high_m)))
+        rt::into(self.v_is_before(rt::into(plane_1), rt::into(position), rt::into(direction_6), rt::into(low_m), rt::into(high_m)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15525,14 +15710,14 @@ impl<'g> Resources<'g> {
         &self,
         plane_1: rt::Vec4<f32>,
         position: rt::Vec3<f32>,
-        direction_5: rt::Vec3<f32>,
+        direction_6: rt::Vec3<f32>,
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut local_103: rt::Scalar<bool>;
 
-        let low_10 = (plane_1.xyz().dot((position + (direction_5 * low_m))) + plane_1.w());
-        let high_4 = (plane_1.xyz().dot((position + (direction_5 * high_m))) + plane_1.w());
+        let low_10 = (plane_1.xyz().dot((position + (direction_6 * low_m))) + plane_1.w());
+        let high_4 = (plane_1.xyz().dot((position + (direction_6 * high_m))) + plane_1.w());
         if rt::Scalar::into_branch_condition(low_10.elementwise_gt(rt::Scalar(0f32))) {
             local_103 = high_4.elementwise_gt(rt::Scalar(0f32));
         } else {
@@ -15562,22 +15747,22 @@ impl<'g> Resources<'g> {
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_104: rt::Scalar<bool>;
         let mut local_105: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_32;
+                let _e8 = k_33;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_32;
+                    let _e12 = k_33;
                     let plane_3 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_32;
-                    k_32 = (_e14 + rt::Scalar(1u32));
+                    let _e14 = k_33;
+                    k_33 = (_e14 + rt::Scalar(1u32));
                     let _e19 = self.v_is_before(plane_3, a_15.position, a_15.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_3, b_15.position, b_15.direction, low_m_1, high_m_1);
@@ -15754,19 +15939,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_texel(
         &self,
-        place_22: impl rt::Into<rt::Vec2<i32>>,
+        place_23: impl rt::Into<rt::Vec2<i32>>,
         view_21: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_22), rt::into(view_21)))
+        rt::into(self.v_light_texel(rt::into(place_23), rt::into(view_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_light_texel(
         &self,
-        place_22: rt::Vec2<i32>,
+        place_23: rt::Vec2<i32>,
         view_21: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_22, rt::Scalar::into_inner(view_21), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_23, rt::Scalar::into_inner(view_21), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
@@ -15801,11 +15986,11 @@ impl<'g> Resources<'g> {
                     let _e24 = column_2;
                     let wide_2 = (at_113.high.x().min((_e18 + rt::Scalar(1f32))) - at_113.low.x().max(_e24));
                     let _e27 = column_2;
-                    let place_36 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_34, at_113.point, at_113.normal, (place_36 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let place_37 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_34, at_113.point, at_113.normal, (place_37 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_10 = _e35.clamp(rt::Scalar(at_113.least_depth), rt::Scalar(at_113.most_depth));
                     let key = (rt::Scalar(view_34.near) / (rt::Scalar(view_34.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_36.to_i32(), rt::Scalar(at_113.number).to_i32());
+                    let _e48 = self.v_light_texel(place_37.to_i32(), rt::Scalar(at_113.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -15823,11 +16008,11 @@ impl<'g> Resources<'g> {
         number_15: impl rt::Into<rt::Scalar<u32>>,
         at_114: Entered,
         normal_20: impl rt::Into<rt::Vec3<f32>>,
-        place_23: impl rt::Into<rt::Vec3<f32>>,
+        place_24: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_15), at_114, rt::into(normal_20), rt::into(place_23), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_15), at_114, rt::into(normal_20), rt::into(place_24), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_part(
@@ -15835,7 +16020,7 @@ impl<'g> Resources<'g> {
         number_15: rt::Scalar<u32>,
         at_114: Entered,
         normal_20: rt::Vec3<f32>,
-        place_23: rt::Vec3<f32>,
+        place_24: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
@@ -15843,19 +16028,19 @@ impl<'g> Resources<'g> {
         let mut row_7: rt::Scalar<f32>;
 
         let view_35 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
-        let texel_m = (rt::Scalar(view_35.texel_m) * rt::Scalar(1f32).select(place_23.z(), rt::Scalar(view_35.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let texel_m = (rt::Scalar(view_35.texel_m) * rt::Scalar(1f32).select(place_24.z(), rt::Scalar(view_35.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_114);
         let point_32 = (at_114.point + (normal_20 * (bias * texel_m.max(_e19))));
         let reach_5 = (rt::Scalar(16f32) * texel_m);
-        let low_11 = (place_23.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let low_11 = (place_24.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_5 = (low_11 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_15 = high_5.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_35.size).to_f32(), rt::Scalar(view_35.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_15, point_32, normal_20, low_11, high_5, (place_23.z() - reach_5), (place_23.z() + reach_5));
+        let last_17 = high_5.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_35.size).to_f32(), rt::Scalar(view_35.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_15, point_32, normal_20, low_11, high_5, (place_24.z() - reach_5), (place_24.z() + reach_5));
         row_7 = low_11.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_7;
-                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_15.y())) {
+                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_17.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -15865,7 +16050,7 @@ impl<'g> Resources<'g> {
                     let tall = (high_5.y().min((_e59 + rt::Scalar(1f32))) - low_11.y().max(_e64));
                     let _e67 = seen_1;
                     let _e68 = row_7;
-                    let _e70 = self.v_row_sees(in_view, _e68, last_15.x());
+                    let _e70 = self.v_row_sees(in_view, _e68, last_17.x());
                     seen_1 = (_e67 + (_e70 * tall));
                     let _e73 = row_7;
                     row_7 = (_e73 + rt::Scalar(1f32));
@@ -15896,7 +16081,7 @@ impl<'g> Resources<'g> {
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_33: rt::Scalar<u32>;
+        let mut k_34: rt::Scalar<u32>;
 
         let light_21 = self.frame.lights[rt::Scalar::into_array_index(number_16)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_21.views).elementwise_eq(rt::Scalar(0u32))) {
@@ -15907,28 +16092,28 @@ impl<'g> Resources<'g> {
             return rt::Scalar(0f32);
         }
         let width_7 = filter_texels.max(rt::Scalar(0.001f32));
-        k_33 = rt::Scalar(light_21.first_view);
+        k_34 = rt::Scalar(light_21.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_33;
+                let _e24 = k_34;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_21.first_view) + rt::Scalar(light_21.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_33;
+                    let _e31 = k_34;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
                     let _e35 = self.v_light_place(_e33, at_115.point);
-                    let _e38 = k_33;
+                    let _e38 = k_34;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_7));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_33;
+                        let _e44 = k_34;
                         let _e45 = self.v_seen_part(_e44, at_115, _e14, _e35, width_7, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_33;
-                    k_33 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_34;
+                    k_34 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -15965,9 +16150,9 @@ impl<'g> Resources<'g> {
         at_116: Entered,
         hit_34: Hit,
         light_9: Toward,
-        params_99: impl rt::Into<rt::Vec4<f32>>,
+        params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_116, hit_34, light_9, rt::into(params_99)))
+        rt::into(self.v_shadow_ray(at_116, hit_34, light_9, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15976,7 +16161,7 @@ impl<'g> Resources<'g> {
         at_116: Entered,
         hit_34: Hit,
         light_9: Toward,
-        params_99: rt::Vec4<f32>,
+        params_101: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_free_way(at_116, hit_34, light_9);
         return _e4;
@@ -15986,9 +16171,9 @@ impl<'g> Resources<'g> {
         at_117: Entered,
         hit_35: Hit,
         light_10: Toward,
-        params_100: impl rt::Into<rt::Vec4<f32>>,
+        params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_117, hit_35, light_10, rt::into(params_100)))
+        rt::into(self.v_shadow_none(at_117, hit_35, light_10, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15997,7 +16182,7 @@ impl<'g> Resources<'g> {
         at_117: Entered,
         hit_35: Hit,
         light_10: Toward,
-        params_100: rt::Vec4<f32>,
+        params_102: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -16006,9 +16191,9 @@ impl<'g> Resources<'g> {
         at_118: Entered,
         hit_36: Hit,
         light_11: Toward,
-        params_101: impl rt::Into<rt::Vec4<f32>>,
+        params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_118, hit_36, light_11, rt::into(params_101)))
+        rt::into(self.v_shadow_entry(at_118, hit_36, light_11, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_entry(
@@ -16016,7 +16201,7 @@ impl<'g> Resources<'g> {
         at_118: Entered,
         hit_36: Hit,
         light_11: Toward,
-        params_101: rt::Vec4<f32>,
+        params_103: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_from_hit(at_118, hit_36, light_11);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -16037,7 +16222,7 @@ impl<'g> Resources<'g> {
         }
         let _e52 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e42.uv - _e4.uv).abs() * _e52);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_101.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_103.x()));
     }
     pub(crate) fn seed_of(&self, hit_37: Hit) -> u32 {
         rt::into(self.v_seed_of(hit_37))
@@ -16045,19 +16230,19 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seed_of(&self, hit_37: Hit) -> rt::Scalar<u32> {
-        let place_37 = ((hit_37.uv - hit_37.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_37.y());
-        let _e12 = self.v_mixed((place_37.x() ^ _e10));
+        let place_38 = ((hit_37.uv - hit_37.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_38.y());
+        let _e12 = self.v_mixed((place_38.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn point_of_disc(
         &self,
         light_12: Toward,
         seed_4: impl rt::Into<rt::Scalar<u32>>,
-        k_34: impl rt::Into<rt::Scalar<u32>>,
+        k_35: impl rt::Into<rt::Scalar<u32>>,
         count_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_12, rt::into(seed_4), rt::into(k_34), rt::into(count_7)))
+        rt::into(self.v_point_of_disc(light_12, rt::into(seed_4), rt::into(k_35), rt::into(count_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16065,30 +16250,30 @@ impl<'g> Resources<'g> {
         &self,
         light_12: Toward,
         seed_4: rt::Scalar<u32>,
-        k_34: rt::Scalar<u32>,
+        k_35: rt::Scalar<u32>,
         count_7: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_4 + k_34) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_4 + k_35) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_34.to_f32() + _e9) / count_7.to_f32());
+        let ring = ((k_35.to_f32() + _e9) / count_7.to_f32());
         let _e16 = self.v_unit_of(seed_4);
-        let _e18 = self.v_turned_1(((k_34.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_38 = (_e18 * (ring.sqrt() * rt::Scalar(light_12.radius)));
+        let _e18 = self.v_turned_1(((k_35.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_39 = (_e18 * (ring.sqrt() * rt::Scalar(light_12.radius)));
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_12.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_12.direction).normalize();
         let up_5 = light_12.direction.cross(right_6);
-        let toward_10 = ((light_12.direction + (right_6 * place_38.x())) + (up_5 * place_38.y()));
-        let along_43 = toward_10.length();
-        return <Toward>::new((toward_10 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_12.falloff), (rt::Scalar(light_12.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_12.number));
+        let toward_11 = ((light_12.direction + (right_6 * place_39.x())) + (up_5 * place_39.y()));
+        let along_43 = toward_11.length();
+        return <Toward>::new((toward_11 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_12.falloff), (rt::Scalar(light_12.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_12.number));
     }
     pub(crate) fn shadow_soft(
         &self,
         at_119: Entered,
         hit_38: Hit,
         light_13: Toward,
-        params_102: impl rt::Into<rt::Vec4<f32>>,
+        params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_119, hit_38, light_13, rt::into(params_102)))
+        rt::into(self.v_shadow_soft(at_119, hit_38, light_13, rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_soft(
@@ -16096,28 +16281,28 @@ impl<'g> Resources<'g> {
         at_119: Entered,
         hit_38: Hit,
         light_13: Toward,
-        params_102: rt::Vec4<f32>,
+        params_104: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_35: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_11 = params_102.x().to_u32();
+        let count_11 = params_104.x().to_u32();
         let _e6 = self.v_seed_of(hit_38);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_35;
+                let _e11 = k_36;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_11)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_35;
+                    let _e14 = k_36;
                     let _e15 = self.v_point_of_disc(light_13, _e6, _e14, count_11);
                     let _e16 = self.v_free_way(at_119, hit_38, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_35;
-                    k_35 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_36;
+                    k_36 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -16129,9 +16314,9 @@ impl<'g> Resources<'g> {
         at_120: Entered,
         hit_39: Hit,
         light_14: Toward,
-        params_103: impl rt::Into<rt::Vec4<f32>>,
+        params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_120, hit_39, light_14, rt::into(params_103)))
+        rt::into(self.v_shadow_heuristic(at_120, hit_39, light_14, rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_heuristic(
@@ -16139,10 +16324,10 @@ impl<'g> Resources<'g> {
         at_120: Entered,
         hit_39: Hit,
         light_14: Toward,
-        params_103: rt::Vec4<f32>,
+        params_105: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_36: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_37: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e4 = self.v_from_hit(at_120, hit_39, light_14);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -16151,42 +16336,42 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_way_out(_e4, light_14);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_36;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_103.x())) {
+                let _e16 = k_37;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_105.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_36;
-                    let part_26 = (_e19 / params_103.x());
+                    let _e19 = k_37;
+                    let part_27 = (_e19 / params_105.x());
                     let _e22 = most_2;
-                    let _e24 = self.v_path_gap(_e4, (part_26 * _e11));
-                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_26)));
-                    let _e31 = k_36;
-                    k_36 = (_e31 + rt::Scalar(1f32));
+                    let _e24 = self.v_path_gap(_e4, (part_27 * _e11));
+                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_27)));
+                    let _e31 = k_37;
+                    k_37 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_2;
-        return (rt::Scalar(1f32) - (params_103.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_105.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_24: impl rt::Into<rt::Vec2<i32>>,
+        place_25: impl rt::Into<rt::Vec2<i32>>,
         layer_9: impl rt::Into<rt::Scalar<i32>>,
         level_53: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_24), rt::into(layer_9), rt::into(level_53)))
+        rt::into(self.v_shadow_texel(rt::into(place_25), rt::into(layer_9), rt::into(level_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_texel(
         &self,
-        place_24: rt::Vec2<i32>,
+        place_25: rt::Vec2<i32>,
         layer_9: rt::Scalar<i32>,
         level_53: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_24, rt::Scalar::into_inner(layer_9), 0i32, rt::Scalar::into_inner(level_53));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_25, rt::Scalar::into_inner(layer_9), 0i32, rt::Scalar::into_inner(level_53));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -16209,11 +16394,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_54);
         let _e4 = self.v_texels_around(uv_33, _e3);
-        let k_54 = level_54.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_10, k_54);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_10, k_54);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_10, k_54);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_10, k_54);
+        let k_55 = level_54.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_10, k_55);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_10, k_55);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_10, k_55);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_10, k_55);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -16252,9 +16437,9 @@ impl<'g> Resources<'g> {
         at_121: Entered,
         hit_40: Hit,
         light_15: Toward,
-        params_104: impl rt::Into<rt::Vec4<f32>>,
+        params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_121, hit_40, light_15, rt::into(params_104)))
+        rt::into(self.v_shadow_horizon(at_121, hit_40, light_15, rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_horizon(
@@ -16262,38 +16447,38 @@ impl<'g> Resources<'g> {
         at_121: Entered,
         hit_40: Hit,
         light_15: Toward,
-        params_104: rt::Vec4<f32>,
+        params_106: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e5 = self.v_climb(at_121, light_15.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_44 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_44);
-        let azimuth_4 = (_e13 * params_104.x());
-        let first_25 = azimuth_4.floor();
-        let count_12 = params_104.x().to_i32();
-        let before_6 = (first_25.to_i32() % count_12);
-        let part_27 = (azimuth_4 - first_25);
-        let _e24 = self.v_shadow_texel_between(hit_40.uv, before_6, rt::Scalar(at_121.level));
+        let azimuth_5 = (_e13 * params_106.x());
+        let first_26 = azimuth_5.floor();
+        let count_12 = params_106.x().to_i32();
+        let before_8 = (first_26.to_i32() % count_12);
+        let part_28 = (azimuth_5 - first_26);
+        let _e24 = self.v_shadow_texel_between(hit_40.uv, before_8, rt::Scalar(at_121.level));
         let low_12 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_40.uv, ((before_6 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_121.level));
-        let sine_1 = (low_12 + ((_e31.x() - low_12) * part_27));
+        let _e31 = self.v_shadow_texel_between(hit_40.uv, ((before_8 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_121.level));
+        let sine_1 = (low_12 + ((_e31.x() - low_12) * part_28));
         let squared_5 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_18 = (squared_5 * along_44.dot(along_44)).sqrt();
+        let far_19 = (squared_5 * along_44.dot(along_44)).sqrt();
         let _e48 = self.v_from_hit(at_121, hit_40, light_15);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_10 = (_e49 * _e52);
-        let horizon = far_18.max(near_10);
+        let horizon = far_19.max(near_10);
         let up_6 = at_121.normal.dot(light_15.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_15.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
         let flat = (rt::Scalar(1f32) - (up_6 * up_6)).max(rt::Scalar(0f32));
-        let beside_7 = (flat + (up_6 * horizon));
-        if rt::Scalar::into_branch_condition((!beside_7.elementwise_gt(rt::Scalar(0f32)))) {
+        let beside_8 = (flat + (up_6 * horizon));
+        if rt::Scalar::into_branch_condition((!beside_8.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_6 - horizon)) / (beside_7 * rt::Scalar(light_15.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_6 - horizon)) / (beside_8 * rt::Scalar(light_15.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
@@ -16324,9 +16509,9 @@ impl<'g> Resources<'g> {
         at_123: Entered,
         hit_42: Hit,
         light_16: Toward,
-        params_105: impl rt::Into<rt::Vec4<f32>>,
+        params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_123, hit_42, light_16, rt::into(params_105)))
+        rt::into(self.v_shadow_visibility(at_123, hit_42, light_16, rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_visibility(
@@ -16334,7 +16519,7 @@ impl<'g> Resources<'g> {
         at_123: Entered,
         hit_42: Hit,
         light_16: Toward,
-        params_105: rt::Vec4<f32>,
+        params_107: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e5 = self.v_climb(at_123, light_16.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
@@ -16345,22 +16530,22 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_25 = (_e5.z() * _e21);
         let squared_6 = ((height_25 * height_25) / (along_45.dot(along_45) + (height_25 * height_25)));
-        let azimuths = params_105.x().to_i32();
-        let elevations_1 = params_105.y().to_i32();
+        let azimuths = params_107.x().to_i32();
+        let elevations_1 = params_107.y().to_i32();
         let _e32 = self.v_turn_of(along_45);
-        let azimuth_5 = (_e32 * params_105.x());
-        let elevation_4 = ((squared_6 * params_105.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_105.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_105.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_42 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_123, hit_42, a_42, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+        let azimuth_6 = (_e32 * params_107.x());
+        let elevation_5 = ((squared_6 * params_107.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_107.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_107.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_42 = ((azimuth_6 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
+            let _e56 = self.v_open_part(at_123, hit_42, a_42, (elevation_5 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
-        let a0_2 = (azimuth_5.floor().to_i32() % azimuths);
+        let a0_2 = (azimuth_6.floor().to_i32() % azimuths);
         let a1_2 = ((a0_2 + rt::Scalar(1i32)) % azimuths);
-        let e0_1 = elevation_4.floor().to_i32();
+        let e0_1 = elevation_5.floor().to_i32();
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
-        let along_azimuth = (azimuth_5 - azimuth_5.floor());
-        let along_elevation = (elevation_4 - elevation_4.floor());
+        let along_azimuth = (azimuth_6 - azimuth_6.floor());
+        let along_elevation = (elevation_5 - elevation_5.floor());
         let _e74 = self.v_open_part(at_123, hit_42, a1_2, e0_1, elevations_1);
         let _e75 = self.v_open_part(at_123, hit_42, a0_2, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
@@ -16375,9 +16560,9 @@ impl<'g> Resources<'g> {
         at_124: Entered,
         hit_43: Hit,
         light_17: Toward,
-        params_106: impl rt::Into<rt::Vec4<f32>>,
+        params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_124, hit_43, light_17, rt::into(params_106)))
+        rt::into(self.v_shadow_map(at_124, hit_43, light_17, rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16386,9 +16571,9 @@ impl<'g> Resources<'g> {
         at_124: Entered,
         hit_43: Hit,
         light_17: Toward,
-        params_106: rt::Vec4<f32>,
+        params_108: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_124, hit_43.uv, rt::Scalar(light_17.number), light_17.direction, params_106.z(), params_106.w());
+        let _e9 = self.v_light_seen(at_124, hit_43.uv, rt::Scalar(light_17.number), light_17.direction, params_108.z(), params_108.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
@@ -16396,9 +16581,9 @@ impl<'g> Resources<'g> {
         at_125: Entered,
         hit_44: Hit,
         light_18: Toward,
-        params_107: impl rt::Into<rt::Vec4<f32>>,
+        params_109: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_125, hit_44, light_18, rt::into(params_107)))
+        rt::into(self.v_shadow_scene(at_125, hit_44, light_18, rt::into(params_109)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16407,7 +16592,7 @@ impl<'g> Resources<'g> {
         at_125: Entered,
         hit_44: Hit,
         light_18: Toward,
-        params_107: rt::Vec4<f32>,
+        params_109: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -16484,19 +16669,19 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normal_of_frames(&self, at_128: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut sum_4: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e9 = k_37;
+                let _e9 = k_38;
                 if rt::Scalar::into_branch_condition(_e9.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_37;
+                    let _e12 = k_38;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
                     seen_2 = at_128;
@@ -16507,22 +16692,22 @@ impl<'g> Resources<'g> {
                     seen_2.normal = _e14.toward;
                     let _e23 = self.v_place_in_image(_e14, at_128.point);
                     let uv_45 = _e23.xy();
-                    let _e25 = sum_3;
+                    let _e25 = sum_4;
                     let _e26 = seen_2;
                     let _e27 = self.v_finest_normal(_e26, uv_45);
-                    let _e28 = k_37;
+                    let _e28 = k_38;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
-                    sum_3 = (_e25 + (_e27 * _e29));
-                    let _e32 = k_37;
-                    k_37 = (_e32 + rt::Scalar(1u32));
+                    sum_4 = (_e25 + (_e27 * _e29));
+                    let _e32 = k_38;
+                    k_38 = (_e32 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e35 = sum_3;
-        let _e36 = sum_3;
+        let _e35 = sum_4;
+        let _e36 = sum_4;
         let square_4 = _e35.dot(_e36);
         if rt::Scalar::into_branch_condition(square_4.elementwise_gt(rt::Scalar(0f32))) {
-            let _e40 = sum_3;
+            let _e40 = sum_4;
             return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
         }
         return at_128.normal;
@@ -16537,8 +16722,8 @@ impl<'g> Resources<'g> {
         let at_170 = ((uv_34 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(at_170);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_28 = (at_170 - _e8);
-        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_28.y())) + ((_e11.w() - _e11.z()) * part_28.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_28.x())) + ((_e11.w() - _e11.y()) * part_28.x())));
+        let part_29 = (at_170 - _e8);
+        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_29.y())) + ((_e11.w() - _e11.z()) * part_29.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_29.x())) + ((_e11.w() - _e11.y()) * part_29.x())));
     }
     pub(crate) fn normal_of_mask(
         &self,
@@ -16557,9 +16742,9 @@ impl<'g> Resources<'g> {
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_rise_of_mask(uv_35);
-        let place_39 = ((uv_35 - image_12.corner) / image_12.extent);
-        let along_u_5 = (image_12.u.xyz() - (image_12.depth.xyz() * place_39.x())).normalize();
-        let along_v_5 = (image_12.v.xyz() - (image_12.depth.xyz() * place_39.y())).normalize();
+        let place_40 = ((uv_35 - image_12.corner) / image_12.extent);
+        let along_u_5 = (image_12.u.xyz() - (image_12.depth.xyz() * place_40.x())).normalize();
+        let along_v_5 = (image_12.v.xyz() - (image_12.depth.xyz() * place_40.y())).normalize();
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_5 * _e3.x())) - (along_v_5 * _e3.y()));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
@@ -16572,9 +16757,9 @@ impl<'g> Resources<'g> {
         at_129: Entered,
         hit_47: Hit,
         view_22: impl rt::Into<rt::Vec3<f32>>,
-        params_108: impl rt::Into<rt::Vec4<f32>>,
+        params_110: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_129, hit_47, rt::into(view_22), rt::into(params_108)))
+        rt::into(self.v_object_blend_color(at_129, hit_47, rt::into(view_22), rt::into(params_110)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16583,9 +16768,9 @@ impl<'g> Resources<'g> {
         at_129: Entered,
         hit_47: Hit,
         view_22: rt::Vec3<f32>,
-        params_108: rt::Vec4<f32>,
+        params_110: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_129, view_22, params_108.z());
+        let _e5 = self.v_color_of_object(at_129, view_22, params_110.z());
         return _e5;
     }
     pub(crate) fn object_none_color(
@@ -16593,9 +16778,9 @@ impl<'g> Resources<'g> {
         at_130: Entered,
         hit_48: Hit,
         view_23: impl rt::Into<rt::Vec3<f32>>,
-        params_109: impl rt::Into<rt::Vec4<f32>>,
+        params_111: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_130, hit_48, rt::into(view_23), rt::into(params_109)))
+        rt::into(self.v_object_none_color(at_130, hit_48, rt::into(view_23), rt::into(params_111)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16604,7 +16789,7 @@ impl<'g> Resources<'g> {
         at_130: Entered,
         hit_48: Hit,
         view_23: rt::Vec3<f32>,
-        params_109: rt::Vec4<f32>,
+        params_111: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e6 = self.v_color_or_white(hit_48.uv, rt::Scalar(at_130.footprint));
         return _e6;
@@ -16614,9 +16799,9 @@ impl<'g> Resources<'g> {
         at_131: Entered,
         hit_49: Hit,
         view_24: impl rt::Into<rt::Vec3<f32>>,
-        params_110: impl rt::Into<rt::Vec4<f32>>,
+        params_112: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_131, hit_49, rt::into(view_24), rt::into(params_110)))
+        rt::into(self.v_object_depth_color(at_131, hit_49, rt::into(view_24), rt::into(params_112)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16625,9 +16810,9 @@ impl<'g> Resources<'g> {
         at_131: Entered,
         hit_49: Hit,
         view_24: rt::Vec3<f32>,
-        params_110: rt::Vec4<f32>,
+        params_112: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_131, view_24, params_110.z());
+        let _e5 = self.v_color_of_object(at_131, view_24, params_112.z());
         return _e5;
     }
     pub(crate) fn object_hull_color(
@@ -16635,9 +16820,9 @@ impl<'g> Resources<'g> {
         at_132: Entered,
         hit_50: Hit,
         view_25: impl rt::Into<rt::Vec3<f32>>,
-        params_111: impl rt::Into<rt::Vec4<f32>>,
+        params_113: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_132, hit_50, rt::into(view_25), rt::into(params_111)))
+        rt::into(self.v_object_hull_color(at_132, hit_50, rt::into(view_25), rt::into(params_113)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16646,9 +16831,9 @@ impl<'g> Resources<'g> {
         at_132: Entered,
         hit_50: Hit,
         view_25: rt::Vec3<f32>,
-        params_111: rt::Vec4<f32>,
+        params_113: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_132, view_25, params_111.z());
+        let _e5 = self.v_color_of_object(at_132, view_25, params_113.z());
         return _e5;
     }
     pub(crate) fn object_color_stage(
@@ -16840,11 +17025,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_86: PixelIn,
         at_135: Entered,
-        path_82: Path,
+        path_84: Path,
         hit_53: Hit,
-        params_112: impl rt::Into<rt::Vec4<f32>>,
+        params_114: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_135, path_82, hit_53, rt::into(params_112)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_135, path_84, hit_53, rt::into(params_114)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16852,9 +17037,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_86: PixelIn,
         at_135: Entered,
-        path_82: Path,
+        path_84: Path,
         hit_53: Hit,
-        params_112: rt::Vec4<f32>,
+        params_114: rt::Vec4<f32>,
     ) -> Entered {
         let _e5 = self.v_placed_over(at_135, hit_53);
         return _e5;
@@ -16863,11 +17048,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_87: PixelIn,
         at_136: Entered,
-        weights_4: impl rt::Into<rt::Vec3<f32>>,
+        weights_5: impl rt::Into<rt::Vec3<f32>>,
         point_21: impl rt::Into<rt::Vec3<f32>>,
         uv_37: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_136, rt::into(weights_4), rt::into(point_21), rt::into(uv_37)))
+        rt::into(self.v_placed_at(pixel_87, at_136, rt::into(weights_5), rt::into(point_21), rt::into(uv_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16875,13 +17060,13 @@ impl<'g> Resources<'g> {
         &self,
         pixel_87: PixelIn,
         at_136: Entered,
-        weights_4: rt::Vec3<f32>,
+        weights_5: rt::Vec3<f32>,
         point_21: rt::Vec3<f32>,
         uv_37: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_21, uv_37, at_136.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_5, point_21, uv_37, at_136.facing);
         placed_1 = _e6;
         rt::Scalar(placed_1.level) = rt::Scalar(at_136.level);
         rt::Scalar(placed_1.footprint) = rt::Scalar(at_136.footprint);
@@ -16893,11 +17078,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_88: PixelIn,
         at_137: Entered,
-        path_83: Path,
+        path_85: Path,
         hit_54: Hit,
-        params_113: impl rt::Into<rt::Vec4<f32>>,
+        params_115: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_137, path_83, hit_54, rt::into(params_113)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_137, path_85, hit_54, rt::into(params_115)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16905,17 +17090,17 @@ impl<'g> Resources<'g> {
         &self,
         pixel_88: PixelIn,
         at_137: Entered,
-        path_83: Path,
+        path_85: Path,
         hit_54: Hit,
-        params_113: rt::Vec4<f32>,
+        params_115: rt::Vec4<f32>,
     ) -> Entered {
         let along_46 = pixel_88.direction.normalize();
         let _e7 = self.v_middle_of(pixel_88, along_46);
-        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_113);
-        let s_5 = ((rt::Scalar(path_83.start) + rt::Scalar(hit_54.t)) - _e7);
+        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_115);
+        let s_5 = ((rt::Scalar(path_85.start) + rt::Scalar(hit_54.t)) - _e7);
         let _e15 = self.v_point_of_way(pixel_88, _e8, (along_46 * s_5), rt::Scalar(hit_54.height));
-        let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_137, weights_7, (pixel_88.origin + (along_46 * (rt::Scalar(path_83.start) + rt::Scalar(hit_54.t)))), hit_54.uv);
+        let weights_8 = _e15.weights;
+        let _e24 = self.v_placed_at(pixel_88, at_137, weights_8, (pixel_88.origin + (along_46 * (rt::Scalar(path_85.start) + rt::Scalar(hit_54.t)))), hit_54.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
@@ -16970,11 +17155,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_89: PixelIn,
         at_139: Entered,
-        path_84: Path,
+        path_86: Path,
         hit_55: Hit,
-        params_114: impl rt::Into<rt::Vec4<f32>>,
+        params_116: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_139, path_84, hit_55, rt::into(params_114)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_139, path_86, hit_55, rt::into(params_116)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16982,15 +17167,15 @@ impl<'g> Resources<'g> {
         &self,
         pixel_89: PixelIn,
         at_139: Entered,
-        path_84: Path,
+        path_86: Path,
         hit_55: Hit,
-        params_114: rt::Vec4<f32>,
+        params_116: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
         let _e8 = self.v_quadric_frame(at_139, (hit_55.uv - at_139.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_84.start) + rt::Scalar(hit_55.t))));
+        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_86.start) + rt::Scalar(hit_55.t))));
         placed_3.uv = hit_55.uv;
         let _e21 = placed_3;
         return _e21;
@@ -16999,20 +17184,20 @@ impl<'g> Resources<'g> {
         &self,
         pixel_90: PixelIn,
         at_140: Entered,
-        path_85: Path,
+        path_87: Path,
         hit_56: Hit,
-        params_115: impl rt::Into<rt::Vec4<f32>>,
+        params_117: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_140, path_85, hit_56, rt::into(params_115)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_140, path_87, hit_56, rt::into(params_117)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
         at_140: Entered,
-        path_85: Path,
+        path_87: Path,
         hit_56: Hit,
-        params_115: rt::Vec4<f32>,
+        params_117: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
@@ -17036,20 +17221,20 @@ impl<'g> Resources<'g> {
         &self,
         pixel_91: PixelIn,
         at_141: Entered,
-        path_86: Path,
+        path_88: Path,
         hit_57: Hit,
-        params_116: impl rt::Into<rt::Vec4<f32>>,
+        params_118: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_141, path_86, hit_57, rt::into(params_116)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_141, path_88, hit_57, rt::into(params_118)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
         at_141: Entered,
-        path_86: Path,
+        path_88: Path,
         hit_57: Hit,
-        params_116: rt::Vec4<f32>,
+        params_118: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
@@ -17057,12 +17242,12 @@ impl<'g> Resources<'g> {
 
         let along_47 = pixel_91.direction.normalize();
         let _e7 = self.v_middle_of(pixel_91, along_47);
-        let t_53 = ((rt::Scalar(path_86.start) + rt::Scalar(hit_57.t)) - _e7);
+        let t_54 = ((rt::Scalar(path_88.start) + rt::Scalar(hit_57.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_91, along_47, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside_1 = (_e17 - t_53).max((t_53 - _e21));
+        beside_1 = (_e17 - t_54).max((t_54 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_17;
@@ -17073,7 +17258,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e30 = number_17;
                     let _e31 = self.v_tetrahedron(pixel_91, along_47, _e7, _e30);
-                    let aside_11 = (_e31.inside.x() - t_53).max((t_53 - _e31.inside.y()));
+                    let aside_11 = (_e31.inside.x() - t_54).max((t_54 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
                         nearest = _e31;
@@ -17086,20 +17271,20 @@ impl<'g> Resources<'g> {
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_8 = (_e45 + (_e47 * t_53));
-        let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_86.start) + rt::Scalar(hit_57.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_141, weights_8.xyz(), point_33, hit_57.uv);
+        let weights_9 = (_e45 + (_e47 * t_54));
+        let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_88.start) + rt::Scalar(hit_57.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_141, weights_9.xyz(), point_33, hit_57.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_92: PixelIn,
         at_142: Entered,
-        path_87: Path,
+        path_89: Path,
         hit_58: Hit,
-        params_117: impl rt::Into<rt::Vec4<f32>>,
+        params_119: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_142, path_87, hit_58, rt::into(params_117)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_142, path_89, hit_58, rt::into(params_119)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17107,9 +17292,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_92: PixelIn,
         at_142: Entered,
-        path_87: Path,
+        path_89: Path,
         hit_58: Hit,
-        params_117: rt::Vec4<f32>,
+        params_119: rt::Vec4<f32>,
     ) -> Entered {
         return at_142;
     }
@@ -17117,11 +17302,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_93: PixelIn,
         at_143: Entered,
-        path_88: Path,
+        path_90: Path,
         hit_59: Hit,
-        params_118: impl rt::Into<rt::Vec4<f32>>,
+        params_120: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_143, path_88, hit_59, rt::into(params_118)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_143, path_90, hit_59, rt::into(params_120)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17129,23 +17314,23 @@ impl<'g> Resources<'g> {
         &self,
         pixel_93: PixelIn,
         at_143: Entered,
-        path_88: Path,
+        path_90: Path,
         hit_59: Hit,
-        params_118: rt::Vec4<f32>,
+        params_120: rt::Vec4<f32>,
     ) -> Entered {
         let _e5 = self.v_placed_over(at_143, hit_59);
         return _e5;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_144: Entered, path_89: Path, hit_60: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_144, path_89, hit_60))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_144: Entered, path_91: Path, hit_60: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_144, path_91, hit_60))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_placed_in_image(&self, pixel_94: PixelIn, at_144: Entered, path_89: Path, hit_60: Hit) -> Entered {
+    pub(super) fn v_placed_in_image(&self, pixel_94: PixelIn, at_144: Entered, path_91: Path, hit_60: Hit) -> Entered {
         let mut placed_5: Entered;
 
-        let _e6 = self.v_image_of_object(rt::Scalar(path_89.base).to_u32());
+        let _e6 = self.v_image_of_object(rt::Scalar(path_91.base).to_u32());
         placed_5 = at_144;
-        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_89.start) + rt::Scalar(hit_60.t))));
+        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_91.start) + rt::Scalar(hit_60.t))));
         placed_5.uv = hit_60.uv;
         let _e20 = placed_5.point;
         let _e21 = self.v_depth_in_image(_e6, _e20);
@@ -17162,7 +17347,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(rt::Scalar(1u32))) {
             placed_5.normal = _e6.toward;
         }
-        placed_5.metric = path_89.metric;
+        placed_5.metric = path_91.metric;
         placed_5.facing = _e6.toward;
         let _e53 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e53.elementwise_eq(CELLS_MASK)) {
@@ -17178,11 +17363,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_95: PixelIn,
         at_145: Entered,
-        path_90: Path,
+        path_92: Path,
         hit_61: Hit,
-        params_119: impl rt::Into<rt::Vec4<f32>>,
+        params_121: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_145, path_90, hit_61, rt::into(params_119)))
+        rt::into(self.v_surface_object_place(pixel_95, at_145, path_92, hit_61, rt::into(params_121)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17190,36 +17375,36 @@ impl<'g> Resources<'g> {
         &self,
         pixel_95: PixelIn,
         at_145: Entered,
-        path_90: Path,
+        path_92: Path,
         hit_61: Hit,
-        params_119: rt::Vec4<f32>,
+        params_121: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_145, path_90, hit_61);
+        let _e5 = self.v_placed_in_image(pixel_95, at_145, path_92, hit_61);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_96: PixelIn,
         at_146: Entered,
-        path_91: Path,
+        path_93: Path,
         hit_62: Hit,
-        params_120: impl rt::Into<rt::Vec4<f32>>,
+        params_122: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_146, path_91, hit_62, rt::into(params_120)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_146, path_93, hit_62, rt::into(params_122)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
         at_146: Entered,
-        path_91: Path,
+        path_93: Path,
         hit_62: Hit,
-        params_120: rt::Vec4<f32>,
+        params_122: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
         let mut local_110: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_146, path_91, hit_62);
+        let _e5 = self.v_placed_in_image(pixel_96, at_146, path_93, hit_62);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
@@ -17242,27 +17427,27 @@ impl<'g> Resources<'g> {
         &self,
         pixel_97: PixelIn,
         at_147: Entered,
-        path_92: Path,
+        path_94: Path,
         hit_63: Hit,
-        params_121: impl rt::Into<rt::Vec4<f32>>,
+        params_123: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_147, path_92, hit_63, rt::into(params_121)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_147, path_94, hit_63, rt::into(params_123)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
         at_147: Entered,
-        path_92: Path,
+        path_94: Path,
         hit_63: Hit,
-        params_121: rt::Vec4<f32>,
+        params_123: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
         let mut placed_7: Entered;
 
         let _e6 = self.v_slice_at(at_147.point);
         let number_26 = rt::Scalar(_e6.number);
-        of_image = path_92;
+        of_image = path_94;
         rt::Scalar(of_image.base) = number_26.to_f32();
         let _e11 = of_image;
         let _e12 = self.v_placed_in_image(pixel_97, at_147, _e11, hit_63);
@@ -17278,76 +17463,76 @@ impl<'g> Resources<'g> {
         let _e27 = placed_7;
         return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_148: Entered, path_93: Path, hit_64: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_148, path_93, hit_64))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_148: Entered, path_95: Path, hit_64: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_148, path_95, hit_64))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_place_stage(&self, pixel_98: PixelIn, at_148: Entered, path_93: Path, hit_64: Hit) -> Entered {
+    pub(super) fn v_surface_place_stage(&self, pixel_98: PixelIn, at_148: Entered, path_95: Path, hit_64: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_148, path_93, hit_64, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_148, path_95, hit_64, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_148, path_93, hit_64, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_148, path_95, hit_64, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_148, path_93, hit_64, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_148, path_95, hit_64, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_148, path_93, hit_64, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_148, path_95, hit_64, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_148, path_93, hit_64, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_148, path_95, hit_64, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_148, path_93, hit_64, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_148, path_95, hit_64, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_148, path_93, hit_64, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_148, path_95, hit_64, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_148, path_93, hit_64, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_148, path_95, hit_64, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_148, path_93, hit_64, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_148, path_95, hit_64, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_148, path_93, hit_64, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_148, path_95, hit_64, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_149: Entered, path_94: Path, hit_65: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_149, path_94, hit_65))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_149: Entered, path_96: Path, hit_65: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_149, path_96, hit_65))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_place_on_segment(&self, pixel_99: PixelIn, at_149: Entered, path_94: Path, hit_65: Hit) -> Entered {
+    pub(super) fn v_place_on_segment(&self, pixel_99: PixelIn, at_149: Entered, path_96: Path, hit_65: Hit) -> Entered {
         let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_149, path_94, hit_65);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_149, path_96, hit_65);
         placed_8 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_99, path_94, hit_65);
+        let _e7 = self.v_depth_on_ray(pixel_99, path_96, hit_65);
         rt::Scalar(placed_8.depth) = _e7;
         let _e8 = placed_8;
         return _e8;
@@ -17390,11 +17575,11 @@ impl<'g> Resources<'g> {
     ) -> Toward {
         let light_22 = self.frame.lights[rt::Scalar::into_array_index(number_18)];
         if rt::Scalar::into_branch_condition(light_22.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_11 = (light_22.place.xyz() - position_1);
-            let squared_7 = toward_11.dot(toward_11);
+            let toward_12 = (light_22.place.xyz() - position_1);
+            let squared_7 = toward_12.dot(toward_12);
             let distance_3 = squared_7.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_7.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_11.normalize(), falloff, distance_3, (light_22.color.w() / distance_3), number_18);
+            return <Toward>::new(toward_12.normalize(), falloff, distance_3, (light_22.color.w() / distance_3), number_18);
         }
         return <Toward>::new(light_22.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_22.color.w(), number_18);
     }
@@ -17403,10 +17588,10 @@ impl<'g> Resources<'g> {
         at_151: Entered,
         hit_67: Hit,
         number_19: impl rt::Into<rt::Scalar<u32>>,
-        k_38: impl rt::Into<rt::Scalar<u32>>,
+        k_39: impl rt::Into<rt::Scalar<u32>>,
         count_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_151, hit_67, rt::into(number_19), rt::into(k_38), rt::into(count_8)))
+        rt::into(self.v_point_of_light(at_151, hit_67, rt::into(number_19), rt::into(k_39), rt::into(count_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17415,13 +17600,13 @@ impl<'g> Resources<'g> {
         at_151: Entered,
         hit_67: Hit,
         number_19: rt::Scalar<u32>,
-        k_38: rt::Scalar<u32>,
+        k_39: rt::Scalar<u32>,
         count_8: rt::Scalar<u32>,
     ) -> Toward {
         let _e6 = self.v_toward_light(number_19, at_151.point);
         if rt::Scalar::into_branch_condition(count_8.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_67);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_38, count_8);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_39, count_8);
             return _e10;
         }
         return _e6;
@@ -17458,44 +17643,44 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_bumps(
         &self,
-        place_25: impl rt::Into<rt::Vec2<f32>>,
+        place_26: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
-        params_122: impl rt::Into<rt::Vec4<f32>>,
+        params_124: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_25), rt::into(time), rt::into(seed_5), rt::into(params_122)))
+        rt::into(self.v_procedure_bumps(rt::into(place_26), rt::into(time), rt::into(seed_5), rt::into(params_124)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_bumps(
         &self,
-        place_25: rt::Vec2<f32>,
+        place_26: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
-        params_122: rt::Vec4<f32>,
+        params_124: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_13: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_39: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_171 = (place_25 * params_122.x());
+        let at_171 = (place_26 * params_124.x());
         let own_1 = at_171.floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_39;
+                let _e11 = k_40;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(rt::Scalar(9u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e14 = k_39;
-                    let _e18 = k_39;
-                    let cell_44 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_44, params_122.x(), seed_5);
+                    let _e14 = k_40;
+                    let _e18 = k_40;
+                    let cell_45 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                    let _e29 = self.v_bits_of_point(cell_45, params_124.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
-                    let beside_8 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_18 = ((cell_44 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_8 * (rt::Scalar(0.5f32) * params_122.z())));
-                    let away_2 = ((at_171 - middle_18) / rt::Vec2::splat_from_scalar(params_122.y()));
+                    let beside_9 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+                    let middle_18 = ((cell_45 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_9 * (rt::Scalar(0.5f32) * params_124.z())));
+                    let away_2 = ((at_171 - middle_18) / rt::Vec2::splat_from_scalar(params_124.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
                     let _e58 = self.v_sine_of((time + _e56));
@@ -17503,8 +17688,8 @@ impl<'g> Resources<'g> {
                     let high_6 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
                     let _e67 = height_13;
                     height_13 = _e67.max((high_6 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
-                    let _e76 = k_39;
-                    k_39 = (_e76 + rt::Scalar(1u32));
+                    let _e76 = k_40;
+                    k_40 = (_e76 + rt::Scalar(1u32));
                 }
             }
         }
@@ -17513,32 +17698,32 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_fbm(
         &self,
-        place_26: impl rt::Into<rt::Vec2<f32>>,
+        place_27: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
-        params_123: impl rt::Into<rt::Vec4<f32>>,
+        params_125: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_26), rt::into(time_1), rt::into(seed_6), rt::into(params_123)))
+        rt::into(self.v_procedure_fbm(rt::into(place_27), rt::into(time_1), rt::into(seed_6), rt::into(params_125)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_fbm(
         &self,
-        place_26: rt::Vec2<f32>,
+        place_27: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
-        params_123: rt::Vec4<f32>,
+        params_125: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_14: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut sum_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut sum_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut strength: rt::Scalar<f32> = rt::Scalar(1f32);
         let mut count_9: rt::Scalar<f32>;
         let mut octave: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        count_9 = params_123.x();
+        count_9 = params_125.x();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = octave;
-                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_123.y())) {
+                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_125.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -17550,13 +17735,13 @@ impl<'g> Resources<'g> {
                     let _e25 = count_9;
                     let _e27 = count_9;
                     let _e28 = octave;
-                    let _e30 = self.v_gradient_noise((place_26 * _e25), _e27, turns_3, (seed_6 + _e28));
+                    let _e30 = self.v_gradient_noise((place_27 * _e25), _e27, turns_3, (seed_6 + _e28));
                     height_14 = (_e23 + (_e24 * _e30));
-                    let _e33 = sum_4;
+                    let _e33 = sum_5;
                     let _e34 = strength;
-                    sum_4 = (_e33 + _e34);
+                    sum_5 = (_e33 + _e34);
                     let _e36 = strength;
-                    strength = (_e36 * params_123.z());
+                    strength = (_e36 * params_125.z());
                     let _e39 = count_9;
                     count_9 = (_e39 * rt::Scalar(2f32));
                     let _e42 = octave;
@@ -17565,96 +17750,96 @@ impl<'g> Resources<'g> {
             }
         }
         let _e45 = height_14;
-        let _e48 = sum_4;
+        let _e48 = sum_5;
         return (rt::Scalar(0.5f32) + ((rt::Scalar(0.5f32) * _e45) / (_e48 * rt::Scalar(0.7071068f32))));
     }
     pub(crate) fn procedure_waves(
         &self,
-        place_27: impl rt::Into<rt::Vec2<f32>>,
+        place_28: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
-        params_124: impl rt::Into<rt::Vec4<f32>>,
+        params_126: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_27), rt::into(time_2), rt::into(seed_7), rt::into(params_124)))
+        rt::into(self.v_procedure_waves(rt::into(place_28), rt::into(time_2), rt::into(seed_7), rt::into(params_126)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_waves(
         &self,
-        place_27: rt::Vec2<f32>,
+        place_28: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
-        params_124: rt::Vec4<f32>,
+        params_126: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_15: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut sum_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut sum_6: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_41: rt::Scalar<u32> = rt::Scalar(0u32);
 
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_40;
-                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_124.y())) {
+                let _e10 = k_41;
+                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_126.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_40;
+                    let _e15 = k_41;
                     let _e18 = self.v_mixed((seed_7 + (rt::Scalar(4u32) * _e15)));
-                    let _e19 = k_40;
-                    let part_29 = (_e19.to_f32() / params_124.y());
-                    let size_4 = (params_124.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_29) * part_29)));
-                    let along_48 = (size_4 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let _e19 = k_41;
+                    let part_30 = (_e19.to_f32() / params_126.y());
+                    let size_5 = (params_126.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_30) * part_30)));
+                    let along_48 = (size_5 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e39 = self.v_unit_of(_e18);
-                    let across_12 = ((((rt::Scalar(2f32) * size_4) * params_124.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
+                    let across_12 = ((((rt::Scalar(2f32) * size_5) * params_126.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
                     let length = ((along_48 * along_48) + (across_12 * across_12)).sqrt();
-                    let pace_1 = ((rt::Scalar(2f32) * (length / params_124.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let pace_1 = ((rt::Scalar(2f32) * (length / params_126.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
-                    let _e72 = self.v_sine_of(((((along_48 * place_27.x()) + (across_12 * place_27.y())) - (pace_1 * time_2)) + _e63));
+                    let _e72 = self.v_sine_of(((((along_48 * place_28.x()) + (across_12 * place_28.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
                     let _e77 = height_15;
-                    height_15 = (_e77 + ((crest + (params_124.w() * ((crest * crest) - crest))) / length));
-                    let _e85 = sum_5;
-                    sum_5 = (_e85 + (rt::Scalar(1f32) / length));
-                    let _e89 = k_40;
-                    k_40 = (_e89 + rt::Scalar(1u32));
+                    height_15 = (_e77 + ((crest + (params_126.w() * ((crest * crest) - crest))) / length));
+                    let _e85 = sum_6;
+                    sum_6 = (_e85 + (rt::Scalar(1f32) / length));
+                    let _e89 = k_41;
+                    k_41 = (_e89 + rt::Scalar(1u32));
                 }
             }
         }
         let _e92 = height_15;
-        let _e93 = sum_5;
+        let _e93 = sum_6;
         return (_e92 / _e93);
     }
     pub(crate) fn procedure_height(
         &self,
         number_20: impl rt::Into<rt::Scalar<u32>>,
-        place_28: impl rt::Into<rt::Vec2<f32>>,
+        place_29: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
-        params_125: impl rt::Into<rt::Vec4<f32>>,
+        params_127: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_28), rt::into(time_3), rt::into(seed_8), rt::into(params_125)))
+        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_29), rt::into(time_3), rt::into(seed_8), rt::into(params_127)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_procedure_height(
         &self,
         number_20: rt::Scalar<u32>,
-        place_28: rt::Vec2<f32>,
+        place_29: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
-        params_125: rt::Vec4<f32>,
+        params_127: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         match rt::Scalar::into_inner(number_20) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_28, time_3, seed_8, params_125);
+                let _e5 = self.v_procedure_waves(place_29, time_3, seed_8, params_127);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_28, time_3, seed_8, params_125);
+                let _e6 = self.v_procedure_fbm(place_29, time_3, seed_8, params_127);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_28, time_3, seed_8, params_125);
+                let _e7 = self.v_procedure_bumps(place_29, time_3, seed_8, params_127);
                 return _e7;
             }
         }
@@ -17682,10 +17867,10 @@ impl<'g> Resources<'g> {
         at_152: Entered,
         hit_68: Hit,
         number_21: impl rt::Into<rt::Scalar<u32>>,
-        k_41: impl rt::Into<rt::Scalar<u32>>,
+        k_42: impl rt::Into<rt::Scalar<u32>>,
         count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_152, hit_68, rt::into(number_21), rt::into(k_41), rt::into(count_10)))
+        rt::into(self.v_ray_to_light(at_152, hit_68, rt::into(number_21), rt::into(k_42), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17694,10 +17879,10 @@ impl<'g> Resources<'g> {
         at_152: Entered,
         hit_68: Hit,
         number_21: rt::Scalar<u32>,
-        k_41: rt::Scalar<u32>,
+        k_42: rt::Scalar<u32>,
         count_10: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_152, hit_68, number_21, k_41, count_10);
+        let _e5 = self.v_point_of_light(at_152, hit_68, number_21, k_42, count_10);
         let _e6 = self.v_field_light_ray_stage(at_152, hit_68, _e5);
         return _e6;
     }
@@ -17709,9 +17894,9 @@ impl<'g> Resources<'g> {
         mean_3: impl rt::Into<rt::Scalar<f32>>,
         view_27: impl rt::Into<rt::Vec3<f32>>,
         color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_126: impl rt::Into<rt::Vec4<f32>>,
+        params_128: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_blinn_phong_material(at_153, hit_69, rt::into(normal_21), rt::into(mean_3), rt::into(view_27), rt::into(color_1), rt::into(params_126)))
+        rt::into(self.v_shade_blinn_phong_material(at_153, hit_69, rt::into(normal_21), rt::into(mean_3), rt::into(view_27), rt::into(color_1), rt::into(params_128)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17723,16 +17908,16 @@ impl<'g> Resources<'g> {
         mean_3: rt::Scalar<f32>,
         view_27: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
-        params_126: rt::Vec4<f32>,
+        params_128: rt::Vec4<f32>,
     ) -> Material {
         let transmission = rt::Scalar(self.surface_settings.transmission);
         let _e12 = self.surface_settings.diffuse;
         let diffuse = ((_e12.xyz() * color_1) * (rt::Scalar(1f32) - transmission));
-        let none_3 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let none_4 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let transmitted = <rt::Vec3<f32>>::from_scalars(transmission, transmission, transmission);
         let _e25 = self.surface_settings.specular;
         let specular_1 = _e25.xyz();
-        return <Material>::new(diffuse, transmitted, specular_1, diffuse, none_3, rt::Scalar(1f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Material>::new(diffuse, transmitted, specular_1, diffuse, none_4, rt::Scalar(1f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shade_metallic_roughness_material(
         &self,
@@ -17742,9 +17927,9 @@ impl<'g> Resources<'g> {
         mean_4: impl rt::Into<rt::Scalar<f32>>,
         view_28: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
-        params_127: impl rt::Into<rt::Vec4<f32>>,
+        params_129: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_metallic_roughness_material(at_154, hit_70, rt::into(normal_22), rt::into(mean_4), rt::into(view_28), rt::into(color_2), rt::into(params_127)))
+        rt::into(self.v_shade_metallic_roughness_material(at_154, hit_70, rt::into(normal_22), rt::into(mean_4), rt::into(view_28), rt::into(color_2), rt::into(params_129)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_material(
@@ -17755,7 +17940,7 @@ impl<'g> Resources<'g> {
         mean_4: rt::Scalar<f32>,
         view_28: rt::Vec3<f32>,
         color_2: rt::Vec3<f32>,
-        params_127: rt::Vec4<f32>,
+        params_129: rt::Vec4<f32>,
     ) -> Material {
         let mut roughness_1: rt::Scalar<f32>;
         let mut alpha_1: rt::Scalar<f32>;
@@ -17963,9 +18148,9 @@ impl<'g> Resources<'g> {
         cosine_7: impl rt::Into<rt::Scalar<f32>>,
         view_30: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
-        params_128: impl rt::Into<rt::Vec4<f32>>,
+        params_130: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_24), rt::into(mean_6), rt::into(cosine_7), rt::into(view_30), rt::into(toward_4), rt::into(params_128)))
+        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_24), rt::into(mean_6), rt::into(cosine_7), rt::into(view_30), rt::into(toward_4), rt::into(params_130)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_blinn_phong_light(
@@ -17976,7 +18161,7 @@ impl<'g> Resources<'g> {
         cosine_7: rt::Scalar<f32>,
         view_30: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
-        params_128: rt::Vec4<f32>,
+        params_130: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -18008,9 +18193,9 @@ impl<'g> Resources<'g> {
         cosine_8: impl rt::Into<rt::Scalar<f32>>,
         view_31: impl rt::Into<rt::Vec3<f32>>,
         toward_5: impl rt::Into<rt::Vec3<f32>>,
-        params_129: impl rt::Into<rt::Vec4<f32>>,
+        params_131: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_25), rt::into(mean_7), rt::into(cosine_8), rt::into(view_31), rt::into(toward_5), rt::into(params_129)))
+        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_25), rt::into(mean_7), rt::into(cosine_8), rt::into(view_31), rt::into(toward_5), rt::into(params_131)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_light(
@@ -18021,13 +18206,13 @@ impl<'g> Resources<'g> {
         cosine_8: rt::Scalar<f32>,
         view_31: rt::Vec3<f32>,
         toward_5: rt::Vec3<f32>,
-        params_129: rt::Vec4<f32>,
+        params_131: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         if rt::Scalar::into_branch_condition(cosine_8.elementwise_gt(rt::Scalar(0f32))) {
-            let sum_12 = (toward_5 + view_31);
-            let squared_sum = sum_12.dot(sum_12).max(rt::Scalar(0.000001f32));
-            let along_49 = normal_25.dot(sum_12);
-            let across_13 = normal_25.cross(sum_12);
+            let sum_13 = (toward_5 + view_31);
+            let squared_sum = sum_13.dot(sum_13).max(rt::Scalar(0.000001f32));
+            let along_49 = normal_25.dot(sum_13);
+            let across_13 = normal_25.cross(sum_13);
             let a_43 = rt::Scalar(material_12.squared_alpha);
             let spread_1 = ((((along_49 * along_49) * a_43) + across_13.dot(across_13)) / squared_sum);
             let shadowing = ((cosine_8 * cosine_8) + (a_43 * (rt::Scalar(1f32) - (cosine_8 * cosine_8)).max(rt::Scalar(0f32)))).sqrt();
@@ -18101,31 +18286,31 @@ impl<'g> Resources<'g> {
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_20: rt::Vec3<f32>;
-        let mut k_42: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_43: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.v_shade_material_stage(at_157, hit_72, seen_4.normal, rt::Scalar(seen_4.length), view_33, color_4);
         let _e12 = self.v_ambient_stage(at_157, hit_72, (seen_4.normal * rt::Scalar(seen_4.length)), view_33, _e8);
         light_20 = ((_e12 * rt::Scalar(_e8.occlusion)) + _e8.emission);
         'naga_break: loop {
             'naga_continue: {
-                let _e20 = k_42;
+                let _e20 = k_43;
                 let _e23 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e20.elementwise_lt(_e23)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e25 = k_42;
+                    let _e25 = k_43;
                     let _e27 = self.v_toward_light(_e25, at_157.point);
                     let _e29 = self.v_seen_cosine(at_157, seen_4, _e27.direction);
                     let _e33 = self.v_shade_light_stage(_e8, seen_4.normal, rt::Scalar(seen_4.length), _e29, view_33, _e27.direction);
                     let _e34 = light_20;
-                    let _e37 = k_42;
+                    let _e37 = k_43;
                     let _e40 = self.frame.lights[rt::Scalar::into_array_index(_e37)].color;
-                    let _e44 = k_42;
+                    let _e44 = k_43;
                     light_20 = (_e34 + ((_e33 * _e40.xyz()) * (rt::Scalar(_e27.falloff) * visible[rt::Scalar::into_array_index(_e44)].x())));
-                    let _e50 = k_42;
-                    k_42 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_43;
+                    k_43 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
@@ -18237,7 +18422,7 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_visible_lights(&self, at_161: Entered, hit_75: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_43: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_44: rt::Scalar<u32> = rt::Scalar(0u32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_75.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
@@ -18245,19 +18430,19 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_43;
+                let _e10 = k_44;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_43;
-                    let _e17 = k_43;
+                    let _e15 = k_44;
+                    let _e17 = k_44;
                     let _e18 = self.v_visible_light(at_161, hit_75, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e23 = k_43;
-                    k_43 = (_e23 + rt::Scalar(1u32));
+                    let _e23 = k_44;
+                    k_44 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
@@ -18327,8 +18512,8 @@ impl<'g> Resources<'g> {
     ) -> BaseSite {
         let of_a = ((parts_3 - at_162).to_f32() * shares.x());
         let of_b = (at_162.to_f32() * shares.y());
-        let sum_13 = (of_a + of_b);
-        let _e17 = self.v_weighted_site(a_23, b_23, b_23, <rt::Vec3<f32>>::from_scalars((of_a / sum_13), (of_b / sum_13), rt::Scalar(0f32)));
+        let sum_14 = (of_a + of_b);
+        let _e17 = self.v_weighted_site(a_23, b_23, b_23, <rt::Vec3<f32>>::from_scalars((of_a / sum_14), (of_b / sum_14), rt::Scalar(0f32)));
         return _e17;
     }
     pub(crate) fn site_inside(
@@ -18337,9 +18522,9 @@ impl<'g> Resources<'g> {
         b_24: BaseSite,
         c_16: BaseSite,
         shares_1: impl rt::Into<rt::Vec3<f32>>,
-        weights_5: impl rt::Into<rt::Vec3<f32>>,
+        weights_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_inside(a_24, b_24, c_16, rt::into(shares_1), rt::into(weights_5)))
+        rt::into(self.v_site_inside(a_24, b_24, c_16, rt::into(shares_1), rt::into(weights_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -18349,11 +18534,11 @@ impl<'g> Resources<'g> {
         b_24: BaseSite,
         c_16: BaseSite,
         shares_1: rt::Vec3<f32>,
-        weights_5: rt::Vec3<f32>,
+        weights_6: rt::Vec3<f32>,
     ) -> BaseSite {
-        let shared_out = (weights_5 * shares_1);
-        let sum_14 = ((shared_out.x() + shared_out.y()) + shared_out.z());
-        let _e13 = self.v_weighted_site(a_24, b_24, c_16, (shared_out / rt::Vec3::splat_from_scalar(sum_14)));
+        let shared_out = (weights_6 * shares_1);
+        let sum_15 = ((shared_out.x() + shared_out.y()) + shared_out.z());
+        let _e13 = self.v_weighted_site(a_24, b_24, c_16, (shared_out / rt::Vec3::splat_from_scalar(sum_15)));
         return _e13;
     }
     pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
@@ -18541,13 +18726,13 @@ impl<'g> Resources<'g> {
             return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_8, from_top, of_top_1, top_12);
         }
         let _e43 = self.v_quotient_near((sweep_8.end.y() * column_5), sweep_8.end.x());
-        let inside_7 = (_e43 + rt::Scalar(1i32));
+        let inside_8 = (_e43 + rt::Scalar(1i32));
         let _e46 = self.v_top_point(sweep_8, from_top);
         let _e50 = self.v_top_point(sweep_8, ((from_top + of_top_1) - rt::Scalar(1i32)));
         let _e53 = self.v_quotient_near(rt::Scalar(_e46.y), rt::Scalar(_e46.w));
         let _e56 = self.v_quotient_near(rt::Scalar(_e50.y), rt::Scalar(_e50.w));
         let above_11 = _e53.min(_e56);
-        return <SweptColumn>::new(column_5, inside_7, (above_11 - inside_7).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_12);
+        return <SweptColumn>::new(column_5, inside_8, (above_11 - inside_8).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_12);
     }
     pub(crate) fn swept_points_of(&self, sweep_9: Sweep) -> u32 {
         rt::into(self.v_swept_points_of(sweep_9))
@@ -18599,8 +18784,8 @@ impl<'g> Resources<'g> {
         let of_end = (((x_5 * apex_2.y()) - (y * apex_2.x())).to_f32() / twice);
         let of_apex = (((end_22.x() * y) - (end_22.y() * x_5)).to_f32() / twice);
         let of_first = ((rt::Scalar(1f32) - of_end) - of_apex);
-        let corners_3 = sweep_10.corners;
-        return <rt::Vec3<f32>>::from_scalars(of_apex.select(of_end, corners_3.y().elementwise_eq(rt::Scalar(0u32))).select(of_first, corners_3.x().elementwise_eq(rt::Scalar(0u32))), of_apex.select(of_end, corners_3.y().elementwise_eq(rt::Scalar(1u32))).select(of_first, corners_3.x().elementwise_eq(rt::Scalar(1u32))), of_apex.select(of_end, corners_3.y().elementwise_eq(rt::Scalar(2u32))).select(of_first, corners_3.x().elementwise_eq(rt::Scalar(2u32))));
+        let corners_4 = sweep_10.corners;
+        return <rt::Vec3<f32>>::from_scalars(of_apex.select(of_end, corners_4.y().elementwise_eq(rt::Scalar(0u32))).select(of_first, corners_4.x().elementwise_eq(rt::Scalar(0u32))), of_apex.select(of_end, corners_4.y().elementwise_eq(rt::Scalar(1u32))).select(of_first, corners_4.x().elementwise_eq(rt::Scalar(1u32))), of_apex.select(of_end, corners_4.y().elementwise_eq(rt::Scalar(2u32))).select(of_first, corners_4.x().elementwise_eq(rt::Scalar(2u32))));
     }
     pub(crate) fn turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_20: SweptPoint) -> i32 {
         rt::into(self.v_turn_of_piece(a_28, b_28, c_20))
@@ -18656,9 +18841,9 @@ impl<'g> Resources<'g> {
         let right_7 = (((grid_14.right.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e30) + grid_14.middle.x());
         let _e42 = share;
         let down_4 = (grid_14.middle.y() - ((grid_14.up.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e42));
-        let far_19 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
+        let far_20 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_172 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_19), far_19);
+        let at_172 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_20), far_20);
         let _e60 = share;
         return <Voxel>::new((at_172 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
     }

@@ -402,6 +402,13 @@ pub const MODULES: &[Module] = &[
 // All rounding of floats is taken off the gap to the frustum before the division, so that a step
 // may end early, never late.
 "# },
+    Module { path: "search/generalised", head: r#"// The distance to the solid of a volume by place and direction, baked: a generalised displacement map.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 6.3, after Wang and others 2004. One look-up says how far the ray goes
+// before it hits, wherever it begins. The map is relief-bake's kind `generalised`, a layer a direction. `params.x` is
+// the most look-ups, `params.y` and `params.z` are the azimuths and elevations of the map, and `params.w` is the way
+// in voxels up to which it looks.
+"# },
     Module { path: "search/linear", head: r#"// Linear search: equal steps from the entry to the exit until one is below the surface.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4.3.1. `params.x` is the number of steps for a ray
@@ -12308,6 +12315,132 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         t = next;
     }
     return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+}"#,
+    },
+    Declaration {
+        module: "search/generalised",
+        name: "CLEAR_PART",
+        sampling: None,
+        uses: &[],
+        text: r#"// Ways from here on, as parts of the longest, say that nothing is hit on the longest way.
+const CLEAR_PART = 0.998;"#,
+    },
+    Declaration {
+        module: "search/generalised",
+        name: "BEFORE_HIT",
+        sampling: None,
+        uses: &[],
+        text: r#"// Voxels by which the point that is returned lies before the hit of the map. Fewer, and the surface throws shadows on
+// itself; more, and it becomes thicker.
+const BEFORE_HIT = 0.5;"#,
+    },
+    Declaration {
+        module: "search/generalised",
+        name: "WayToSolid",
+        sampling: None,
+        uses: &[],
+        text: r#"// What a look-up tells: the way to the solid in voxels, if something solid is on it.
+struct WayToSolid {
+    is_solid: u32,
+    way: f32,
+}"#,
+    },
+    Declaration {
+        module: "search/generalised",
+        name: "search_generalised",
+        sampling: None,
+        uses: &["BEFORE_HIT", "FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "Path", "STEP", "SURFACE_VALUE", "SearchResult", "VOXELS_READ", "field_at_voxel", "map_read", "volume_size", "voxel_path", "voxel_place_on", "way_to_solid"],
+        text: r#"fn search_generalised(path: Path, params: vec4f) -> SearchResult {
+    let walk = voxel_path(path);
+    var t = 0.0;
+    var cost = VOXELS_READ;
+    if (field_at_voxel(voxel_place_on(walk, t)) > SURFACE_VALUE) {
+        return SearchResult(FOUND_STARTED_BELOW, t, t, 0.0, 0.0, cost);
+    }
+    let last = volume_size().z - 1.0;
+    let limit = u32(params.x);
+    var looked = 0u;
+    while (looked < limit) {
+        let toward = walk.step + vec3f(0.0, 0.0, 2.0 * walk.bend * t);
+        let speed = length(toward);
+        let direction = toward / speed;
+        // The map begins at the centres of the outermost slices.
+        let place = voxel_place_on(walk, t);
+        let beyond = place.z - clamp(place.z, 0.0, last);
+        let is_inward = beyond * direction.z < 0.0;
+        let before = select(0.0, abs(beyond / direction.z), is_inward);
+        let ahead = way_to_solid(path, place + direction * before, direction, params);
+        cost = cost + STEP + map_read(path, 32u);
+        looked = looked + 1u;
+        let far = t + (before + ahead.way) / speed;
+        if (!(far < path.exit)) {
+            return SearchResult(FOUND_MISS, path.exit, path.exit, 1.0, 1.0, cost);
+        }
+        if (ahead.is_solid == 1u) {
+            return SearchResult(FOUND_ABOVE, max(far - BEFORE_HIT / speed, t), path.exit, 0.0, 1.0, cost);
+        }
+        t = far;
+    }
+    return SearchResult(FOUND_EXHAUSTED, t, t, 1.0, 1.0, cost);
+}"#,
+    },
+    Declaration {
+        module: "search/generalised",
+        name: "way_to_solid",
+        sampling: None,
+        uses: &["CLEAR_PART", "Path", "WayToSolid", "search_texel", "slice_begin", "turn_of", "volume_size", "wrap_pair"],
+        text: r#"// The way to the solid from a place in voxels, between the eight voxels and the four directions around. A way that
+// ends nowhere is no number to be mixed with others: the greater part of the weights decides whether there is a hit.
+fn way_to_solid(path: Path, place: vec3f, direction: vec3f, params: vec4f) -> WayToSolid {
+    let last = volume_size().z - 1.0;
+    let inside = vec3f(place.xy, clamp(place.z, 0.0, last));
+    let first = floor(inside);
+    let part = inside - first;
+    let size = vec2i(volume_size().xy);
+    let cell = vec3i(first);
+    let columns = wrap_pair(cell.x, size.x);
+    let rows = wrap_pair(cell.y, size.y);
+    let elevation = clamp((0.5 + 0.5 * direction.z) * (params.z - 1.0), 0.0, params.z - 1.0);
+    let below = min(floor(elevation), params.z - 2.0);
+    let turn = turn_of(direction.xy) * params.y;
+    let before = floor(turn);
+    let most = params.w * CLEAR_PART;
+    var sum = 0.0;
+    var weights = 0.0;
+    var k = 0u;
+    // Two directions beside each other, below and above; for each two slices.
+    while (k < 8u) {
+        let is_next = (k & 1u) == 1u;
+        let is_above = (k & 2u) == 2u;
+        let is_upper = (k & 4u) == 4u;
+        let behind = select(before + 1.0, 0.0, before + 1.0 >= params.y);
+        let azimuth = select(before, behind, is_next);
+        let layer = i32(azimuth * params.z + below + select(0.0, 1.0, is_above));
+        let of_azimuth = select(1.0 - (turn - before), turn - before, is_next);
+        let of_elevation = select(1.0 - (elevation - below), elevation - below, is_above);
+        let of_slice = select(1.0 - part.z, part.z, is_upper);
+        let weight = of_azimuth * of_elevation * of_slice;
+        let begin = slice_begin(cell.z + select(0, 1, is_upper));
+        let ways = vec4f(
+            search_texel(path, begin + vec2i(columns.x, rows.x), layer, 0).x,
+            search_texel(path, begin + vec2i(columns.y, rows.x), layer, 0).x,
+            search_texel(path, begin + vec2i(columns.x, rows.y), layer, 0).x,
+            search_texel(path, begin + vec2i(columns.y, rows.y), layer, 0).x,
+        );
+        let beside = vec2f(1.0 - part.x, part.x);
+        let corners = vec4f(beside * (1.0 - part.y), beside * part.y) * weight;
+        let limit = vec4f(most, most, most, most);
+        let none = vec4f(0.0, 0.0, 0.0, 0.0);
+        let solid = select(none, corners, ways < limit);
+        let way = solid * ways;
+        weights = weights + ((solid.x + solid.y) + (solid.z + solid.w));
+        sum = sum + ((way.x + way.y) + (way.z + way.w));
+        k = k + 1u;
+    }
+    if (weights >= 0.5) {
+        return WayToSolid(1u, sum / weights);
+    }
+    return WayToSolid(0u, params.w);
 }"#,
     },
     Declaration {

@@ -183,9 +183,9 @@ impl Marked<'_> {
         }
         self.v_mark_bracket(backward, forward_2);
         self.v_mark_chord(backward, before_1, forward_2, (rt::Scalar(0f32) - behind_1));
-        let cost_23 = ((found_4.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let cost_24 = ((found_4.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e47 = part_2;
-        let _e51 = self.v_hit_on_path(path_26, (backward + ((forward_2 - backward) * _e47)), rt::Scalar(0u32), cost_23);
+        let _e51 = self.v_hit_on_path(path_26, (backward + ((forward_2 - backward) * _e47)), rt::Scalar(0u32), cost_24);
         return _e51;
     }
     pub(super) fn v_refine_offset(
@@ -669,16 +669,16 @@ impl Marked<'_> {
                     let _e54 = last;
                     let _e55 = before;
                     let _e57 = last_gap;
-                    let t_41 = (_e53 + ((_e54 - _e55) * (_e57 / change))).clamp(rt::Scalar(found_11.near), rt::Scalar(found_11.far));
+                    let t_42 = (_e53 + ((_e54 - _e55) * (_e57 / change))).clamp(rt::Scalar(found_11.near), rt::Scalar(found_11.far));
                     let _e64 = last;
                     before = _e64;
                     let _e65 = last_gap;
                     before_gap = _e65;
-                    last = t_41;
+                    last = t_42;
                     let _e66 = k_6;
                     if rt::Scalar::into_branch_condition(_e66.elementwise_lt(params_23.x())) {
-                        self.v_mark_sample(t_41);
-                        let _e69 = self.v_path_gap(path_33, t_41);
+                        self.v_mark_sample(t_42);
+                        let _e69 = self.v_path_gap(path_33, t_42);
                         last_gap = _e69;
                         let _e70 = cost_10;
                         let _e72 = self.v_field_cost_stage(rt::Scalar(path_33.level));
@@ -1260,55 +1260,55 @@ impl Marked<'_> {
     }
     pub(super) fn v_search_linear(
         &self,
-        path_42: Path,
-        params_30: rt::Vec4<f32>,
+        path_44: Path,
+        params_32: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut near_8: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32>;
-        let mut cost_16: rt::Vec3<u32>;
-        let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut cost_17: rt::Vec3<u32>;
+        let mut k_9: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine = (path_42.h.y().abs() * path_42.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max(((params_30.x() * params_30.y().mix_scalar(rt::Scalar(1f32), cosine)) * rt::Scalar(path_42.share)).ceil());
-        let _e24 = self.v_path_gap(path_42, rt::Scalar(0f32));
+        let cosine = (path_44.h.y().abs() * path_44.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max(((params_32.x() * params_32.y().mix_scalar(rt::Scalar(1f32), cosine)) * rt::Scalar(path_44.share)).ceil());
+        let _e24 = self.v_path_gap(path_44, rt::Scalar(0f32));
         near_gap_4 = _e24;
-        let _e27 = self.v_field_cost_stage(rt::Scalar(path_42.level));
-        cost_16 = _e27;
+        let _e27 = self.v_field_cost_stage(rt::Scalar(path_44.level));
+        cost_17 = _e27;
         let _e29 = near_gap_4;
         if rt::Scalar::into_branch_condition(_e29.elementwise_lt(rt::Scalar(0f32))) {
             let _e33 = near_gap_4;
             let _e34 = near_gap_4;
-            let _e35 = cost_16;
+            let _e35 = cost_17;
             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e33, _e34, _e35);
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e41 = k_8;
+                let _e41 = k_9;
                 if rt::Scalar::into_branch_condition(_e41.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e43 = cost_16;
-                    cost_16 = (_e43 + STEP);
-                    let _e47 = k_8;
-                    let t_42 = (rt::Scalar(path_42.exit) * (_e47 / steps));
-                    self.v_mark_turn(t_42);
-                    self.v_mark_sample(t_42);
-                    let _e50 = self.v_path_gap(path_42, t_42);
-                    let _e51 = cost_16;
-                    let _e53 = self.v_field_cost_stage(rt::Scalar(path_42.level));
-                    cost_16 = (_e51 + _e53);
+                    let _e43 = cost_17;
+                    cost_17 = (_e43 + STEP);
+                    let _e47 = k_9;
+                    let t_43 = (rt::Scalar(path_44.exit) * (_e47 / steps));
+                    self.v_mark_turn(t_43);
+                    self.v_mark_sample(t_43);
+                    let _e50 = self.v_path_gap(path_44, t_43);
+                    let _e51 = cost_17;
+                    let _e53 = self.v_field_cost_stage(rt::Scalar(path_44.level));
+                    cost_17 = (_e51 + _e53);
                     if rt::Scalar::into_branch_condition(_e50.elementwise_le(rt::Scalar(0f32))) {
                         let _e58 = near_8;
                         let _e59 = near_gap_4;
-                        let _e60 = cost_16;
-                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_42, _e59, _e50, _e60);
+                        let _e60 = cost_17;
+                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_43, _e59, _e50, _e60);
                     }
-                    near_8 = t_42;
+                    near_8 = t_43;
                     near_gap_4 = _e50;
-                    let _e62 = k_8;
-                    k_8 = (_e62 + rt::Scalar(1f32));
+                    let _e62 = k_9;
+                    k_9 = (_e62 + rt::Scalar(1f32));
                 }
             }
         }
@@ -1316,27 +1316,27 @@ impl Marked<'_> {
         let _e67 = near_8;
         let _e68 = near_gap_4;
         let _e69 = near_gap_4;
-        let _e70 = cost_16;
+        let _e70 = cost_17;
         return <SearchResult>::new(FOUND_MISS, _e66, _e67, _e68, _e69, _e70);
     }
     pub(super) fn v_search_pyramid(
         &self,
-        path_44: Path,
-        params_32: rt::Vec4<f32>,
+        path_46: Path,
+        params_34: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut top_3: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_27: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_35: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_17: rt::Vec3<u32> = NO_COST;
+        let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut local_32: rt::Scalar<bool>;
         let mut local_33: rt::Scalar<bool>;
         let mut local_34: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_44);
-        let _e4 = self.v_height_texels(rt::Scalar(path_44.level));
-        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_44.exit));
+        let _e2 = self.v_grid_of(path_46);
+        let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_46.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top_3;
@@ -1357,27 +1357,27 @@ impl Marked<'_> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_35 = _e37.to_i32();
-        let limit_6 = params_32.x().to_u32();
+        let limit_8 = params_34.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e51 = cost_17.x();
-                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_6)) {
+                let _e51 = cost_18.x();
+                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_8)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e53 = cost_17;
-                    cost_17 = (_e53 + STEP);
-                    let _e56 = t_34;
+                    let _e53 = cost_18;
+                    cost_18 = (_e53 + STEP);
+                    let _e56 = t_35;
                     self.v_mark_turn(_e56);
                     let _e58 = cell_35.x();
                     let _e60 = self.v_image_of(_e58, _e4.x());
                     let _e62 = cell_35.y();
                     let _e64 = self.v_image_of(_e62, _e4.y());
-                    let place_3 = <rt::Vec2<i32>>::from_scalars(_e60.x(), _e64.x());
+                    let place_4 = <rt::Vec2<i32>>::from_scalars(_e60.x(), _e64.x());
                     let _e68 = level_27;
                     let above_level = (_e68 + rt::Scalar(1u32));
-                    let over = <rt::Vec2<i32>>::from_scalars((place_3.x() >> above_level), (place_3.y() >> above_level));
+                    let over = <rt::Vec2<i32>>::from_scalars((place_4.x() >> above_level), (place_4.y() >> above_level));
                     let _e77 = parent.x();
                     if rt::Scalar::into_branch_condition(_e77.elementwise_ge(rt::Scalar(0i32))) {
                         let _e83 = parent.x();
@@ -1412,73 +1412,73 @@ impl Marked<'_> {
                     let _e113 = self.v_node_extent(_e110, _e64, _e4.y(), _e112);
                     let _e118 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e108);
                     let _e123 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e113);
-                    let end_9 = _e118.min(_e123).min(rt::Scalar(path_44.exit));
-                    let _e127 = t_34;
+                    let end_9 = _e118.min(_e123).min(rt::Scalar(path_46.exit));
+                    let _e127 = t_35;
                     let span_12 = (end_9 - _e127).max(rt::Scalar(0f32));
                     let low_4 = <rt::Vec2<i32>>::from_scalars(_e108.x(), _e113.x());
-                    let last_2 = <rt::Vec2<i32>>::from_scalars((_e108.y() - rt::Scalar(1i32)), (_e113.y() - rt::Scalar(1i32)));
+                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e108.y() - rt::Scalar(1i32)), (_e113.y() - rt::Scalar(1i32)));
                     let _e141 = level_27;
                     if rt::Scalar::into_branch_condition(_e141.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e144 = cost_17;
-                        cost_17 = (_e144 + HEIGHTS_READ);
+                        let _e144 = cost_18;
+                        cost_18 = (_e144 + HEIGHTS_READ);
                         let _e147 = cell_35;
-                        let _e149 = t_34;
+                        let _e149 = t_35;
                         self.v_mark_patch(_e147.to_f32(), _e149, end_9);
                         let _e150 = cell_35;
                         let _e152 = cell_35;
-                        let _e154 = self.v_object_cell_stage(_e152, rt::Scalar(path_44.level));
-                        let _e155 = t_34;
-                        let _e156 = self.v_gap_to(path_44, _e2, _e150.to_f32(), _e154, _e155);
+                        let _e154 = self.v_object_cell_stage(_e152, rt::Scalar(path_46.level));
+                        let _e155 = t_35;
+                        let _e156 = self.v_gap_to(path_46, _e2, _e150.to_f32(), _e154, _e155);
                         let _e157 = self.v_falls_in_cell(_e156, span_12);
                         if rt::Scalar::into_branch_condition(_e157) {
-                            let _e158 = t_34;
-                            let _e159 = t_34;
-                            let _e162 = cost_17;
+                            let _e158 = t_35;
+                            let _e159 = t_35;
+                            let _e162 = cost_18;
                             let _e163 = self.v_found_in_cell(_e156, _e158, span_12, _e159.elementwise_eq(rt::Scalar(0f32)), _e162);
                             return _e163;
                         }
                     } else {
-                        let _e164 = cost_17;
-                        let _e166 = self.v_map_read(path_44, rt::Scalar(1u32));
-                        cost_17 = (_e164 + _e166);
+                        let _e164 = cost_18;
+                        let _e166 = self.v_map_read(path_46, rt::Scalar(1u32));
+                        cost_18 = (_e164 + _e166);
                         let _e169 = level_27;
                         let _e172 = level_27;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_3.x() >> _e169), (place_3.y() >> _e172));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e169), (place_4.y() >> _e172));
                         let _e176 = level_27;
-                        let _e182 = self.v_search_texel(path_44, node, rt::Scalar(0i32), ((_e176 + rt::Scalar(path_44.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e182 = self.v_search_texel(path_46, node, rt::Scalar(0i32), ((_e176 + rt::Scalar(path_46.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e182.y();
-                        self.v_mark_box(low_4.to_f32(), (last_2 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), highest_1);
-                        let _e189 = t_34;
+                        self.v_mark_box(low_4.to_f32(), (last_4 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), highest_1);
+                        let _e189 = t_35;
                         let furthest_1 = (_e189 + span_12);
-                        let rounded_1 = (path_44.h.x().abs() + (furthest_1 * (path_44.h.y().abs() + (furthest_1 * path_44.h.z().abs()))));
-                        let _e204 = t_34;
-                        let _e205 = self.v_path_height(path_44, _e204);
-                        let _e210 = t_34;
-                        let _e211 = self.v_path_slope(path_44, _e210);
-                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e205 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e211, path_44.h.z());
+                        let rounded_1 = (path_46.h.x().abs() + (furthest_1 * (path_46.h.y().abs() + (furthest_1 * path_46.h.z().abs()))));
+                        let _e204 = t_35;
+                        let _e205 = self.v_path_height(path_46, _e204);
+                        let _e210 = t_35;
+                        let _e211 = self.v_path_slope(path_46, _e210);
+                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e205 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e211, path_46.h.z());
                         let _e215 = self.v_falls_in_cell(gap_5, span_12);
                         if rt::Scalar::into_branch_condition(_e215) {
                             if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e219 = t_34;
+                                let _e219 = t_35;
                                 let _e220 = self.v_first_root(gap_5, span_12);
-                                t_34 = (_e219 + _e220.min(span_12));
+                                t_35 = (_e219 + _e220.min(span_12));
                             }
-                            let _e225 = t_34;
+                            let _e225 = t_35;
                             let _e228 = self.v_cell_of((_e2.origin + (_e2.step * _e225)));
-                            cell_35 = _e228.to_i32().clamp(low_4, last_2);
+                            cell_35 = _e228.to_i32().clamp(low_4, last_4);
                             let _e231 = level_27;
                             level_27 = (_e231 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_44.exit))) {
-                        let _e240 = t_34;
-                        let _e242 = cost_17;
-                        return <SearchResult>::new(FOUND_MISS, _e240, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e242);
+                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_46.exit))) {
+                        let _e240 = t_35;
+                        let _e242 = cost_18;
+                        return <SearchResult>::new(FOUND_MISS, _e240, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e242);
                     }
                     let _e250 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
-                    cell_35 = _e250.to_i32().clamp(low_4, last_2);
+                    cell_35 = _e250.to_i32().clamp(low_4, last_4);
                     if rt::Scalar::into_branch_condition(_e118.elementwise_le(end_9)) {
                         cell_35.set_x((low_4.x() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
@@ -1487,34 +1487,34 @@ impl Marked<'_> {
                     }
                     let _e276 = level_27;
                     let _e281 = level_27;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_3.x() >> (_e276 + rt::Scalar(1u32))), (place_3.y() >> (_e281 + rt::Scalar(1u32))));
-                    let _e286 = t_34;
-                    t_34 = _e286.max(end_9);
+                    parent = <rt::Vec2<i32>>::from_scalars((place_4.x() >> (_e276 + rt::Scalar(1u32))), (place_4.y() >> (_e281 + rt::Scalar(1u32))));
+                    let _e286 = t_35;
+                    t_35 = _e286.max(end_9);
                 }
             }
         }
-        let _e289 = t_34;
-        let _e291 = cost_17;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e289, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e291);
+        let _e289 = t_35;
+        let _e291 = cost_18;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e289, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e291);
     }
     pub(super) fn v_search_pyramid_texels(
         &self,
-        path_45: Path,
-        params_33: rt::Vec4<f32>,
+        path_47: Path,
+        params_35: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut level_29: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_18: rt::Vec3<u32> = NO_COST;
+        let mut t_36: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_19: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_45.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_45.level));
-        let origin_1 = (path_45.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_45.level));
-        let step_1 = (path_45.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_47.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_47.level));
+        let origin_1 = (path_47.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_47.level));
+        let step_1 = (path_47.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_29;
@@ -1530,45 +1530,45 @@ impl Marked<'_> {
         }
         let _e24 = self.v_cell_of(origin_1);
         texel_3 = _e24.to_i32();
-        let limit_7 = params_33.x().to_u32();
+        let limit_9 = params_35.x().to_u32();
         let _e35 = level_29;
-        finest_1 = params_33.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_45.ray).elementwise_eq(RAY_SHADOW)) {
+        finest_1 = params_35.y().to_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_47.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e43 = cost_18.x();
-                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_7)) {
+                let _e43 = cost_19.x();
+                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_9)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e45 = cost_18;
-                    cost_18 = (_e45 + STEP);
-                    let _e48 = t_35;
+                    let _e45 = cost_19;
+                    cost_19 = (_e45 + STEP);
+                    let _e48 = t_36;
                     self.v_mark_turn(_e48);
                     let _e50 = texel_3.x();
                     let _e52 = self.v_wrap_index(_e50, _e3.x());
                     let _e54 = texel_3.y();
                     let _e56 = self.v_wrap_index(_e54, _e3.y());
-                    let place_4 = <rt::Vec2<i32>>::from_scalars(_e52, _e56);
+                    let place_5 = <rt::Vec2<i32>>::from_scalars(_e52, _e56);
                     highest = rt::Scalar(0f32);
                     let _e60 = level_29;
                     if rt::Scalar::into_branch_condition(_e60.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e63 = cost_18;
-                        cost_18 = (_e63 + HEIGHT_READ);
-                        let _e68 = rt::texture::Read::read_texel((&self.height_map), place_4, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e63 = cost_19;
+                        cost_19 = (_e63 + HEIGHT_READ);
+                        let _e68 = rt::texture::Read::read_texel((&self.height_map), place_5, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e68.x();
                     } else {
                         let _e71 = level_29;
                         let _e74 = level_29;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e71), (place_4.y() >> _e74));
-                        let _e77 = cost_18;
-                        let _e79 = self.v_map_read(path_45, rt::Scalar(1u32));
-                        cost_18 = (_e77 + _e79);
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_5.x() >> _e71), (place_5.y() >> _e74));
+                        let _e77 = cost_19;
+                        let _e79 = self.v_map_read(path_47, rt::Scalar(1u32));
+                        cost_19 = (_e77 + _e79);
                         let _e82 = level_29;
-                        let _e86 = self.v_search_texel(path_45, node_1, rt::Scalar(0i32), (_e82.to_i32() - rt::Scalar(1i32)));
+                        let _e86 = self.v_search_texel(path_47, node_1, rt::Scalar(0i32), (_e82.to_i32() - rt::Scalar(1i32)));
                         highest = _e86.y();
                     }
                     let _e89 = texel_3.x();
@@ -1580,120 +1580,120 @@ impl Marked<'_> {
                     let _e100 = self.v_leaves_extent(origin_1.x(), step_1.x(), _e92);
                     let _e103 = self.v_leaves_extent(origin_1.y(), step_1.y(), _e97);
                     let leave_6 = <rt::Vec2<f32>>::from_scalars(_e100, _e103);
-                    let _e110 = t_35;
-                    let end_10 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_45.exit)).max(_e110);
-                    let _e112 = t_35;
-                    let _e113 = self.v_path_height(path_45, _e112);
+                    let _e110 = t_36;
+                    let end_10 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_47.exit)).max(_e110);
+                    let _e112 = t_36;
+                    let _e113 = self.v_path_height(path_47, _e112);
                     let _e114 = highest;
-                    let _e116 = t_35;
-                    let _e117 = self.v_path_slope(path_45, _e116);
-                    let gap_6 = <rt::Vec3<f32>>::from_scalars((_e113 - _e114), _e117, path_45.h.z());
+                    let _e116 = t_36;
+                    let _e117 = self.v_path_slope(path_47, _e116);
+                    let gap_6 = <rt::Vec3<f32>>::from_scalars((_e113 - _e114), _e117, path_47.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e126 = t_35;
+                        let _e126 = t_36;
                         let _e128 = self.v_first_root(gap_6, (end_10 - _e126));
                         sinks = _e128;
                     }
                     let low_5 = <rt::Vec2<i32>>::from_scalars(_e92.x(), _e97.x());
-                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e92.y() - rt::Scalar(1i32)), (_e97.y() - rt::Scalar(1i32)));
+                    let last_6 = <rt::Vec2<i32>>::from_scalars((_e92.y() - rt::Scalar(1i32)), (_e97.y() - rt::Scalar(1i32)));
                     let _e144 = highest;
-                    self.v_mark_columns(low_5.to_f32(), (last_4 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), _e144);
+                    self.v_mark_columns(low_5.to_f32(), (last_6 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), _e144);
                     let _e145 = sinks;
                     if rt::Scalar::into_branch_condition(_e145.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e148 = t_35;
+                        let _e148 = t_36;
                         let _e149 = sinks;
-                        t_35 = (_e148 + _e149);
+                        t_36 = (_e148 + _e149);
                         let _e151 = level_29;
                         let _e152 = finest_1;
                         if rt::Scalar::into_branch_condition(_e151.elementwise_eq(_e152)) {
-                            let _e155 = t_35;
-                            let _e156 = cost_18;
+                            let _e155 = t_36;
+                            let _e156 = cost_19;
                             return <SearchResult>::new(FOUND_BELOW, rt::Scalar(0f32), _e155, rt::Scalar(0f32), rt::Scalar(0f32), _e156);
                         }
                         let _e161 = level_29;
                         level_29 = (_e161 - rt::Scalar(1u32));
-                        let _e164 = t_35;
+                        let _e164 = t_36;
                         let _e167 = self.v_cell_of((origin_1 + (step_1 * _e164)));
-                        texel_3 = _e167.to_i32().clamp(low_5, last_4);
+                        texel_3 = _e167.to_i32().clamp(low_5, last_6);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_45.exit))) {
-                            let _e173 = t_35;
-                            let _e175 = cost_18;
-                            return <SearchResult>::new(FOUND_MISS, _e173, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e175);
+                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_47.exit))) {
+                            let _e173 = t_36;
+                            let _e175 = cost_19;
+                            return <SearchResult>::new(FOUND_MISS, _e173, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e175);
                         }
                         let _e181 = self.v_cell_of((origin_1 + (step_1 * end_10)));
-                        texel_3 = _e181.to_i32().clamp(low_5, last_4);
+                        texel_3 = _e181.to_i32().clamp(low_5, last_6);
                         if rt::Scalar::into_branch_condition(leave_6.x().elementwise_le(end_10)) {
                             texel_3.set_x((low_5.x() - rt::Scalar(1i32)).select(_e92.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_6.y().elementwise_le(end_10)) {
                             texel_3.set_y((low_5.y() - rt::Scalar(1i32)).select(_e97.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_35 = end_10;
+                        t_36 = end_10;
                     }
                 }
             }
         }
-        let _e207 = t_35;
-        let _e209 = cost_18;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e207, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e209);
+        let _e207 = t_36;
+        let _e209 = cost_19;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e207, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e209);
     }
     pub(super) fn v_search_relaxed_cone(
         &self,
-        path_46: Path,
-        params_34: rt::Vec4<f32>,
+        path_48: Path,
+        params_36: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_36: rt::Vec2<f32>;
-        let mut t_36: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_9: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_19: rt::Vec3<u32> = NO_COST;
+        let mut cost_20: rt::Vec3<u32> = NO_COST;
         let mut local_36: rt::Scalar<bool>;
         let mut start: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
         let mut local_37: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_46);
+        let _e2 = self.v_grid_of(path_48);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_2 = path_46.duv.length();
-        let _e11 = self.v_path_slope(path_46, rt::Scalar(0f32));
-        let terms_2 = (path_46.h.x().abs() + (rt::Scalar(path_46.exit) * path_46.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_46.level));
-        let far_12 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_46.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_2 = path_48.duv.length();
+        let _e11 = self.v_path_slope(path_48, rt::Scalar(0f32));
+        let terms_2 = (path_48.h.x().abs() + (rt::Scalar(path_48.exit) * path_48.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_48.level));
+        let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_48.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_36 = _e36;
-        let limit_8 = params_34.x().to_u32();
+        let limit_10 = params_36.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e49 = cost_19.x();
-                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_8)) {
+                let _e49 = cost_20.x();
+                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_10)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e51 = cost_19;
-                    cost_19 = (_e51 + STEP);
-                    let _e54 = t_36;
+                    let _e51 = cost_20;
+                    cost_20 = (_e51 + STEP);
+                    let _e54 = t_37;
                     self.v_mark_turn(_e54);
                     let _e55 = cell_36;
                     let _e56 = self.v_cell_leave(_e2, _e55);
-                    let end_11 = _e56.x().min(_e56.y()).min(rt::Scalar(path_46.exit));
-                    let _e62 = t_36;
+                    let end_11 = _e56.x().min(_e56.y()).min(rt::Scalar(path_48.exit));
+                    let _e62 = t_37;
                     let span_13 = (end_11 - _e62).max(rt::Scalar(0f32));
                     let _e66 = cell_36;
                     let _e67 = cell_36;
                     let _e68 = self.v_whole_cell(_e67);
-                    let _e70 = self.v_height_cell(_e68, rt::Scalar(path_46.level));
-                    let _e71 = t_36;
-                    let _e72 = self.v_gap_to(path_46, _e2, _e66, _e70, _e71);
-                    let _e73 = cost_19;
-                    cost_19 = (_e73 + HEIGHTS_READ);
-                    let _e76 = t_36;
+                    let _e70 = self.v_height_cell(_e68, rt::Scalar(path_48.level));
+                    let _e71 = t_37;
+                    let _e72 = self.v_gap_to(path_48, _e2, _e66, _e70, _e71);
+                    let _e73 = cost_20;
+                    cost_20 = (_e73 + HEIGHTS_READ);
+                    let _e76 = t_37;
                     self.v_mark_sample(_e76);
                     if rt::Scalar::into_branch_condition(_e72.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e80 = near_9;
-                        let _e81 = t_36;
+                        let _e81 = t_37;
                         if rt::Scalar::into_branch_condition(_e80.elementwise_lt(_e81)) {
                             let _e85 = near_gap_5;
                             local_36 = _e85.elementwise_gt(rt::Scalar(0f32));
@@ -1703,43 +1703,43 @@ impl Marked<'_> {
                         let _e89 = local_36;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e90 = near_9;
-                            let _e91 = t_36;
+                            let _e91 = t_37;
                             let _e92 = near_gap_5;
-                            let _e94 = cost_19;
-                            let _e95 = self.v_entered_once(path_46, _e2, _e90, _e91, _e92, _e72.x(), _e94);
+                            let _e94 = cost_20;
+                            let _e95 = self.v_entered_once(path_48, _e2, _e90, _e91, _e92, _e72.x(), _e94);
                             return _e95;
                         }
-                        let _e96 = t_36;
-                        let _e97 = t_36;
-                        let _e100 = cost_19;
+                        let _e96 = t_37;
+                        let _e97 = t_37;
+                        let _e100 = cost_20;
                         let _e101 = self.v_found_in_cell(_e72, _e96, span_13, _e97.elementwise_eq(rt::Scalar(0f32)), _e100);
                         return _e101;
                     }
-                    let _e102 = t_36;
+                    let _e102 = t_37;
                     start = _e102;
                     gap = _e72.x();
-                    if rt::Scalar::into_branch_condition(params_34.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_36.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e109 = cell_36;
-                        let _e110 = t_36;
+                        let _e110 = t_37;
                         self.v_mark_patch(_e109, _e110, end_11);
                         let _e111 = self.v_falls_in_cell(_e72, span_13);
                         if rt::Scalar::into_branch_condition(_e111) {
-                            let _e112 = t_36;
-                            let _e113 = t_36;
-                            let _e116 = cost_19;
+                            let _e112 = t_37;
+                            let _e113 = t_37;
+                            let _e116 = cost_20;
                             let _e117 = self.v_found_in_cell(_e72, _e112, span_13, _e113.elementwise_eq(rt::Scalar(0f32)), _e116);
                             return _e117;
                         }
-                        let _e118 = t_36;
+                        let _e118 = t_37;
                         start = _e118.max(end_11);
                         let _e120 = self.v_quadratic(_e72, span_13);
                         gap = _e120;
                     }
                     let _e121 = start;
-                    if rt::Scalar::into_branch_condition(_e121.elementwise_ge(rt::Scalar(path_46.exit))) {
-                        let _e125 = t_36;
-                        let _e127 = cost_19;
-                        return <SearchResult>::new(FOUND_MISS, _e125, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e127);
+                    if rt::Scalar::into_branch_condition(_e121.elementwise_ge(rt::Scalar(path_48.exit))) {
+                        let _e125 = t_37;
+                        let _e127 = cost_20;
+                        return <SearchResult>::new(FOUND_MISS, _e125, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e127);
                     }
                     let _e131 = start;
                     near_9 = _e131;
@@ -1749,120 +1749,120 @@ impl Marked<'_> {
                     let _e135 = cell_36;
                     let _e138 = start;
                     let _e141 = self.v_nearest_corner(((_e2.origin - _e135) + (_e2.step * _e138)));
-                    let _e143 = self.v_cone_slope(path_46, (_e133 + _e141));
-                    let _e144 = cost_19;
-                    let _e146 = self.v_map_read(path_46, rt::Scalar(1u32));
-                    cost_19 = (_e144 + _e146);
+                    let _e143 = self.v_cone_slope(path_48, (_e133 + _e141));
+                    let _e144 = cost_20;
+                    let _e146 = self.v_map_read(path_48, rt::Scalar(1u32));
+                    cost_20 = (_e144 + _e146);
                     let _e148 = start;
                     next_5 = _e148;
                     if rt::Scalar::into_branch_condition(_e143.elementwise_ge(rt::Scalar(0f32))) {
                         let _e152 = start;
-                        let _e153 = self.v_path_uv(path_46, _e152);
+                        let _e153 = self.v_path_uv(path_48, _e152);
                         let _e154 = start;
-                        let _e155 = self.v_path_height(path_46, _e154);
+                        let _e155 = self.v_path_height(path_48, _e154);
                         let _e156 = gap;
                         self.v_mark_cone(_e153, (_e155 - _e156), _e143);
                         let nearing_1 = ((_e143 * aside_2) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e163 = gap;
-                        let room = (_e163 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e143 * (far_12.x() + far_12.y())))));
+                        let room = (_e163 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e143 * (far_13.x() + far_13.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e175 = start;
                             next_5 = (_e175 + (room.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_34.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_36.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e185 = next_5;
-                        let _e186 = t_36;
-                        local_37 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_46.exit))));
+                        let _e186 = t_37;
+                        local_37 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_48.exit))));
                     } else {
                         local_37 = rt::Scalar(false);
                     }
                     let _e194 = local_37;
                     if rt::Scalar::into_branch_condition(_e194) {
-                        let _e196 = t_36;
+                        let _e196 = t_37;
                         let _e198 = gap;
-                        let _e199 = cost_19;
-                        return <SearchResult>::new(FOUND_ABOVE, _e196, rt::Scalar(path_46.exit), _e198, rt::Scalar(0f32), _e199);
+                        let _e199 = cost_20;
+                        return <SearchResult>::new(FOUND_ABOVE, _e196, rt::Scalar(path_48.exit), _e198, rt::Scalar(0f32), _e199);
                     }
                     let _e202 = next_5;
-                    if rt::Scalar::into_branch_condition(_e202.elementwise_ge(rt::Scalar(path_46.exit))) {
-                        let _e206 = self.v_path_gap(path_46, rt::Scalar(path_46.exit));
-                        let _e207 = cost_19;
-                        cost_19 = (_e207 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e202.elementwise_ge(rt::Scalar(path_48.exit))) {
+                        let _e206 = self.v_path_gap(path_48, rt::Scalar(path_48.exit));
+                        let _e207 = cost_20;
+                        cost_20 = (_e207 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e206.elementwise_le(rt::Scalar(0f32))) {
                             let _e212 = start;
                             let _e214 = gap;
-                            let _e215 = cost_19;
-                            let _e216 = self.v_entered_once(path_46, _e2, _e212, rt::Scalar(path_46.exit), _e214, _e206, _e215);
+                            let _e215 = cost_20;
+                            let _e216 = self.v_entered_once(path_48, _e2, _e212, rt::Scalar(path_48.exit), _e214, _e206, _e215);
                             return _e216;
                         }
                         let _e218 = start;
-                        let _e220 = cost_19;
-                        return <SearchResult>::new(FOUND_MISS, _e218, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e220);
+                        let _e220 = cost_20;
+                        return <SearchResult>::new(FOUND_MISS, _e218, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e220);
                     }
                     let _e224 = cell_36;
                     let _e225 = next_5;
                     let _e226 = self.v_cell_after(_e2, _e224, _e56, forward_6, _e225);
                     cell_36 = _e226;
                     let _e227 = next_5;
-                    t_36 = _e227;
+                    t_37 = _e227;
                 }
             }
         }
-        let _e229 = t_36;
-        let _e231 = cost_19;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e229, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e231);
+        let _e229 = t_37;
+        let _e231 = cost_20;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e229, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e231);
     }
     pub(super) fn v_search_relaxed_cone_resting(
         &self,
-        path_47: Path,
-        params_35: rt::Vec4<f32>,
+        path_49: Path,
+        params_37: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_37: rt::Vec2<f32>;
-        let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_6: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_20: rt::Vec3<u32> = NO_COST;
+        let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut local_38: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_47);
+        let _e2 = self.v_grid_of(path_49);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_37 = _e9;
-        let limit_9 = params_35.x().to_u32();
+        let limit_11 = params_37.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e22 = cost_20.x();
-                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_9)) {
+                let _e22 = cost_21.x();
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_11)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = cost_20;
-                    cost_20 = (_e24 + STEP);
-                    let _e27 = t_37;
+                    let _e24 = cost_21;
+                    cost_21 = (_e24 + STEP);
+                    let _e27 = t_38;
                     self.v_mark_turn(_e27);
                     let _e28 = cell_37;
                     let _e29 = self.v_whole_cell(_e28);
-                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_47.level));
-                    let _e32 = cost_20;
-                    cost_20 = (_e32 + HEIGHTS_READ);
+                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_49.level));
+                    let _e32 = cost_21;
+                    cost_21 = (_e32 + HEIGHTS_READ);
                     let _e35 = cell_37;
                     let _e36 = self.v_cell_leave(_e2, _e35);
-                    let end_12 = _e36.x().min(_e36.y()).min(rt::Scalar(path_47.exit));
-                    let _e42 = t_37;
+                    let end_12 = _e36.x().min(_e36.y()).min(rt::Scalar(path_49.exit));
+                    let _e42 = t_38;
                     let span_14 = (end_12 - _e42).max(rt::Scalar(0f32));
                     let _e46 = cell_37;
-                    let _e47 = t_37;
-                    let _e48 = self.v_gap_to(path_47, _e2, _e46, _e31, _e47);
-                    let _e49 = t_37;
+                    let _e47 = t_38;
+                    let _e48 = self.v_gap_to(path_49, _e2, _e46, _e31, _e47);
+                    let _e49 = t_38;
                     self.v_mark_sample(_e49);
                     if rt::Scalar::into_branch_condition(_e48.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e53 = near_10;
-                        let _e54 = t_37;
+                        let _e54 = t_38;
                         if rt::Scalar::into_branch_condition(_e53.elementwise_lt(_e54)) {
                             let _e58 = near_gap_6;
                             local_38 = _e58.elementwise_gt(rt::Scalar(0f32));
@@ -1872,35 +1872,35 @@ impl Marked<'_> {
                         let _e62 = local_38;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = near_10;
-                            let _e64 = t_37;
+                            let _e64 = t_38;
                             let _e65 = near_gap_6;
-                            let _e67 = cost_20;
-                            let _e68 = self.v_entered_once(path_47, _e2, _e63, _e64, _e65, _e48.x(), _e67);
+                            let _e67 = cost_21;
+                            let _e68 = self.v_entered_once(path_49, _e2, _e63, _e64, _e65, _e48.x(), _e67);
                             return _e68;
                         }
-                        let _e69 = t_37;
-                        let _e70 = t_37;
-                        let _e73 = cost_20;
+                        let _e69 = t_38;
+                        let _e70 = t_38;
+                        let _e73 = cost_21;
                         let _e74 = self.v_found_in_cell(_e48, _e69, span_14, _e70.elementwise_eq(rt::Scalar(0f32)), _e73);
                         return _e74;
                     }
                     let _e75 = cell_37;
-                    let _e76 = t_37;
+                    let _e76 = t_38;
                     self.v_mark_patch(_e75, _e76, end_12);
                     let _e77 = self.v_falls_in_cell(_e48, span_14);
                     if rt::Scalar::into_branch_condition(_e77) {
-                        let _e78 = t_37;
-                        let _e79 = t_37;
-                        let _e82 = cost_20;
+                        let _e78 = t_38;
+                        let _e79 = t_38;
+                        let _e82 = cost_21;
                         let _e83 = self.v_found_in_cell(_e48, _e78, span_14, _e79.elementwise_eq(rt::Scalar(0f32)), _e82);
                         return _e83;
                     }
-                    let _e84 = t_37;
+                    let _e84 = t_38;
                     let start_1 = _e84.max(end_12);
-                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_47.exit))) {
-                        let _e89 = t_37;
-                        let _e91 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, _e89, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_49.exit))) {
+                        let _e89 = t_38;
+                        let _e91 = cost_21;
+                        return <SearchResult>::new(FOUND_MISS, _e89, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
                     near_10 = start_1;
                     let _e95 = self.v_quadratic(_e48, span_14);
@@ -1909,234 +1909,239 @@ impl Marked<'_> {
                     let _e102 = self.v_nearest_corner(((_e2.origin - _e97) + (_e2.step * start_1)));
                     let _e103 = self.v_corner_height(_e31, _e102);
                     next_6 = start_1;
-                    let _e105 = self.v_path_height(path_47, start_1);
+                    let _e105 = self.v_path_height(path_49, start_1);
                     if rt::Scalar::into_branch_condition(_e105.elementwise_gt(_e103)) {
                         let _e107 = cell_37;
                         let texel_6 = (_e107 + _e102);
-                        let _e109 = self.v_cone_slope(path_47, texel_6);
-                        let _e110 = cost_20;
-                        let _e112 = self.v_map_read(path_47, rt::Scalar(1u32));
-                        cost_20 = (_e110 + _e112);
+                        let _e109 = self.v_cone_slope(path_49, texel_6);
+                        let _e110 = cost_21;
+                        let _e112 = self.v_map_read(path_49, rt::Scalar(1u32));
+                        cost_21 = (_e110 + _e112);
                         if rt::Scalar::into_branch_condition(_e109.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e120 = self.v_height_size(rt::Scalar(path_47.level));
+                            let _e120 = self.v_height_size(rt::Scalar(path_49.level));
                             self.v_mark_cone(((texel_6 + rt::Vec2::splat_from_scalar(rt::Scalar(0.5f32))) / _e120), _e103, _e109);
-                            let _e122 = self.v_stays_inside(path_47, _e2, texel_6, _e103, _e109, start_1);
+                            let _e122 = self.v_stays_inside(path_49, _e2, texel_6, _e103, _e109, start_1);
                             next_6 = (start_1 + _e122);
                         }
                     }
                     let _e124 = next_6;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_47.exit))) {
-                        let _e128 = self.v_path_gap(path_47, rt::Scalar(path_47.exit));
-                        let _e129 = cost_20;
-                        cost_20 = (_e129 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_49.exit))) {
+                        let _e128 = self.v_path_gap(path_49, rt::Scalar(path_49.exit));
+                        let _e129 = cost_21;
+                        cost_21 = (_e129 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e128.elementwise_le(rt::Scalar(0f32))) {
                             let _e135 = near_gap_6;
-                            let _e136 = cost_20;
-                            let _e137 = self.v_entered_once(path_47, _e2, start_1, rt::Scalar(path_47.exit), _e135, _e128, _e136);
+                            let _e136 = cost_21;
+                            let _e137 = self.v_entered_once(path_49, _e2, start_1, rt::Scalar(path_49.exit), _e135, _e128, _e136);
                             return _e137;
                         }
-                        let _e140 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, start_1, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e140);
+                        let _e140 = cost_21;
+                        return <SearchResult>::new(FOUND_MISS, start_1, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e140);
                     }
                     let _e144 = cell_37;
                     let _e145 = next_6;
                     let _e146 = self.v_cell_after(_e2, _e144, _e36, forward_7, _e145);
                     cell_37 = _e146;
                     let _e147 = next_6;
-                    t_37 = _e147;
+                    t_38 = _e147;
                 }
             }
         }
-        let _e149 = t_37;
-        let _e151 = cost_20;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e149, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+        let _e149 = t_38;
+        let _e151 = cost_21;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e149, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
     }
     pub(super) fn v_search_sphere(
         &self,
-        path_48: Path,
-        params_36: rt::Vec4<f32>,
+        path_50: Path,
+        params_38: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_38: rt::Vec2<f32>;
-        let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_21: rt::Vec3<u32> = NO_COST;
+        let mut t_39: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut next_7: rt::Scalar<f32>;
         let mut local_39: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_48);
+        let _e2 = self.v_grid_of(path_50);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_48, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_48, rt::Scalar(path_48.exit));
+        let _e9 = self.v_path_slope(path_50, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_50, rt::Scalar(path_50.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_48.duv, climb_1).length();
-        let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_13 = (path_48.uv.abs() + (path_48.duv.abs() * rt::Scalar(path_48.exit)));
-        let height_terms = (path_48.h.x().abs() + (rt::Scalar(path_48.exit) * (path_48.h.y().abs() + (rt::Scalar(path_48.exit) * path_48.h.z().abs()))));
-        let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_13.x() + far_13.y()) + height_terms) + rt::Scalar(1f32)));
+        let fastest = <rt::Vec3<f32>>::new_21(path_50.duv, climb_1).length();
+        let speed_3 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
+        let far_14 = (path_50.uv.abs() + (path_50.duv.abs() * rt::Scalar(path_50.exit)));
+        let height_terms = (path_50.h.x().abs() + (rt::Scalar(path_50.exit) * (path_50.h.y().abs() + (rt::Scalar(path_50.exit) * path_50.h.z().abs()))));
+        let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_14.x() + far_14.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_38 = _e52;
-        let limit_10 = params_36.x().to_u32();
+        let limit_12 = params_38.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e61 = cost_21.x();
-                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_10)) {
+                let _e61 = cost_22.x();
+                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_12)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e63 = cost_21;
-                    cost_21 = (_e63 + STEP);
-                    let _e66 = t_38;
+                    let _e63 = cost_22;
+                    cost_22 = (_e63 + STEP);
+                    let _e66 = t_39;
                     self.v_mark_turn(_e66);
                     let _e67 = cell_38;
                     let _e68 = self.v_cell_leave(_e2, _e67);
-                    let end_13 = _e68.x().min(_e68.y()).min(rt::Scalar(path_48.exit));
-                    let _e74 = t_38;
+                    let end_13 = _e68.x().min(_e68.y()).min(rt::Scalar(path_50.exit));
+                    let _e74 = t_39;
                     let span_15 = (end_13 - _e74).max(rt::Scalar(0f32));
-                    let _e78 = t_38;
-                    let _e79 = self.v_path_uv(path_48, _e78);
-                    let _e80 = t_38;
-                    let _e81 = self.v_path_height(path_48, _e80);
-                    let _e83 = self.v_distance_at(path_48, _e79, _e81, params_36.z());
+                    let _e78 = t_39;
+                    let _e79 = self.v_path_uv(path_50, _e78);
+                    let _e80 = t_39;
+                    let _e81 = self.v_path_height(path_50, _e80);
+                    let _e83 = self.v_distance_at(path_50, _e79, _e81, params_38.z());
                     let free = (_e83 - lost_4);
-                    let _e85 = cost_21;
-                    let _e87 = self.v_map_read(path_48, rt::Scalar(4u32));
-                    let _e90 = self.v_map_read(path_48, rt::Scalar(4u32));
-                    cost_21 = ((_e85 + _e87) + _e90);
-                    let _e92 = t_38;
+                    let _e85 = cost_22;
+                    let _e87 = self.v_map_read(path_50, rt::Scalar(4u32));
+                    let _e90 = self.v_map_read(path_50, rt::Scalar(4u32));
+                    cost_22 = ((_e85 + _e87) + _e90);
+                    let _e92 = t_39;
                     next_7 = _e92;
                     if rt::Scalar::into_branch_condition(free.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e96 = t_38;
+                        let _e96 = t_39;
                         self.v_mark_ball(_e96, free);
-                        let _e97 = t_38;
-                        next_7 = (_e97 + (free / speed_2));
+                        let _e97 = t_39;
+                        next_7 = (_e97 + (free / speed_3));
                     }
-                    if rt::Scalar::into_branch_condition(params_36.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_38.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e103 = next_7;
-                        let _e104 = t_38;
-                        if rt::Scalar::into_branch_condition((!(_e103 - _e104).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_48.exit))))) {
-                            let _e112 = t_38;
-                            let _e114 = cost_21;
-                            return <SearchResult>::new(FOUND_ABOVE, _e112, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        let _e104 = t_39;
+                        if rt::Scalar::into_branch_condition((!(_e103 - _e104).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_50.exit))))) {
+                            let _e112 = t_39;
+                            let _e114 = cost_22;
+                            return <SearchResult>::new(FOUND_ABOVE, _e112, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                         }
                     } else {
                         let _e118 = next_7;
                         if rt::Scalar::into_branch_condition((!_e118.elementwise_lt(end_13))) {
-                            let _e123 = t_38;
+                            let _e123 = t_39;
                             local_39 = (!end_13.elementwise_gt(_e123));
                         } else {
                             local_39 = rt::Scalar(true);
                         }
                         let _e127 = local_39;
                         if rt::Scalar::into_branch_condition(_e127) {
-                            let _e128 = cost_21;
-                            cost_21 = (_e128 + HEIGHTS_READ);
+                            let _e128 = cost_22;
+                            cost_22 = (_e128 + HEIGHTS_READ);
                             let _e131 = cell_38;
-                            let _e132 = t_38;
+                            let _e132 = t_39;
                             self.v_mark_patch(_e131, _e132, end_13);
                             let _e133 = cell_38;
                             let _e134 = cell_38;
                             let _e135 = self.v_whole_cell(_e134);
-                            let _e137 = self.v_height_cell(_e135, rt::Scalar(path_48.level));
-                            let _e138 = t_38;
-                            let _e139 = self.v_gap_to(path_48, _e2, _e133, _e137, _e138);
+                            let _e137 = self.v_height_cell(_e135, rt::Scalar(path_50.level));
+                            let _e138 = t_39;
+                            let _e139 = self.v_gap_to(path_50, _e2, _e133, _e137, _e138);
                             let _e140 = self.v_falls_in_cell(_e139, span_15);
                             if rt::Scalar::into_branch_condition(_e140) {
-                                let _e141 = t_38;
-                                let _e142 = t_38;
-                                let _e145 = cost_21;
+                                let _e141 = t_39;
+                                let _e142 = t_39;
+                                let _e145 = cost_22;
                                 let _e146 = self.v_found_in_cell(_e139, _e141, span_15, _e142.elementwise_eq(rt::Scalar(0f32)), _e145);
                                 return _e146;
                             }
-                            let _e147 = t_38;
+                            let _e147 = t_39;
                             next_7 = _e147.max(end_13);
                         }
                     }
                     let _e149 = next_7;
-                    if rt::Scalar::into_branch_condition(_e149.elementwise_ge(rt::Scalar(path_48.exit))) {
-                        let _e153 = t_38;
-                        let _e155 = cost_21;
-                        return <SearchResult>::new(FOUND_MISS, _e153, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e155);
+                    if rt::Scalar::into_branch_condition(_e149.elementwise_ge(rt::Scalar(path_50.exit))) {
+                        let _e153 = t_39;
+                        let _e155 = cost_22;
+                        return <SearchResult>::new(FOUND_MISS, _e153, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e155);
                     }
                     let _e159 = cell_38;
                     let _e160 = next_7;
                     let _e161 = self.v_cell_after(_e2, _e159, _e68, forward_8, _e160);
                     cell_38 = _e161;
                     let _e162 = next_7;
-                    t_38 = _e162;
+                    t_39 = _e162;
                 }
             }
         }
-        let _e164 = t_38;
-        let _e166 = cost_21;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e164, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e166);
+        let _e164 = t_39;
+        let _e166 = cost_22;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e164, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e166);
     }
-    pub(super) fn v_search_stage(&self, path_50: Path) -> SearchResult {
+    pub(super) fn v_search_stage(&self, path_52: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_50, _e10);
+                let _e11 = self.v_search_none(path_52, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_50, _e16);
+                let _e17 = self.v_search_linear(path_52, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_50, _e22);
+                let _e23 = self.v_search_cells(path_52, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_50, _e28);
+                let _e29 = self.v_search_frustum(path_52, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_50, _e34);
+                let _e35 = self.v_search_cone(path_52, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_50, _e40);
+                let _e41 = self.v_search_pyramid(path_52, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_50, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_52, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_50, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_52, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_50, _e58);
+                let _e59 = self.v_search_sphere(path_52, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_50, _e64);
+                let _e65 = self.v_search_cone_moved(path_52, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_50, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_52, _e70);
                 return _e71;
             }
             11u32 => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_50, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_52, _e76);
                 return _e77;
             }
-            _ => {
+            12u32 => {
                 let _e82 = self.surface_settings.choices[6usize].params;
-                let _e83 = self.v_search_voxels(path_50, _e82);
+                let _e83 = self.v_search_voxels(path_52, _e82);
                 return _e83;
+            }
+            _ => {
+                let _e88 = self.surface_settings.choices[6usize].params;
+                let _e89 = self.v_search_generalised(path_52, _e88);
+                return _e89;
             }
         }
     }

@@ -230,6 +230,24 @@ lanes! { fn zero_voxel_path() -> VoxelPath {
     }
 } }
 
+#[derive(Clone, Copy)]
+pub struct WayToSolid {
+    pub is_solid: U,
+    pub way: F,
+}
+lanes! { fn sel_way_to_solid(m: M, a: &WayToSolid, b: &WayToSolid) -> WayToSolid {
+    WayToSolid {
+        is_solid: sel_u(m, a.is_solid, b.is_solid),
+        way: sel(m, a.way, b.way),
+    }
+} }
+lanes! { fn zero_way_to_solid() -> WayToSolid {
+    WayToSolid {
+        is_solid: splat_u(0u32),
+        way: splat(0f32),
+    }
+} }
+
 lanes! { fn quadratic(r: &Resources<'_>, c_a0: Vec3<F>, s_a1: F) -> F {
     return add(c_a0.x, mul(s_a1, add(c_a0.y, mul(s_a1, c_a0.z))));
 } }
@@ -335,6 +353,36 @@ lanes! { fn decoded(r: &Resources<'_>, texel_a0: Vec4<F>, map_a1: &single::MapSe
         return Vec4 { x: add(splat(map_a1.low.x), mul(splat(map_a1.step.x), floor(add(mul(texel_a0.x, splat(255.0f32)), splat(0.5f32))))), y: add(splat(map_a1.low.y), mul(splat(map_a1.step.y), floor(add(mul(texel_a0.y, splat(255.0f32)), splat(0.5f32))))), z: add(splat(map_a1.low.z), mul(splat(map_a1.step.z), floor(add(mul(texel_a0.z, splat(255.0f32)), splat(0.5f32))))), w: add(splat(map_a1.low.w), mul(splat(map_a1.step.w), floor(add(mul(texel_a0.w, splat(255.0f32)), splat(0.5f32))))) };
     }
     return texel_a0;
+} }
+lanes! { fn eighth_turn(r: &Resources<'_>, tangent_a0: F) -> F {
+    let s_1 = mul(tangent_a0, tangent_a0);
+    let series_14 = add(splat(0.999866f32), mul(s_1, add(splat((-0.3302995f32)), mul(s_1, add(splat(0.180141f32), mul(s_1, add(splat((-0.085133f32)), mul(s_1, splat(0.0208351f32)))))))));
+    return mul(mul(tangent_a0, series_14), splat(0.15915494f32));
+} }
+lanes! { fn turn_of(r: &Resources<'_>, within: M, v_a0: Vec2<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut turn_v0: F = splat(0f32);
+    let x_2 = abs(v_a0.x);
+    let y_4 = abs(v_a0.y);
+    let c1 = not(gt(add(x_2, y_4), splat(0.0f32)));
+    ret = splat(0.0f32);
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let e_13 = eighth_turn(r, div(min(x_2, y_4), max(x_2, y_4)));
+    turn_v0 = e_13;
+    let c2 = gt(y_4, x_2);
+    let e_16 = turn_v0;
+    turn_v0 = sel(c2, sub(splat(0.25f32), e_16), turn_v0);
+    let c3 = lt(v_a0.x, splat(0.0f32));
+    let e_22 = turn_v0;
+    turn_v0 = sel(c3, sub(splat(0.5f32), e_22), turn_v0);
+    let c4 = lt(v_a0.y, splat(0.0f32));
+    let e_28 = turn_v0;
+    turn_v0 = sel(c4, sub(splat(1.0f32), e_28), turn_v0);
+    let e_31 = turn_v0;
+    let e_32 = turn_v0;
+    return sel(ex, sel(ge(e_32, splat(1.0f32)), splat(0.0f32), e_31), ret);
 } }
 stage! { pub(super) fn wrapped_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
@@ -3886,6 +3934,157 @@ stage! { fn search_voxels(r: &Resources<'_>, within: M, path_a0: &Path, params_a
     let e_109 = cost_v3;
     return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_107, far: e_108, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_109, }, &ret);
 } }
+stage! { fn way_to_solid(r: &Resources<'_>, within: M, path_a0: &Path, place_a1: Vec3<F>, direction_a2: Vec3<F>, params_a3: Vec4<f32>) -> WayToSolid {
+    let mut ex = within;
+    let mut ret: WayToSolid = zero_way_to_solid();
+    let mut sum_v0: F = splat(0.0f32);
+    let mut weights_v1: F = splat(0.0f32);
+    let mut k_v2: u32 = 0u32;
+    let e_4 = r.volume_size();
+    let last_7 = (e_4.z - 1.0f32);
+    let inside_12 = Vec3 { x: place_a1.x, y: place_a1.y, z: min(max_with(place_a1.z, splat(0.0f32)), splat(last_7)) };
+    let first_13 = Vec3 { x: floor(inside_12.x), y: floor(inside_12.y), z: floor(inside_12.z) };
+    let part_14 = Vec3 { x: sub(inside_12.x, first_13.x), y: sub(inside_12.y, first_13.y), z: sub(inside_12.z, first_13.z) };
+    let e_15 = r.volume_size();
+    let size_17 = Vec2 { x: (e_15.x as i32), y: (e_15.y as i32) };
+    let cell_18 = Vec3 { x: i_of_f(first_13.x), y: i_of_f(first_13.y), z: i_of_f(first_13.z) };
+    let columns_21 = wrap_pair(r, ex, cell_18.x, size_17.x);
+    let rows_24 = wrap_pair(r, ex, cell_18.y, size_17.y);
+    let elevation_38 = min(max_with(mul(add(splat(0.5f32), mul(splat(0.5f32), direction_a2.z)), splat((params_a3.z - 1.0f32))), splat(0.0f32)), splat((params_a3.z - 1.0f32)));
+    let below_43 = min(floor(elevation_38), splat((params_a3.z - 2.0f32)));
+    let e_45 = turn_of(r, ex, Vec2 { x: direction_a2.x, y: direction_a2.y });
+    let turn_47 = mul(e_45, splat(params_a3.y));
+    let before_48 = floor(turn_47);
+    let most_51 = (params_a3.w * 0.998f32);
+    'l1: loop {
+        let e_58 = k_v2;
+        if (e_58 < 8u32) {
+        } else {
+            break 'l1;
+        }
+        let e_61 = k_v2;
+        let is_next_65 = ((e_61 & 1u32) == 1u32);
+        let e_66 = k_v2;
+        let is_above_70 = ((e_66 & 2u32) == 2u32);
+        let e_71 = k_v2;
+        let is_upper_75 = ((e_71 & 4u32) == 4u32);
+        let behind_83 = sel(ge(add(before_48, splat(1.0f32)), splat(params_a3.y)), splat(0.0f32), add(before_48, splat(1.0f32)));
+        let azimuth_84 = sel(splat_m(is_next_65), behind_83, before_48);
+        let layer_92 = i_of_f(add(add(mul(azimuth_84, splat(params_a3.z)), below_43), splat((if is_above_70 { 1.0f32 } else { 0.0f32 }))));
+        let of_azimuth_97 = sel(splat_m(is_next_65), sub(turn_47, before_48), sub(splat(1.0f32), sub(turn_47, before_48)));
+        let of_elevation_102 = sel(splat_m(is_above_70), sub(elevation_38, below_43), sub(splat(1.0f32), sub(elevation_38, below_43)));
+        let of_slice_107 = sel(splat_m(is_upper_75), part_14.z, sub(splat(1.0f32), part_14.z));
+        let weight_109 = mul(mul(of_azimuth_97, of_elevation_102), of_slice_107);
+        let begin_115 = slice_begin(r, add_i(cell_18.z, splat_i((if is_upper_75 { 1i32 } else { 0i32 }))));
+        let e_121 = search_texel_llls(r, ex, path_a0, Vec2 { x: add_i(begin_115.x, columns_21.x), y: add_i(begin_115.y, rows_24.x) }, layer_92, 0i32);
+        let e_128 = search_texel_llls(r, ex, path_a0, Vec2 { x: add_i(begin_115.x, columns_21.y), y: add_i(begin_115.y, rows_24.x) }, layer_92, 0i32);
+        let e_135 = search_texel_llls(r, ex, path_a0, Vec2 { x: add_i(begin_115.x, columns_21.x), y: add_i(begin_115.y, rows_24.y) }, layer_92, 0i32);
+        let e_142 = search_texel_llls(r, ex, path_a0, Vec2 { x: add_i(begin_115.x, columns_21.y), y: add_i(begin_115.y, rows_24.y) }, layer_92, 0i32);
+        let ways_144 = Vec4 { x: e_121.x, y: e_128.x, z: e_135.x, w: e_142.x };
+        let beside_149 = Vec2 { x: sub(splat(1.0f32), part_14.x), y: part_14.x };
+        let e_152 = sub(splat(1.0f32), part_14.y);
+        let corners_157 = Vec4 { x: mul(mul(beside_149.x, e_152), weight_109), y: mul(mul(beside_149.y, e_152), weight_109), z: mul(mul(beside_149.x, part_14.y), weight_109), w: mul(mul(beside_149.y, part_14.y), weight_109) };
+        let limit_158 = Vec4 { x: most_51, y: most_51, z: most_51, w: most_51 };
+        let none_163 = Vec4 { x: 0.0f32, y: 0.0f32, z: 0.0f32, w: 0.0f32 };
+        let solid_165 = Vec4 { x: sel(lt(ways_144.x, splat(limit_158.x)), corners_157.x, splat(none_163.x)), y: sel(lt(ways_144.y, splat(limit_158.y)), corners_157.y, splat(none_163.y)), z: sel(lt(ways_144.z, splat(limit_158.z)), corners_157.z, splat(none_163.z)), w: sel(lt(ways_144.w, splat(limit_158.w)), corners_157.w, splat(none_163.w)) };
+        let way_166 = Vec4 { x: mul(solid_165.x, ways_144.x), y: mul(solid_165.y, ways_144.y), z: mul(solid_165.z, ways_144.z), w: mul(solid_165.w, ways_144.w) };
+        let e_167 = weights_v1;
+        weights_v1 = add(e_167, add(add(solid_165.x, solid_165.y), add(solid_165.z, solid_165.w)));
+        let e_176 = sum_v0;
+        sum_v0 = add(e_176, add(add(way_166.x, way_166.y), add(way_166.z, way_166.w)));
+        let e_185 = k_v2;
+        k_v2 = e_185.wrapping_add(1u32);
+    }
+    let e_188 = weights_v1;
+    let (b2, c3) = (ex, ge(e_188, splat(0.5f32)));
+    ex = and(b2, c3);
+    if any(ex) {
+        let e_192 = sum_v0;
+        let e_193 = weights_v1;
+        ret = WayToSolid { is_solid: splat_u(1u32), way: div(e_192, e_193), };
+        ex = no_lane();
+    }
+    ex = and_not(b2, c3);
+    return sel_way_to_solid(ex, &WayToSolid { is_solid: splat_u(0u32), way: splat(params_a3.w), }, &ret);
+} }
+stage! { fn search_generalised(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+    let mut ex = within;
+    let mut ret: SearchResult = zero_search_result();
+    let mut alive = ex;
+    let mut t_v0: F = splat(0.0f32);
+    let mut cost_v1: Vec3<U> = Vec3 { x: splat_u(1u32), y: splat_u(0u32), z: splat_u(32u32) };
+    let mut looked_v2: U = splat_u(0u32);
+    let walk_2 = voxel_path(r, path_a0);
+    let e_7 = t_v0;
+    let e_8 = voxel_place_on(r, &walk_2, e_7);
+    let e_9 = field_at_voxel(r, ex, e_8);
+    let (b1, c2) = (ex, gt(e_9, splat(0.5f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_13 = t_v0;
+        let e_14 = t_v0;
+        let e_15 = cost_v1;
+        ret = SearchResult { status: splat_u(5u32), near: e_13, far: e_14, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_15, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let e_19 = r.volume_size();
+    let last_22 = (e_19.z - 1.0f32);
+    let limit_24 = (params_a1.x as u32);
+    if none(ex) { return ret; }
+    let b4 = ex;
+    'l3: loop {
+        let e_27 = looked_v2;
+        let c5 = lt_u(e_27, splat_u(limit_24));
+        ex = and(ex, c5);
+        let e_33 = t_v0;
+        let toward_38 = Vec3 { x: add(walk_2.step.x, splat(0.0f32)), y: add(walk_2.step.y, splat(0.0f32)), z: add(walk_2.step.z, mul(mul(splat(2.0f32), walk_2.bend), e_33)) };
+        let speed_39 = sqrt(add(add(mul(toward_38.x, toward_38.x), mul(toward_38.y, toward_38.y)), mul(toward_38.z, toward_38.z)));
+        let direction_41 = Vec3 { x: div(toward_38.x, speed_39), y: div(toward_38.y, speed_39), z: div(toward_38.z, speed_39) };
+        let e_42 = t_v0;
+        if none(ex) { break 'l3; }
+        let place_43 = voxel_place_on(r, &walk_2, e_42);
+        let beyond_48 = sub(place_43.z, min(max_with(place_43.z, splat(0.0f32)), splat(last_22)));
+        let is_inward_52 = lt(mul(beyond_48, direction_41.z), splat(0.0f32));
+        let before_57 = sel(is_inward_52, abs(div(beyond_48, direction_41.z)), splat(0.0f32));
+        let ahead_60 = way_to_solid(r, ex, path_a0, Vec3 { x: add(place_43.x, mul(direction_41.x, before_57)), y: add(place_43.y, mul(direction_41.y, before_57)), z: add(place_43.z, mul(direction_41.z, before_57)) }, direction_41, params_a1);
+        let e_61 = cost_v1;
+        let e_65 = map_read(r, path_a0, 32u32);
+        let (m6, y7) = (ex, Vec3 { x: add_u(add_u(e_61.x, splat_u(0u32)), e_65.x), y: add_u(add_u(e_61.y, splat_u(1u32)), e_65.y), z: add_u(add_u(e_61.z, splat_u(0u32)), e_65.z) });
+        cost_v1 = Vec3 { x: sel_u(m6, y7.x, cost_v1.x), y: sel_u(m6, y7.y, cost_v1.y), z: sel_u(m6, y7.z, cost_v1.z) };
+        let e_67 = looked_v2;
+        looked_v2 = add_u(e_67, splat_u(1u32));
+        let e_70 = t_v0;
+        let far_74 = add(e_70, div(add(before_57, ahead_60.way), speed_39));
+        let (b8, c9) = (ex, not(lt(far_74, path_a0.exit)));
+        ex = and(b8, c9);
+        if any(ex) {
+            let e_81 = cost_v1;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: path_a0.exit, far: path_a0.exit, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_81, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b8, c9);
+        if none(ex) { break 'l3; }
+        let (b10, c11) = (ex, eq_u(ahead_60.is_solid, splat_u(1u32)));
+        ex = and(b10, c11);
+        if any(ex) {
+            let e_92 = t_v0;
+            let e_95 = cost_v1;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: max(sub(far_74, div(splat(0.5f32), speed_39)), e_92), far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(1.0f32), cost: e_95, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b10, c11);
+        t_v0 = sel(ex, far_74, t_v0);
+        if none(ex) { break 'l3; }
+    }
+    ex = and(b4, alive);
+    let e_100 = t_v0;
+    let e_101 = t_v0;
+    let e_102 = cost_v1;
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_100, far: e_101, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_102, }, &ret);
+} }
 lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
@@ -3938,9 +4137,13 @@ lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Search
             let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_77;
         }
-        _ => {
+        12u32 => {
             let e_83 = search_voxels(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_83;
+        }
+        _ => {
+            let e_89 = search_generalised(r, ex, path_a0, r.surface_settings.choices[6].params);
+            return e_89;
         }
     }
 } }
@@ -4003,9 +4206,13 @@ stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0
             let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_77;
         }
-        _ => {
+        12u32 => {
             let e_83 = search_voxels(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_83;
+        }
+        _ => {
+            let e_89 = search_generalised(r, ex, path_a0, r.surface_settings.choices[10].params);
+            return e_89;
         }
     }
 } }

@@ -240,6 +240,14 @@ pub static METHODS: &[Method] = &[
         "5.2",
         "the first hit with a volume: grass, mail and cloth, voxel by voxel",
     ),
+    survey(
+        "generalised",
+        "generalised",
+        "none",
+        DEFAULTS,
+        "6.3",
+        "generalised displacement mapping: the hit with a volume, looked up by place and direction",
+    ),
     Method {
         name: "relaxed",
         summary: "relaxed cones that stay on their texel: few reads, rarely misses a hit",

@@ -42,6 +42,7 @@ pub const KIND: Kind = Kind {
     params: &[AZIMUTHS, TILES, BITS_TO_NEAREST, SCALED],
     guarantee: "closed form of the horizons, about the base normal",
     is_picture: true,
+    of_volume: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 3)],
     reach: |_| Reach::Everything,
     working_maps: |_| super::WORKING_MAPS,

@@ -40,6 +40,7 @@ pub const KIND: Kind = Kind {
     params: &[AZIMUTHS, ELEVATIONS, visibility::TILES, ALBEDO, BOUNCES, BITS_TO_NEAREST],
     guarantee: "a mean over fixed directions, exact hits: no light is made or lost",
     is_picture: true,
+    of_volume: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     working_maps: |settings| settings.count(1) as f32 + 4.5,

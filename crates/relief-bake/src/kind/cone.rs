@@ -67,6 +67,7 @@ pub const KIND: Kind = Kind {
         q rises over p by at most their horizontal distance over the ratio; with apex 2 the same holds at every p \
         for the stored values as a bilinear filter reads them there",
     is_picture: false,
+    of_volume: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     working_maps: |_| super::WORKING_MAPS,

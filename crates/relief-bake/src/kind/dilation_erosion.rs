@@ -44,6 +44,7 @@ pub const KIND: Kind = Kind {
     guarantee: "From anywhere over a dual cell, the bilinear surface within the radius along both axes is nowhere below the \
         erosion and nowhere above the dilation; both are attained. Exact in f32 and in as many bits as the heights have.",
     is_picture: false,
+    of_volume: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 2)],
     reach: |settings| Reach::Texels(settings.count(RADIUS).saturating_add(1)),
     working_maps: |_| super::WORKING_MAPS,

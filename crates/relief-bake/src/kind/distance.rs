@@ -77,6 +77,7 @@ pub const KIND: Kind = Kind {
     params: &[SLICES, BITS],
     guarantee: "a trilinear fetch is at most the distance to the bilinear surface, in the metres of the bake's metric",
     is_picture: false,
+    of_volume: false,
     shapes: |size, settings| vec![Shape::slices("", size, settings.count(0), 1)],
     reach: |_| Reach::Everything,
     working_maps: |_| 3.5,

@@ -78,6 +78,7 @@ pub const KIND: Kind = Kind {
         With variational, the volume between the two is at most the volume with average or least-squares. \
         With least-squares, the integral of the squared difference is the least possible.",
     is_picture: false,
+    of_volume: false,
     shapes: |size, _| vec![shape(size)],
     reach: |_| Reach::Everything,
     working_maps: |_| 2.5,

@@ -117,6 +117,7 @@ pub const KIND: Kind = Kind {
     guarantee: "In each quadrant the bilinear surface is nowhere above top + slope * Chebyshev distance from the cell, in \
         texels; the stored slope is the least such, at most 2^-16 of it more, rounded up.",
     is_picture: false,
+    of_volume: false,
     shapes: |size, _| vec![Shape::slices("top", size, 1, 1), Shape::slices("slopes", size, 1, 4)],
     reach: |_| Reach::Everything,
     working_maps: |_| super::WORKING_MAPS,

@@ -9,6 +9,7 @@ pub mod dilation_erosion;
 pub mod distance;
 pub mod filter_levels;
 pub mod frustum;
+pub mod generalised;
 pub mod horizon;
 pub mod normal;
 pub mod occlusion;
@@ -52,6 +53,9 @@ pub struct Kind {
     /// Whether other programs can show its texture as a picture: grey, or red, green and blue, over
     /// the whole range of their codes.
     pub is_picture: bool,
+    /// Whether it is baked from a volume, whose slices lie side by side in the map. Else it is baked
+    /// from heights.
+    pub of_volume: bool,
     /// Returns the shapes of its textures, in order, for a map of the given columns and rows.
     pub shapes: fn([u32; 2], &Settings) -> Vec<Shape>,
     /// Returns the texels on which a baked texel depends.
@@ -87,6 +91,7 @@ pub static KINDS: &[Kind] = &[
     seen_normal::KIND,
     filter_levels::KIND,
     volume_distance::KIND,
+    generalised::KIND,
 ];
 
 /// Names that other programs give to these kinds.

@@ -71,6 +71,7 @@ pub const KIND: Kind = Kind {
     params: &[PATCHES, WORLD, GREEN_DOWN, MIPS, BITS_TO_NEAREST],
     guarantee: "within (texel² / 6) max|third derivative| of the angle of a smooth surface's normal",
     is_picture: true,
+    of_volume: false,
     shapes: |size, settings| vec![shape(size, settings.count(MIPS_PLACE) != 0)],
     reach: |settings| if settings.count(MIPS_PLACE) == 0 { Reach::Texels(1) } else { Reach::Everything },
     working_maps: |_| super::WORKING_MAPS,

@@ -38,6 +38,7 @@ pub const KIND: Kind = Kind {
     params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, off by at most their mean error in radians and the part between azimuths",
     is_picture: true,
+    of_volume: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     working_maps: |_| super::WORKING_MAPS,

@@ -54,6 +54,7 @@ pub const KIND: Kind = Kind {
         detail the same holds for the surface of each. Over texels, as published, nothing is promised \
         between their centres.",
     is_picture: false,
+    of_volume: false,
     shapes: |size, _| vec![shape(size)],
     reach: |_| Reach::Everything,
     working_maps: |_| super::WORKING_MAPS,

@@ -67,6 +67,7 @@ pub const KIND: Kind = Kind {
         touches the surface, as one does that runs along level ground at its very height, has not entered. \
         Nothing is promised for rising or bent rays",
     is_picture: false,
+    of_volume: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     working_maps: |_| super::WORKING_MAPS,

@@ -63,6 +63,7 @@ pub const KIND: Kind = Kind {
     ],
     guarantee: "the mean over one ray a texel, each to its exact first hit, to rounding of f32",
     is_picture: false,
+    of_volume: false,
     shapes: |size, settings| vec![shape(size, settings.count(0) * settings.count(1))],
     reach: |_| Reach::Everything,
     working_maps: |settings| (settings.count(0) * settings.count(1)) as f32 / 8.0 + 6.5,

@@ -75,6 +75,7 @@ pub const KIND: Kind = Kind {
     params: &[azimuths::AZIMUTHS, ELEVATIONS, TILES, BITS_TO_NEAREST],
     guarantee: "the exact first hit with the bilinear surface, to rounding of f32",
     is_picture: false,
+    of_volume: false,
     shapes: |size, settings| vec![Shape::slices("", size, settings.count(0) * settings.count(1), 3)],
     reach: |_| Reach::Everything,
     working_maps: |settings| settings.count(1) as f32 + 5.5,

@@ -1,6 +1,6 @@
 //! Distances of the cells of a volume to its solid, by which a walk skips what is empty.
 //!
-//! A volume lies in a map slice beside slice ([`Volume::atlas`]), and so do the distances. The
+//! A volume lies in a map slice beside slice ([`Volume::atlas`](relief_core::Volume::atlas)), and so do the distances. The
 //! parameters say how many columns, rows and slices it has. Without them the whole map is one slice.
 //!
 //! * Cohen and Sheffer 1994, "Proximity clouds: an acceleration technique for 3D grid traversal".
@@ -17,31 +17,13 @@
 //! along the axes, with the volume's wrap. Distances are integers up to 255, which every format
 //! stores exactly; a greater one is stored as 255, which promises less.
 
-use relief_core::registry::{Param, Publication};
-use relief_core::{Rounding, Volume, Watch};
+use relief_core::registry::Publication;
+use relief_core::{Rounding, Watch};
 
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
+use crate::volumes::params::{VOLUME_PARAMS, volume_notes, volume_of};
 use crate::volumes::{VolumeDistance, volume_distance};
 use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture};
-
-/// Most columns, rows or slices.
-const MOST: f32 = 32768.0;
-
-const COLUMNS: Param = Param {
-    name: "columns",
-    summary: "columns of the volume, or 0 for as many as the map has",
-    unit: "voxels",
-    min: 0.0,
-    max: MOST,
-    default: 0.0,
-    integer: true,
-    names: &[],
-};
-
-const ROWS: Param =
-    Param { name: "rows", summary: "rows of the volume, or 0 for as many as the map has", ..COLUMNS };
-
-const SLICES: Param = Param { name: "slices", summary: "slices of the volume, or 0 for one", ..COLUMNS };
 
 /// The kind `volume-distance`.
 pub const KIND: Kind = Kind {
@@ -53,10 +35,11 @@ pub const KIND: Kind = Kind {
             mapping on the GPU",
         section: "5.2",
     },
-    params: &[COLUMNS, ROWS, SLICES, BITS_TO_NEAREST],
+    params: &[VOLUME_PARAMS[0], VOLUME_PARAMS[1], VOLUME_PARAMS[2], BITS_TO_NEAREST],
     guarantee: "In every cell less than the distance away, along every axis, the trilinear field is below \
         one half. Exact in every format.",
     is_picture: false,
+    of_volume: true,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     working_maps: |_| 2.0,
@@ -69,22 +52,11 @@ fn bake(
     watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
-    let map = source.map;
-    let given = |place: usize, otherwise: u32| match settings.count(place) {
-        0 => otherwise,
-        count => count,
-    };
-    let size = [given(0, map.width()), given(1, map.height()), given(2, 1)];
-    let volume = Volume::of_atlas(map.clone(), size)
-        .map_err(|error| BakeError::Impossible { kind: KIND.name, reason: error.to_string() })?;
+    let volume = volume_of(source, settings, KIND.name)?;
     let range = [0.0, f32::from(VolumeDistance::MOST)];
     let channels = [Channel { name: "distance", unit: "cells", range, rounding: Rounding::Down }];
-    let notes = vec![
-        ("volume", format!("{} x {} x {}", size[0], size[1], size[2])),
-        ("slices_in_a_row", volume.layout().slices_in_a_row().to_string()),
-        ("wrap", map.wrap().name().to_owned()),
-    ];
-    let size = [map.width(), map.height(), 1];
+    let size = [source.map.width(), source.map.height(), 1];
+    let notes = volume_notes(&volume);
     sink.begin(&Texture { name: "", size, mips: Vec::new(), channels: channels.to_vec(), notes })?;
     let distance = volume_distance(&volume, watch)?;
     let mut plane: Vec<f32> = distance.texels().iter().map(|&cells| f32::from(cells)).collect();

@@ -3,7 +3,7 @@ use std::f64::consts::TAU;
 use glam::{DVec3, Vec3};
 use relief_core::mesh::{Mesh, RawCorner, RawMesh, sphere, torus};
 use relief_core::rng::Rng;
-use relief_core::{HeightMap, Volume, Watch, Wrap};
+use relief_core::{HeightMap, Path, PathMetric, Volume, Watch, Wrap};
 
 use super::*;
 
@@ -266,4 +266,51 @@ fn threads_do_not_change_volumes() {
         pool.install(|| made(&mesh, &MeshVolumeSettings::new([20, 20, 12])))
     };
     assert_eq!(with(1), with(5));
+}
+
+/// Ways by direction end where the judge's paths hit first, in every wrap.
+#[test]
+fn ways_end_at_the_first_hit_of_the_judge() {
+    let mut rng = Rng::new(5);
+    let directions = Directions { azimuths: 8, elevations: 6 };
+    for wrap in Wrap::ALL {
+        for size in [[9, 7, 8], [1, 9, 1], [16, 12, 5]] {
+            let values: Vec<f32> =
+                (0..size.iter().product()).map(|_| rng.unit() as f32 * rng.unit() as f32).collect();
+            let volume = Volume::new(size, &values, wrap).expect("a volume");
+            let distance = volume_distance(&volume, &Watch::none()).expect("nobody cancels");
+            let width = volume.layout().atlas_size()[0];
+            let (mut hits, mut misses) = (0, 0);
+            for direction in 0..directions.count() {
+                let toward = directions.toward(direction);
+                let ways = ways_to_solid(&volume, &distance, toward, 20.0, &Watch::none()).expect("ways");
+                for [i, j, k] in [[0, 0, 0], [size[0] - 1, size[1] - 1, size[2] - 1], [0, size[1] / 2, 0]] {
+                    let [x, y] = volume.layout().place(k);
+                    let way = f64::from(ways[((y + j) * width + x + i) as usize]);
+                    let at = [0, 1, 2].map(|axis| (f64::from([i, j, k][axis]) + 0.5) / f64::from(size[axis]));
+                    let step = [0, 1, 2].map(|axis| toward[axis] / f64::from(size[axis]));
+                    let level = if step[2] > 0.0 { 1.0 } else { 0.0 };
+                    let path = Path {
+                        uv: [at[0], at[1]],
+                        duv: [step[0], step[1]],
+                        h: [at[2], step[2], 0.0],
+                        exit: ((level - at[2]) / step[2]).min(20.0),
+                        base: 0.0,
+                        metric: PathMetric::unit(1.0),
+                    };
+                    let judge = volume.first_hit(&path).map(|hit| hit.t);
+                    let is_same = match judge {
+                        Some(t) => (t - way).abs() < 1e-5,
+                        None => way == f64::INFINITY,
+                    };
+                    assert!(is_same, "{wrap} {size:?}: {i} {j} {k} towards {toward:?}: {way}, {judge:?}");
+                    if judge.is_some_and(|t| t > 0.0) {
+                        hits += 1;
+                    }
+                    misses += i32::from(judge.is_none());
+                }
+            }
+            assert!(misses > 5 && (hits > 5 || size[2] == 1), "{wrap} {size:?}: {hits} hits, {misses} misses");
+        }
+    }
 }

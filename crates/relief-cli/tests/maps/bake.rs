@@ -68,7 +68,7 @@ fn wrong_command_lines_and_missing_maps_have_their_exit_codes() {
 #[test]
 fn every_kind_is_baked_once_and_says_what_it_is() {
     let room = map_folder(16);
-    for kind in KINDS.iter().filter(|kind| kind.name != "volume-distance") {
+    for kind in KINDS.iter().filter(|kind| !kind.of_volume) {
         for format in ["exr", "ktx2"] {
             let line = ["map.png", "--kind", kind.name, "--format", format, "-o", "out", "--json"];
             let run = || -> serde_json::Value {
@@ -130,6 +130,18 @@ fn distances_are_baked_from_volumes_alone() {
             .all(|(cells, value)| (f32::from(*cells) / 255.0 - value).abs() < 1e-6)
     );
     assert!(distance.texels().iter().any(|cells| *cells > 2));
+    // By direction, too: straight down from above the cube the way to it, beside it none.
+    let few = ["--set", "generalised.azimuths=4", "--set", "generalised.elevations=2"];
+    let line = ["cube.ktx2", "--kind", "generalised", "--format", "ktx2", "-o", "out"];
+    let output = run(&[&line[..], &few].concat(), room.path());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let baked = read_ktx2(&room.path().join("out/cube.generalised.ktx2"), 1 << 20).expect("a texture");
+    let [x, y] = volume.layout().place(7);
+    let [width, _] = volume.layout().atlas_size();
+    let at = |column: u32, row: u32| baked.levels[0].planes[0][((y + row) * width + x + column) as usize];
+    assert!((1.0..3.0).contains(&at(8, 6)) && at(0, 0) == 64.0, "{} {}", at(8, 6), at(0, 0));
+    let many = ["--set", "generalised.azimuths=32", "--set", "generalised.elevations=32"];
+    fails(&[&line[..], &many].concat(), 1, &["1024", "256"]);
     // The slices of a picture lie as its settings say; they must fit it.
     let wrong = ["map.png", "--kind", "volume-distance", "--set", "volume-distance.slices=3", "-o", "out"];
     fails(&wrong, 1, &["8x8x3"]);

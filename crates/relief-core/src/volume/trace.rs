@@ -28,12 +28,19 @@ impl Volume {
         let way = Way::of(self, path)?;
         let mut last = 0.0;
         for t in way.crossings() {
-            if let Some(root) = self.root_between(&way, last, t) {
+            if let Some(root) = self.root_between(&way, last, t, HALVINGS) {
                 return Some(VolumeHit { t: root, at: path.at(root) });
             }
             last = t;
         }
         None
+    }
+
+    /// The first hit of a path that stays in one cell, as a parameter of the path, to a part of
+    /// `2^-halvings` of its way. For walks that know their cells; [`first_hit`](Self::first_hit) needs no walk.
+    pub fn first_hit_in_cell(&self, path: &Path, halvings: u32) -> Option<f64> {
+        let way = Way::of(self, path)?;
+        self.root_between(&way, 0.0, path.exit, halvings)
     }
 
     /// The least gap of the field to the surface along a path, at equal steps: how clearly it misses. Negative
@@ -45,7 +52,7 @@ impl Volume {
     }
 
     /// The first root of the gap between two parameters in one cell.
-    fn root_between(&self, way: &Way, begin: f64, end: f64) -> Option<f64> {
+    fn root_between(&self, way: &Way, begin: f64, end: f64, halvings: u32) -> Option<f64> {
         let cell = way.at(0.5 * (begin + end)).map(f64::floor);
         let span = end - begin;
         let at = way.at(begin);
@@ -63,7 +70,7 @@ impl Volume {
                 gap[degree + bend] -= (high - low) * z;
             }
         }
-        let root = first_root(control_points(gap), HALVINGS)?;
+        let root = first_root(control_points(gap), halvings)?;
         Some(begin + root * span)
     }
 }

@@ -13,6 +13,7 @@ mod cone;
 mod cone_moved;
 mod dilation_erosion;
 mod frustum;
+mod generalised;
 mod linear;
 mod none;
 mod pyramid;
@@ -37,6 +38,7 @@ pub static ENTRIES: &[Entry] = &[
     relaxed_cone::ENTRY,
     relaxed_cone_resting::ENTRY,
     voxels::ENTRY,
+    generalised::ENTRY,
 ];
 
 /// The parameter of searches that end by themselves.

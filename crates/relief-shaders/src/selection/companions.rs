@@ -32,13 +32,18 @@ impl Selection {
     pub(super) fn with_search_for_shadows(mut self) -> Self {
         self.choices[SHADOW_SEARCH] = self.choices[SEARCH];
         let promised = self.choices[SEARCH].promises().shadow;
+        let is_impossible = promised == Guarantee::Impossible;
         let is_taken = || self.check_taken(SHADOW_SEARCH, SHADOW).is_ok();
         if self.has_volume() {
-            if !self.search().tracing().solids.has_volumes() || self.search().is_idle() {
-                let of_volumes = |entry: &Entry| entry.tracing().solids == Solids::Volumes;
+            let has_volumes = self.search().tracing().solids.has_volumes() && !self.search().is_idle();
+            if is_impossible || !has_volumes {
+                let of_volumes = |entry: &Entry| {
+                    entry.tracing().solids == Solids::Volumes
+                        && entry.guarantee.shadow != Guarantee::Impossible
+                };
                 self.choices[SHADOW_SEARCH] = Choice::first(SHADOW_SEARCH, of_volumes);
             }
-        } else if promised == Guarantee::Impossible || (self.uses(SHADOW_SEARCH) && !is_taken()) {
+        } else if is_impossible || (self.uses(SHADOW_SEARCH) && !is_taken()) {
             self.choices[SHADOW_SEARCH] = Choice::first(SHADOW_SEARCH, |entry| entry.tracing().is_reference);
         }
         self

@@ -10,12 +10,16 @@ pub const BAKE: Target = Target { name: "bake", run, make };
 /// The longest side, in texels: every wrap and padding shows on small maps, and large ones only cost time.
 const MOST: u32 = 24;
 
+/// The same for kinds of volumes, which walk from every voxel in many directions.
+const MOST_OF_VOLUMES: u32 = 8;
+
 fn run(bytes: &[u8]) -> bool {
     let Some((head, texels)) = bytes.split_first_chunk::<8>() else { return false };
     let [kind, wrap, width, height, tile, scale, setting, value] = *head;
     let kind = &KINDS[kind as usize % KINDS.len()];
     let wrap = Wrap::ALL[wrap as usize % Wrap::ALL.len()];
-    let (width, height) = (u32::from(width) % MOST + 1, u32::from(height) % MOST + 1);
+    let most = if kind.of_volume { MOST_OF_VOLUMES } else { MOST };
+    let (width, height) = (u32::from(width) % most + 1, u32::from(height) % most + 1);
     let mut texels = texels.iter().copied().chain(std::iter::repeat(0)).map(|byte| f32::from(byte) / 255.0);
     let map = HeightMap::from_fn(width, height, wrap, |_, _| texels.next().unwrap_or(0.0));
     let unit = |byte: u8| 2f64.powi(i32::from(byte) / 16 - 8);
@@ -40,9 +44,10 @@ fn make() -> Vec<Vec<u8>> {
     let mut random = Random::new(1);
     let input = |kind: usize| {
         let [width, height] = [random.below(8) + 4, random.below(8) + 4].map(|side| side as u8);
-        // The sides of a volume must fit its map: of that kind the last setting is changed, the bits.
+        // The sides of a volume must fit its map: of such kinds the last setting is changed, the bits.
         let setting = random.below(4) as u8;
-        let setting = if KINDS[kind].name == "volume-distance" { 3 } else { setting };
+        let last = KINDS[kind].params.len() as u8 - 1;
+        let setting = if KINDS[kind].of_volume { last } else { setting };
         let head = [kind as u8, kind as u8, width, height, 128, 112, setting, 1];
         let texels = (0..144).map(|_| random.below(256) as u8);
         head.into_iter().chain(texels).collect()

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use relief_bake::volumes::{Fit, MeshVolumeSettings, volume_from_mesh};
+use relief_bake::volumes::{Directions, Fit, MeshVolumeSettings, volume_from_mesh};
 use relief_core::camera::Camera;
 use relief_core::mesh::{RawCorner, RawMesh, torus};
 use relief_core::rng::Rng;
@@ -364,5 +364,91 @@ fn the_backends_show_the_same_on_every_surface() {
             assert!(share >= Leeway::of_any().share(0.999), "{surface} {shadow}: {share}");
         }
         before = cpu;
+    }
+}
+
+/// A straight ray into a volume from above, at least that steep, with a parameter in voxels.
+fn ray_from_above(rng: &mut Rng, size: [f64; 3], least_up: f64) -> Path {
+    let up = rng.between(-1.0, -least_up);
+    let across = (1.0 - up * up).sqrt();
+    let (sin, cos) = (rng.unit() * std::f64::consts::TAU).sin_cos();
+    let toward = [across * cos / size[0], across * sin / size[1], up / size[2]];
+    let mut path = Path::between([rng.unit(), rng.unit(), 1.0], [0.0, 0.0, 0.0]);
+    path.duv = [toward[0], toward[1]];
+    path.h = [1.0, toward[2], 0.0];
+    path.exit = -1.0 / toward[2];
+    Path::from(&relief_shaders::cpu::Path::from(&path))
+}
+
+/// The parts of rays whose hit is more than this number of voxels off, or that hit where the judge's miss, or
+/// the other way round.
+fn parts_off(volume: &Volume, paths: &[Path], hits: &[Hit], voxels: f64) -> f64 {
+    let is_off = |(path, hit): (&Path, &Hit)| match (volume.first_hit(path), hit.found) {
+        (Some(judge), true) => (judge.t - hit.t).abs() > voxels,
+        (judge, found) => judge.is_some() || found,
+    };
+    paths.iter().zip(hits).filter(|pair| is_off(*pair)).count() as f64 / paths.len() as f64
+}
+
+#[test]
+fn look_ups_by_direction_err_as_the_docs_say() {
+    let volume = Volume::from_fn([32, 32, 16], Wrap::Repeat, volumes::weave).expect("a volume");
+    let size = volume.size().map(f64::from);
+    let mut rng = Rng::new(3);
+    let paths: Vec<Path> = (0..RAYS).map(|_| ray_from_above(&mut rng, size, 0.17)).collect();
+    let mut parts = Vec::new();
+    for (azimuths, elevations) in [(4.0, 4.0), (8.0, 32.0), (16.0, 16.0)] {
+        for refine in ["none", "trilinear"] {
+            let mut selection = Selection::method("generalised").expect("a method");
+            selection.choose("refine", refine).expect("a refinement of volumes");
+            selection.set("search.azimuths", azimuths).expect("a number of azimuths");
+            selection.set("search.elevations", elevations).expect("a number of elevations");
+            let found = hits(&volume, &selection, &paths, Lanes::widest());
+            let off = [0.75, 2.0].map(|voxels| parts_off(&volume, &paths, &found, voxels));
+            println!("{:?} {azimuths} x {elevations}, {refine}: off {off:?}", volume.size());
+            parts.push(off[0]);
+        }
+    }
+    // More directions help, elevations more than azimuths; a refinement mends hits that are a little early.
+    let [few, few_refined, steep, steep_refined, usual, refined] = parts[..] else { panic!("{parts:?}") };
+    assert!(usual < steep && steep < 0.6 * few, "{parts:?}");
+    assert!(refined < 0.5 * usual && refined < steep_refined && steep_refined < few_refined, "{parts:?}");
+    assert!(usual < 0.26 && refined < 0.09, "{parts:?}");
+}
+
+#[test]
+fn a_way_from_a_voxel_in_a_baked_direction_is_looked_up_as_it_is() {
+    for named in volumes::ALL {
+        let volume = named.build(Wrap::Repeat).expect("a volume");
+        let size = volume.size().map(f64::from);
+        let mut selection = Selection::method("generalised").expect("a method");
+        selection.set("search.azimuths", 8.0).expect("a number of azimuths");
+        selection.set("search.elevations", 5.0).expect("a number of elevations");
+        let directions = Directions { azimuths: 8, elevations: 5 };
+        let mut rng = Rng::new(7);
+        let mut paths = Vec::new();
+        for _ in 0..1000 {
+            let voxel = volume.size().map(|side| f64::from(rng.below(side)));
+            let toward = directions.toward(rng.below(directions.count()));
+            let at = [0, 1, 2].map(|axis| (voxel[axis] + 0.5) / size[axis]);
+            if volume.value_at(at) > 0.45 || toward[2] == 0.0 {
+                continue;
+            }
+            let level = if toward[2] > 0.0 { 1.0 } else { 0.0 };
+            let mut path = Path::between(at, [0.0, 0.0, level]);
+            path.duv = [toward[0] / size[0], toward[1] / size[1]];
+            path.h = [at[2], toward[2] / size[2], 0.0];
+            path.exit = (level - at[2]) / path.h[1];
+            paths.push(path);
+        }
+        let found = hits(&volume, &selection, &paths, Lanes::widest());
+        let off = parts_off(&volume, &paths, &found, 0.75);
+        println!("{}: {off} of {}", named.name, paths.len());
+        // Codes are a quarter of a voxel: what is hit that near to the end of a path may be missed.
+        assert!(paths.is_empty() || off < 0.06, "{}: {off}", named.name);
+        let others = named.build(Wrap::Repeat).expect("a volume").values().into_iter().map(|value| 1.0 - value);
+        let other = Volume::new(volume.size(), &others.collect::<Vec<_>>(), Wrap::Repeat).expect("a volume");
+        let found = hits_over(&volume, &selection, &baked(&other, &selection), &paths, Lanes::widest());
+        assert!(paths.is_empty() || parts_off(&volume, &paths, &found, 0.75) > 0.3, "{}", named.name);
     }
 }

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use relief_bake::kind::volume_distance;
-use relief_bake::{Kind, Settings};
+use relief_bake::{KINDS, Kind, Settings};
 use relief_core::HeightMap;
 use relief_io::{DEFAULT_MAX_BYTES, VolumeOptions, read_height_file, read_volume};
 
@@ -26,10 +25,11 @@ pub fn read<'k>(
         let (map, kinds) = volume(arguments, kinds)?;
         return Ok((map, kinds, BTreeSet::new()));
     }
-    let name = volume_distance::KIND.name;
-    let is_atlas =
-        arguments.set.iter().any(|(key, _)| key.strip_prefix(name).is_some_and(|key| key == ".slices"));
-    if !is_atlas && kinds.iter().any(|(kind, _)| kind.name == name) {
+    let is_atlas = |name: &str| {
+        arguments.set.iter().any(|(key, _)| key.strip_prefix(name).is_some_and(|key| key == ".slices"))
+    };
+    let of_volume = kinds.iter().map(|(kind, _)| kind).find(|kind| kind.of_volume && !is_atlas(kind.name));
+    if let Some(Kind { name, .. }) = of_volume {
         let file = arguments.height.display();
         return Err(Failure::Usage(format!(
             "{file}: {name} is of volumes: give one, which `relief volume` makes; of a picture of slices say how \
@@ -45,12 +45,14 @@ pub fn read<'k>(
 /// Reads a volume, whose atlas is baked.
 fn volume<'k>(arguments: &Arguments, mut kinds: Kinds<'k>) -> Result<(HeightMap, Kinds<'k>), Failure> {
     let file = arguments.height.display();
-    let of_heights = kinds.iter().find(|(kind, _)| kind.name != volume_distance::KIND.name);
+    let of_heights = kinds.iter().find(|(kind, _)| !kind.of_volume);
     if let Some((kind, _)) = of_heights {
+        let of_volume: Vec<&str> =
+            KINDS.iter().filter(|kind| kind.of_volume).map(|kind| kind.name).collect();
         return Err(Failure::Usage(format!(
             "{file}: is a volume, and {} is baked from heights: bake {}",
             kind.name,
-            volume_distance::KIND.name
+            of_volume.join(" or ")
         )));
     }
     if let Some(flag) = arguments.reading.flag_of_heights() {

@@ -19,6 +19,7 @@ const fn kind(
         params,
         guarantee: "none",
         is_picture: false,
+        of_volume: false,
         shapes,
         reach: |_| Reach::Texels(0),
         working_maps: |_| 0.0,
