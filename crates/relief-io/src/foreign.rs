@@ -14,6 +14,8 @@ pub enum ForeignFormat {
     Npz,
     /// An Arc ASCII grid, `.asc`.
     ArcGrid,
+    /// A texture in KTX2: a volume or a baked map.
+    Ktx2,
     /// A tile of SRTM, `.hgt`: big-endian signed 16-bit metres without a header.
     Srtm {
         /// Samples along each side: 3601 or 1201.
@@ -32,6 +34,7 @@ impl ForeignFormat {
         };
         match start {
             [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => Some(Self::Npy),
+            [0xAB, b'K', b'T', b'X', b' ', b'2', ..] => Some(Self::Ktx2),
             [b'P', b'K', 3, 4, ..] if extension == "npz" => Some(Self::Npz),
             _ if is_grid(b"ncols") || is_grid(b"nrows") => Some(Self::ArcGrid),
             _ if extension == "hgt" => [3601, 1201]
@@ -57,6 +60,10 @@ impl fmt::Display for ForeignFormat {
             Self::ArcGrid => f.write_str(
                 "is an Arc ASCII grid: convert it, for instance with gdal_translate -ot Float32 in.asc out.tif",
             ),
+            Self::Ktx2 => f.write_str(
+                "is a KTX2 texture, which holds a volume or a baked map, not heights: take the file that it was \
+                 made from",
+            ),
             Self::Srtm { side } => write!(
                 f,
                 "is a tile of SRTM, {side}x{side} heights without a header: convert it, for instance with \
@@ -76,6 +83,7 @@ mod tests {
         assert_eq!(of("a", 100, b"\x93NUMPY\x01\0v\0{'descr'"), Some(ForeignFormat::Npy));
         assert_eq!(of("a.npz", 100, b"PK\x03\x04"), Some(ForeignFormat::Npz));
         assert_eq!(of("a.zip", 100, b"PK\x03\x04"), None);
+        assert_eq!(of("a", 100, b"\xABKTX 20\xBB\r\n\x1A\n"), Some(ForeignFormat::Ktx2));
         for start in [&b"ncols         4\n"[..], b"NCOLS 4", b"\r\nnrows\t3"] {
             assert_eq!(of("a.txt", 100, start), Some(ForeignFormat::ArcGrid));
         }

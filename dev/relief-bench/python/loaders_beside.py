@@ -17,8 +17,14 @@ import pygltflib
 job = json.load(open(sys.argv[1]))
 
 
+# Texels as they are in the file. Otherwise OpenImageIO multiplies colours by alpha, although in a mask map alpha is
+# smoothness.
+AS_STORED = oiio.ImageSpec()
+AS_STORED["oiio:UnassociatedAlpha"] = 1
+
+
 def read(path):
-    source = oiio.ImageInput.open(path)
+    source = oiio.ImageInput.open(path, AS_STORED)
     if not source:
         raise SystemExit(f"OpenImageIO: {path}: {oiio.geterror()}")
     spec = source.spec()

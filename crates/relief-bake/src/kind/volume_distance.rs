@@ -1,7 +1,8 @@
 //! Distances of the cells of a volume to its solid, by which a walk skips what is empty.
 //!
-//! A volume lies in a map slice beside slice ([`Volume::atlas`](relief_core::Volume::atlas)), and so do the distances. The
-//! parameters say how many columns, rows and slices it has. Without them the whole map is one slice.
+//! A volume lies in a map slice beside slice (its [atlas](relief_core::Volume::atlas)), and so do the
+//! distances. The parameters say how many columns, rows and slices it has. Without them the whole map
+//! is one slice.
 //!
 //! * Cohen and Sheffer 1994, "Proximity clouds: an acceleration technique for 3D grid traversal".
 //! * Szirmay-Kalos and Umenhoffer 2008, section 5.2: volumes on surfaces.

@@ -310,7 +310,10 @@ fn ways_end_at_the_first_hit_of_the_judge() {
                     misses += i32::from(judge.is_none());
                 }
             }
-            assert!(misses > 5 && (hits > 5 || size[2] == 1), "{wrap} {size:?}: {hits} hits, {misses} misses");
+            assert!(
+                misses > 5 && (hits > 5 || size[2] == 1),
+                "{wrap} {size:?}: {hits} hits, {misses} misses"
+            );
         }
     }
 }

@@ -122,12 +122,7 @@ fn way_to_solid(
 }
 
 /// The first hit between two places on a way.
-fn hit_between(
-    volume: &Volume,
-    origin: [f64; 3],
-    toward: [f64; 3],
-    [begin, end]: [f64; 2],
-) -> Option<f64> {
+fn hit_between(volume: &Volume, origin: [f64; 3], toward: [f64; 3], [begin, end]: [f64; 2]) -> Option<f64> {
     let size = volume.size().map(f64::from);
     let at = [0, 1, 2].map(|axis| (origin[axis] + toward[axis] * begin + 0.5) / size[axis]);
     let step = [0, 1, 2].map(|axis| toward[axis] / size[axis]);

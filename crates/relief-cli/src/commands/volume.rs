@@ -13,6 +13,7 @@ use clap::{Args, ValueEnum};
 use relief_bake::volumes::{Fit, Sponge, VolumesError, volume_of_sponge};
 use relief_core::{ByteSize, Volume, Watch, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, MeshFormat, TexelFormat, VolumeFormat, write_volume};
+use relief_mesh::motif::MotifKind;
 use serde_json::{Map, Value, json};
 
 use super::maps::FileArguments;
@@ -176,7 +177,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Origin::Slices => of_slices::make(arguments, cancel),
         Origin::Sponge => arguments.sponge(cancel),
     }?;
-    let made = arguments.with_lengths(origin, made)?;
+    let mut made = arguments.with_lengths(origin, made)?;
+    if made.volume.atlas().texels().iter().all(|value| f64::from(*value) < Volume::SURFACE) {
+        let what =
+            "no voxel is solid, so nothing will be seen: what is thinner than a voxel falls between them";
+        made.notes.push(format!("{what}; take more voxels with --size"));
+    }
     if !arguments.json {
         made.notes.iter().for_each(say::note);
     }
@@ -235,6 +241,13 @@ impl Arguments {
 
     /// Refuses flags that the input does not use, and sizes that are impossible.
     fn check(&self, origin: Origin) -> Result<(), Failure> {
+        let name = self.input.to_str().unwrap_or_default();
+        if origin == Origin::Heights && !self.input.exists() && name.parse::<MotifKind>().is_ok() {
+            return Err(Failure::Usage(format!(
+                "{name}: there is no such file: make the motif's mesh with `relief motif {name} -o {name}.glb`, and \
+                 give {name}.glb"
+            )));
+        }
         let reading = &self.reading;
         let of_meshes = [("--fit", self.fit.is_some()), ("--margin", self.margin.is_some())];
         if self.reach.is_some() && !matches!(origin, Origin::Mesh | Origin::Sponge) {

@@ -125,7 +125,10 @@ fn wrong_lines_are_refused_with_what_is_wrong_and_what_there_is() {
         ("--method cone --surface prims --target wgsl", &["--surface", "'prism'"]),
         ("--method bump --surface prism --target wgsl", &["--search", "prism"]),
         ("--method cone --surface prism --shadow entry --target wgsl", &["--shadow", "prism"]),
-        ("--method relief --shadow ray --shadow-search voxels --target wgsl", &["--shadow-search", "'cells'"]),
+        (
+            "--method relief --shadow ray --shadow-search voxels --target wgsl",
+            &["--shadow-search", "'cells'"],
+        ),
         ("--method relief --set search.steps=0 --target wgsl", &["search.steps", "4096"]),
         ("--method relief --set search.step=4 --target wgsl", &["--set", "steps"]),
         ("--method cone --target wgsl --group 4", &["--group", "4", "3"]),

@@ -134,6 +134,7 @@ fn bad_input_is_refused_and_leaves_no_file() {
         ("volume ball.obj --tile 0", 2, "--tile"),
         ("volume sponge --pores 0", 2, "from 1 to 10000"),
         ("volume missing.obj", 1, "missing.obj"),
+        ("volume grass", 2, "relief motif grass"),
         ("volume slice_%03d.png", 1, "slice_000.png"),
         ("volume hills.png --size 8x8x2", 2, "at least 3"),
         ("volume ball.obj --bits 12", 2, "12"),
@@ -157,4 +158,43 @@ fn bad_input_is_refused_and_leaves_no_file() {
     }
     let ran = folder.relief("motif mail -o out.obj");
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+}
+
+#[test]
+fn what_takes_no_volume_says_what_does() {
+    let folder = Folder::new();
+    folder.relief("volume sponge --size 8x8x8 -o sponge.ktx2").fine();
+    folder.write("hills.png", Map::hills().png());
+    let bytes = std::fs::read(folder.path("sponge.ktx2")).expect("the volume");
+    folder.write("cut.ktx2", &bytes[..5]);
+    for (line, code, expected) in [
+        ("render sponge.ktx2 --method bump -o out.png", 2, "'voxels'"),
+        ("render sponge.ktx2 --method cone -o out.png", 2, "'voxels'"),
+        ("render hills.png --search voxels --refine trilinear -o out.png", 2, "give a volume"),
+        ("render hills.png --method generalised -o out.png", 2, "give a volume"),
+        ("explain sponge.ktx2 -o out.svg", 2, "volume"),
+        ("compare sponge.ktx2 -o out.html", 2, "volume"),
+        ("mesh sponge.ktx2 -o out.glb", 1, "KTX2"),
+        ("render --height sponge.ktx2 -o out.png", 1, "KTX2"),
+        ("inspect cut.ktx2", 1, "ends too early"),
+        ("render cut.ktx2 -o out.png", 1, "ends too early"),
+    ] {
+        let ran = folder.relief(line);
+        assert_eq!(ran.code, Some(code), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains(expected), "{line}: {}", ran.stderr);
+        // Nothing is named that does not work either.
+        let wrong =
+            ["'cone',", "or 'none'", "--height:", "--raw"].into_iter().find(|it| ran.stderr.contains(it));
+        assert_eq!(wrong, None, "{line}: {}", ran.stderr);
+    }
+}
+
+#[test]
+fn a_volume_without_anything_solid_is_told() {
+    let folder = Folder::new();
+    folder.relief("motif weave -o weave.glb").fine();
+    let ran = folder.relief("volume weave.glb --size 1x1x1 -o one.ktx2").fine();
+    assert!(ran.stderr.contains("no voxel is solid"), "{}", ran.stderr);
+    let ran = folder.relief("volume weave.glb --size 32x32x16 -o cloth.ktx2").fine();
+    assert!(!ran.stderr.contains("no voxel is solid"), "{}", ran.stderr);
 }

@@ -92,7 +92,8 @@ pub(super) fn header(file: &mut SourceReader<'_>) -> Result<Header, ReadProblem>
             count => read += count,
         }
     }
-    if !bytes.starts_with(&MAGIC) {
+    let known = &MAGIC[..read.min(MAGIC.len())];
+    if !bytes.starts_with(known) {
         return Err(unsupported("a format other than KTX2"));
     }
     if read < bytes.len() {

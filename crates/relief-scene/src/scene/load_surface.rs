@@ -571,7 +571,7 @@ impl SurfaceSpec {
     fn selection(&self, samples: u32, context: &SceneContext) -> Result<Selection, ValueError> {
         if samples > 1 && !self.stages.contains_key(STAGES[DETAIL].key) {
             let selection = self.selection_in(Some(FOOTPRINT), context)?;
-            let has_levels = selection.object_cells().is_none() && self.volume.is_none();
+            let has_levels = selection.object_cells().is_none() && !selection.has_volume();
             if has_levels && selection.check_levels().is_ok() {
                 return Ok(selection);
             }

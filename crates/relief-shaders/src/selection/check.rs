@@ -137,14 +137,17 @@ impl Selection {
 
     /// Checks that the variants of these stages find the solids of the field.
     fn check_solids(&self, places: &[usize]) -> Result<(), SelectionError> {
-        let finds = |entry: &Entry| {
-            let solids = entry.tracing().solids;
-            if self.has_volume() { solids.has_volumes() } else { solids.has_heights() }
-        };
-        match places.iter().find(|place| !finds(self.choices[**place].entry)) {
-            Some(&place) => Err(self.not_in_field(place, &finds)),
-            None => Ok(()),
+        for &place in places {
+            let finds = |entry: &Entry| {
+                let solids = entry.tracing().solids;
+                let is_missing = place != REFINE && entry.is_idle();
+                if self.has_volume() { solids.has_volumes() && !is_missing } else { solids.has_heights() }
+            };
+            if !finds(self.choices[place].entry) {
+                return Err(self.not_in_field(place, &finds));
+            }
         }
+        Ok(())
     }
 
     /// Checks that all other stages can handle a volume, if one is shown.
@@ -154,15 +157,13 @@ impl Selection {
         }
         let is_base = |entry: &Entry| entry.geometry().shown == Shown::Relief && entry.is_idle();
         let reads_no_heights = |entry: &Entry| entry.maps.is_empty();
-        let is_searched = |entry: &Entry| !entry.is_idle();
         let shadows = |entry: &Entry| {
             entry.maps.is_empty()
                 && !matches!(entry.shadow(), Some(ShadowRole::Discs | ShadowRole::FromEntry))
         };
-        let rules: [Rule; 5] = [
+        let rules: [Rule; 4] = [
             (GEOMETRY, &is_base),
             (DETAIL, &Entry::is_idle),
-            (SEARCH, &is_searched),
             (SHADOW, &shadows),
             (AMBIENT, &reads_no_heights),
         ];

@@ -87,5 +87,6 @@ fn taken(answer: &str) -> Result<(String, usize), String> {
     let text = notes.filter(|note| note["about"] == "texture-set").find_map(|note| note["text"].as_str());
     let Some(text) = text else { return Ok(("-".to_owned(), 0)) };
     let listed = text.rsplit_once(": ").map_or(text, |(_, listed)| listed);
-    Ok((listed.to_owned(), listed.split(", ").count()))
+    // A packed map has several names: "occlusion, roughness and metalness in one map from FILE".
+    Ok((listed.to_owned(), listed.matches(" from ").count()))
 }

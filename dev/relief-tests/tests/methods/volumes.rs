@@ -7,97 +7,21 @@ use relief_bake::volumes::{Directions, Fit, MeshVolumeSettings, volume_from_mesh
 use relief_core::camera::Camera;
 use relief_core::mesh::{RawCorner, RawMesh, torus};
 use relief_core::rng::Rng;
-use relief_core::{BakedMap, HeightMap, Hit, Lanes, MapTexels, Metric, Path, Volume, Watch, Wrap};
+use relief_core::{BakedMap, HeightMap, Hit, Lanes, MapTexels, Path, Volume, Watch, Wrap};
 use relief_maps::Maps;
-use relief_mesh::motif::{MotifKind, MotifSettings, motif};
+use relief_mesh::motif::MotifKind;
 use relief_render::render;
 use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::{MethodTracer, PixelOut};
 use relief_testing::volumes;
 use relief_tests::adapter::{Leeway, has_adapter};
+use relief_tests::volume_rays::{
+    baked, hits, hits_over, motif_volume, parts_off, paths, ray_from_above, wrong,
+};
 
 /// Rays over a volume in one wrap. Times scale with it.
 const RAYS: usize = 4_000;
-
-/// How far above the surface's value a passed place may be, and for how many voxels.
-const PASSED: f64 = 1e-4;
-const PASSED_VOXELS: f64 = 1e-3;
-
-/// How far from the surface's value a hit may be.
-const BESIDE: f64 = 1e-3;
-
-/// A path as the shaders receive it: from above or the side, straight or bent, some that turn.
-fn path(rng: &mut Rng) -> Path {
-    let mut at = |high: f64| [rng.between(-2.0, 2.0), rng.between(-2.0, 2.0), high];
-    let mut path = Path::between(at(1.0), at(0.0));
-    if rng.below(4) == 0 {
-        path = Path::between(
-            [path.uv[0], path.uv[1], rng.unit()],
-            [path.uv[0] + rng.unit(), path.uv[1], rng.unit()],
-        );
-    }
-    if rng.below(2) == 0 {
-        let bend = rng.between(-3.0, 3.0);
-        path.h = [path.h[0], path.h[1] - bend, bend];
-    }
-    Path::from(&relief_shaders::cpu::Path::from(&path))
-}
-
-fn paths(seed: u64, count: usize) -> Vec<Path> {
-    let mut rng = Rng::new(seed);
-    (0..count).map(|_| path(&mut rng)).collect()
-}
-
-/// The greatest value above the surface's on the way between two parameters, and the voxels of that way.
-fn passed(volume: &Volume, path: &Path, from: f64, to: f64) -> (f64, f64) {
-    let at = |part: f64| path.at(from + (to - from) * part);
-    let most = (0..=64).map(|k| volume.value_at(at(f64::from(k) / 64.0))).fold(0.0, f64::max);
-    let [a, b] = [at(0.0), at(1.0)];
-    let apart =
-        (0..3).map(|axis| ((a[axis] - b[axis]) * f64::from(volume.size()[axis])).powi(2)).sum::<f64>();
-    (most - Volume::SURFACE, apart.sqrt())
-}
-
-/// The rays that an answer is wrong for: passed the surface, or hit beside it.
-fn wrong(volume: &Volume, paths: &[Path], hits: &[Hit]) -> usize {
-    let is_wrong = |path: &Path, hit: &Hit| {
-        let judge = volume.first_hit(path);
-        let end = if hit.found { hit.t } else { path.exit };
-        let is_passed = judge.is_some_and(|judge| {
-            let (above, voxels) = passed(volume, path, judge.t, end);
-            end > judge.t && above > PASSED && voxels > PASSED_VOXELS
-        });
-        let value = volume.value_at(path.at(hit.t)) - Volume::SURFACE;
-        let begins_inside = hit.t == 0.0 && value > 0.0;
-        is_passed || (hit.found && value.abs() > BESIDE && !begins_inside)
-    };
-    paths.iter().zip(hits).filter(|(path, hit)| is_wrong(path, hit)).count()
-}
-
-/// The maps that a method reads over a volume.
-fn baked(volume: &Volume, selection: &Selection) -> Vec<Arc<BakedMap>> {
-    let selection = selection.with_volume(true).with_volume_size(volume.size());
-    let provided = Maps::in_memory().provide(&selection, volume.atlas(), Metric::UNIT, &Watch::none());
-    provided.expect("maps").into_parts().0.into_iter().map(|(_, map)| map).collect()
-}
-
-fn hits(volume: &Volume, selection: &Selection, paths: &[Path], lanes: Lanes) -> Vec<Hit> {
-    hits_over(volume, selection, &baked(volume, selection), paths, lanes)
-}
-
-fn hits_over(
-    volume: &Volume,
-    selection: &Selection,
-    maps: &[Arc<BakedMap>],
-    paths: &[Path],
-    lanes: Lanes,
-) -> Vec<Hit> {
-    let mut hits = vec![Hit::miss(Default::default()); paths.len()];
-    let tracer = MethodTracer::of_volume(volume, selection, maps.iter().map(|map| &**map)).expect("its maps");
-    tracer.first_hits(paths, lanes, &mut hits);
-    hits
-}
 
 /// A baked map with other values.
 fn changed(map: &BakedMap, change: impl Fn(usize, f32) -> f32) -> Vec<Arc<BakedMap>> {
@@ -210,19 +134,6 @@ fn a_volume_of_a_mesh_shows_the_mesh() {
     assert!(p99 < 0.5, "{p99}");
 }
 
-/// The volume of a motif.
-fn volume_of(kind: MotifKind, size: [u32; 3]) -> Volume {
-    let mesh = motif(&MotifSettings::new(kind)).expect("a motif").mesh;
-    let corner = |position| RawCorner { position, normal: RawCorner::NONE, uv: RawCorner::NONE };
-    let raw = RawMesh {
-        positions: mesh.vertices().iter().map(|vertex| vertex.position).collect(),
-        triangles: mesh.triangles().iter().map(|corners| corners.map(corner)).collect(),
-        ..RawMesh::default()
-    };
-    let settings = MeshVolumeSettings { fit: Fit::Tile, ..MeshVolumeSettings::new(size) };
-    volume_from_mesh(&raw, &settings, &Watch::none()).expect("a volume").volume
-}
-
 /// Szirmay-Kalos and Umenhoffer 2008, section 5.2, with the distances of Cohen and Sheffer 1994.
 #[test]
 fn distances_skip_most_cells_and_a_spoiled_one_is_noticed() {
@@ -234,7 +145,7 @@ fn distances_skip_most_cells_and_a_spoiled_one_is_noticed() {
         (MotifKind::Mail, [64, 64, 32], 0.75),
         (MotifKind::Grass, [128, 128, 32], 0.5),
     ] {
-        let volume = volume_of(kind, size);
+        let volume = motif_volume(kind, size);
         let maps = baked(&volume, &selection);
         let with = |maps: &[Arc<BakedMap>]| hits_over(&volume, &selection, maps, &paths, Lanes::widest());
         let steps = |hits: &[Hit]| hits.iter().map(|hit| f64::from(hit.cost.steps)).sum::<f64>();
@@ -256,8 +167,15 @@ fn distances_skip_most_cells_and_a_spoiled_one_is_noticed() {
 #[test]
 fn every_width_has_the_bits_of_one_by_one() {
     let pairs = [("voxels", "trilinear"), ("voxels", "none"), ("linear", "binary"), ("linear", "secant")];
-    for (search, refine) in pairs.into_iter().chain([("linear", "true-secant"), ("linear", "trilinear")]) {
-        let selection = Selection::pair(search, refine).expect("listed names").with_volume(true);
+    let more = [("linear", "true-secant"), ("linear", "trilinear")];
+    let looked_up = [("generalised", "none"), ("generalised", "trilinear")];
+    for (search, refine) in pairs.into_iter().chain(more).chain(looked_up) {
+        let mut selection = Selection::pair(search, refine).expect("listed names").with_volume(true);
+        if search == "generalised" {
+            for key in ["search.azimuths", "search.elevations"] {
+                selection.set(key, 4.0).expect("a number of directions");
+            }
+        }
         assert_eq!(selection.check(), Ok(()), "{search} {refine}");
         for named in volumes::ALL {
             let volume = named.build(Wrap::Mirror).expect("a volume");
@@ -367,29 +285,6 @@ fn the_backends_show_the_same_on_every_surface() {
     }
 }
 
-/// A straight ray into a volume from above, at least that steep, with a parameter in voxels.
-fn ray_from_above(rng: &mut Rng, size: [f64; 3], least_up: f64) -> Path {
-    let up = rng.between(-1.0, -least_up);
-    let across = (1.0 - up * up).sqrt();
-    let (sin, cos) = (rng.unit() * std::f64::consts::TAU).sin_cos();
-    let toward = [across * cos / size[0], across * sin / size[1], up / size[2]];
-    let mut path = Path::between([rng.unit(), rng.unit(), 1.0], [0.0, 0.0, 0.0]);
-    path.duv = [toward[0], toward[1]];
-    path.h = [1.0, toward[2], 0.0];
-    path.exit = -1.0 / toward[2];
-    Path::from(&relief_shaders::cpu::Path::from(&path))
-}
-
-/// The parts of rays whose hit is more than this number of voxels off, or that hit where the judge's miss, or
-/// the other way round.
-fn parts_off(volume: &Volume, paths: &[Path], hits: &[Hit], voxels: f64) -> f64 {
-    let is_off = |(path, hit): (&Path, &Hit)| match (volume.first_hit(path), hit.found) {
-        (Some(judge), true) => (judge.t - hit.t).abs() > voxels,
-        (judge, found) => judge.is_some() || found,
-    };
-    paths.iter().zip(hits).filter(|pair| is_off(*pair)).count() as f64 / paths.len() as f64
-}
-
 #[test]
 fn look_ups_by_direction_err_as_the_docs_say() {
     let volume = Volume::from_fn([32, 32, 16], Wrap::Repeat, volumes::weave).expect("a volume");
@@ -446,7 +341,8 @@ fn a_way_from_a_voxel_in_a_baked_direction_is_looked_up_as_it_is() {
         println!("{}: {off} of {}", named.name, paths.len());
         // Codes are a quarter of a voxel: what is hit that near to the end of a path may be missed.
         assert!(paths.is_empty() || off < 0.06, "{}: {off}", named.name);
-        let others = named.build(Wrap::Repeat).expect("a volume").values().into_iter().map(|value| 1.0 - value);
+        let others =
+            named.build(Wrap::Repeat).expect("a volume").values().into_iter().map(|value| 1.0 - value);
         let other = Volume::new(volume.size(), &others.collect::<Vec<_>>(), Wrap::Repeat).expect("a volume");
         let found = hits_over(&volume, &selection, &baked(&other, &selection), &paths, Lanes::widest());
         assert!(paths.is_empty() || parts_off(&volume, &paths, &found, 0.75) > 0.3, "{}", named.name);

@@ -47,8 +47,7 @@ fn volume<'k>(arguments: &Arguments, mut kinds: Kinds<'k>) -> Result<(HeightMap,
     let file = arguments.height.display();
     let of_heights = kinds.iter().find(|(kind, _)| !kind.of_volume);
     if let Some((kind, _)) = of_heights {
-        let of_volume: Vec<&str> =
-            KINDS.iter().filter(|kind| kind.of_volume).map(|kind| kind.name).collect();
+        let of_volume: Vec<&str> = KINDS.iter().filter(|kind| kind.of_volume).map(|kind| kind.name).collect();
         return Err(Failure::Usage(format!(
             "{file}: is a volume, and {} is baked from heights: bake {}",
             kind.name,
