@@ -106,7 +106,7 @@ fn a_mutated_export_gives_other_bits() {
     // Of the shader, then of the manifest.
     let mutations = [
         (".wgsl", "while (k <= steps)", "while (k < steps)"),
-        (".wgsl", "return select(period - 1 - folded, folded, folded < n);", "return min(folded, n - 1);"),
+        (".wgsl", "return select(period - 1 - i, i, i < n);", "return min(i, n - 1);"),
         (".wgsl", "let top = h.x + (h.y - h.x) * f.x;", "let top = h.x;"),
         (".json", "\"name\": \"eye_right\"", "\"name\": \"forward\""),
     ];
