@@ -31,6 +31,11 @@ const START_BYTES: u64 = 1 << 16;
 /// Name of a depth object's description.
 const OBJECT: &str = "object.toml";
 
+/// Whether a file is named as a volume.
+pub fn is_volume(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2"))
+}
+
 impl FileKind {
     /// Returns the kind of a file by its content. The kind of a mesh, or of a missing file, follows
     /// from its name.
@@ -42,7 +47,7 @@ impl FileKind {
         if MeshFormat::by_name(path).is_some() {
             return Ok(FileKind::Mesh);
         }
-        if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2")) {
+        if is_volume(path) {
             return Ok(FileKind::Volume);
         }
         if !path.exists() {

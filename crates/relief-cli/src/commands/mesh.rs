@@ -39,6 +39,7 @@ use super::placement::PlacementArguments;
 use super::scene_arguments::of_scene;
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
+use crate::file_kind::is_volume;
 use crate::progress::Progress;
 use crate::streams::{Files, Written, tell_written};
 use crate::units::Length;
@@ -383,6 +384,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(motif) = &arguments.motif {
         return motif::run(arguments, motif);
     }
+    arguments.refuse_what_has_no_heights()?;
     let started = Instant::now();
     let (_, format) = format_of("--output", &arguments.output, &FORMATS, &arguments.inputs())?;
     arguments.check(format)?;
@@ -467,6 +469,24 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 impl Arguments {
+    /// Refuses a mesh or a volume in place of the height map.
+    fn refuse_what_has_no_heights(&self) -> Result<(), Failure> {
+        let file = self.height.display();
+        if MeshFormat::by_name(&self.height).is_some() {
+            return Err(Failure::Usage(format!(
+                "{file}: is a mesh, and a height map is asked for here: to repeat it over another mesh give it with \
+                 --motif"
+            )));
+        }
+        if is_volume(&self.height) {
+            return Err(Failure::Usage(format!(
+                "{file}: is a volume, which only `relief render` shows: give a height map, or with --motif the mesh \
+                 that it was made from"
+            )));
+        }
+        Ok(())
+    }
+
     /// Returns the files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         let of = |format: Format| FORMATS.iter().find(|(_, (known, _))| *known == format);

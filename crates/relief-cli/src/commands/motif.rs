@@ -22,6 +22,17 @@ const EXTRAS: &str = "motif";
 /// Most triangles of a motif: they take 1 GiB of memory.
 const MOST_TRIANGLES: u64 = 1 << 23;
 
+/// What helps where a file is asked for and the name of a motif is given.
+pub fn missing_motif(path: &Path) -> Option<Failure> {
+    let name = path.to_str()?;
+    (!path.exists() && name.parse::<MotifKind>().is_ok()).then(|| {
+        Failure::Usage(format!(
+            "{name}: there is no such file: make the motif's mesh with `relief motif {name} -o {name}.glb`, and give \
+             {name}.glb"
+        ))
+    })
+}
+
 /// Arguments of `relief motif`.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]

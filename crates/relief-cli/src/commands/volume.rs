@@ -13,10 +13,10 @@ use clap::{Args, ValueEnum};
 use relief_bake::volumes::{Fit, Sponge, VolumesError, volume_of_sponge};
 use relief_core::{ByteSize, Volume, Watch, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, MeshFormat, TexelFormat, VolumeFormat, write_volume};
-use relief_mesh::motif::MotifKind;
 use serde_json::{Map, Value, json};
 
 use super::maps::FileArguments;
+use super::motif::missing_motif;
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::pattern::has_placeholder;
@@ -241,12 +241,8 @@ impl Arguments {
 
     /// Refuses flags that the input does not use, and sizes that are impossible.
     fn check(&self, origin: Origin) -> Result<(), Failure> {
-        let name = self.input.to_str().unwrap_or_default();
-        if origin == Origin::Heights && !self.input.exists() && name.parse::<MotifKind>().is_ok() {
-            return Err(Failure::Usage(format!(
-                "{name}: there is no such file: make the motif's mesh with `relief motif {name} -o {name}.glb`, and \
-                 give {name}.glb"
-            )));
+        if let Some(missing) = missing_motif(&self.input) {
+            return Err(missing);
         }
         let reading = &self.reading;
         let of_meshes = [("--fit", self.fit.is_some()), ("--margin", self.margin.is_some())];

@@ -1,7 +1,7 @@
 //! `relief mesh --motif`: a closed mesh in the space of a tile, repeated in the shells of another mesh.
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
@@ -14,10 +14,11 @@ use relief_scene::{MeshChoice, NO_MAP, SceneSpec, SurfaceSpec};
 use serde_json::json;
 
 use super::{Arguments, FORMATS};
-use crate::commands::motif::depth_in;
+use crate::commands::motif::{depth_in, missing_motif};
 use crate::commands::scene_arguments::of_scene;
 use crate::commands::staged::{Staged, format_of};
 use crate::failure::Failure;
+use crate::file_kind::is_volume;
 use crate::interrupt::{self, cancelled};
 use crate::progress::Progress;
 use crate::streams::tell_written;
@@ -35,6 +36,15 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
     let inputs: Vec<&Path> = [motif].into_iter().chain(arguments.inputs()).collect();
     let (_, format) = format_of("--output", &arguments.output, &FORMATS, &inputs)?;
     arguments.refuse_with_motif()?;
+    if let Some(missing) = missing_motif(motif) {
+        return Err(missing);
+    }
+    if is_volume(motif) {
+        let file = motif.display();
+        return Err(Failure::Usage(format!(
+            "--motif: {file} is a volume: give the mesh that it was made from"
+        )));
+    }
     let (base, mesh, depth) = {
         let _reading = Progress::spinner("reading", arguments.json);
         let mesh = read_raw_mesh(motif, arguments.limit()).map_err(Failure::of_mesh)?;
@@ -139,7 +149,7 @@ fn notes_on(motif: &Path, map: &ShellMap) -> Vec<String> {
         let more = if map.folded.len() > MOST_NUMBERS { ", ..." } else { "" };
         notes.push(format!(
             "{} triangles of the mesh have shells that fold, as it is more curved than they are deep ({}{more}): \
-             give a smaller --scale, or another --bias",
+             give more tiles with --tile, a smaller --scale, or another --bias",
             map.folded.len(),
             numbers.join(", ")
         ));
@@ -154,7 +164,8 @@ fn notes_on(motif: &Path, map: &ShellMap) -> Vec<String> {
     if map.open_edges > 0 {
         notes.push(format!(
             "the result has {} open edges: where motif, mesh or texture coordinates have a border, or where it is cut \
-             off",
+             off; a closed motif leaves none on a closed mesh with whole numbers of tiles whose texture coordinates \
+             join at their seams",
             map.open_edges
         ));
     }
@@ -202,7 +213,9 @@ impl Arguments {
             return base.map_err(|error| Failure::Usage(format!("--tile: {error}")));
         }
         // The scale of the motif is no scale of the mesh.
-        let surface = SurfaceSpec { scale: None, bias: None, ..placement.surface(&self.reading) };
+        // A normal map, even none, asks for the texture coordinates that the tiles follow.
+        let normal = Some(PathBuf::from(NO_MAP));
+        let surface = SurfaceSpec { scale: None, bias: None, normal, ..placement.surface(&self.reading) };
         let spec = SceneSpec {
             size: Some([1, 1].into()),
             samples: Some(1),
