@@ -1,13 +1,13 @@
 //! `relief mesh --motif`: a closed mesh in the space of a tile, repeated in the shells of another mesh.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use glam::Vec2;
 use relief_core::Watch;
-use relief_core::mesh::{Mesh, MeshBlock, RawMesh};
+use relief_core::mesh::{Mesh, MeshBlock, RawCorner, RawMesh};
 use relief_io::{MeshCounts, MeshFormat, MeshSink, read_raw_mesh, write_mesh};
 use relief_mesh::shell_map::{BYTES_PER_TRIANGLE, ShellMap, ShellMapError, ShellMapSettings, map_shells};
 use relief_scene::{MeshChoice, NO_MAP, SceneSpec, SurfaceSpec};
@@ -134,6 +134,21 @@ fn written(path: &Path, format: MeshFormat, counts: MeshCounts, mesh: &Mesh) -> 
     Ok(std::fs::metadata(path)?.len())
 }
 
+/// Refuses a mesh with triangles that have no texture coordinates, which tiles follow.
+fn require_coordinates(file: &Path, limit: u64) -> Result<(), Failure> {
+    let mesh = read_raw_mesh(file, limit).map_err(Failure::of_mesh)?;
+    let has_none = |corners: &&[RawCorner; 3]| corners.iter().any(|corner| corner.uv == RawCorner::NONE);
+    match mesh.triangles.iter().filter(has_none).count() {
+        0 => Ok(()),
+        missing => Err(Failure::Work(format!(
+            "{}: {missing} of {} triangles have no texture coordinates, which the tiles of the motif follow: give \
+             --project box, cylinder or sphere",
+            file.display(),
+            mesh.triangles.len()
+        ))),
+    }
+}
+
 /// What a user should know of the result.
 fn notes_on(motif: &Path, map: &ShellMap) -> Vec<String> {
     let name = motif.display();
@@ -212,10 +227,11 @@ impl Arguments {
             let base = builtin.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(Vec2::from_array(tile)));
             return base.map_err(|error| Failure::Usage(format!("--tile: {error}")));
         }
+        if let (Some(MeshChoice::File(file)), None) = (&placement.mesh, placement.project) {
+            require_coordinates(file, self.limit())?;
+        }
         // The scale of the motif is no scale of the mesh.
-        // A normal map, even none, asks for the texture coordinates that the tiles follow.
-        let normal = Some(PathBuf::from(NO_MAP));
-        let surface = SurfaceSpec { scale: None, bias: None, normal, ..placement.surface(&self.reading) };
+        let surface = SurfaceSpec { scale: None, bias: None, ..placement.surface(&self.reading) };
         let spec = SceneSpec {
             size: Some([1, 1].into()),
             samples: Some(1),
