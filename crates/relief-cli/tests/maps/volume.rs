@@ -104,7 +104,9 @@ fn numbered_pictures_are_slices() {
         folder.write(&format!("clear{number}.png"), encoded(&clear.into(), ImageFormat::Png));
     }
     for name in ["grey", "clear"] {
-        folder.relief(&format!("volume {name}%d.png --bits 8 -o {name}.ktx2")).fine();
+        // Values below one half are nothing to be seen, which is said.
+        let ran = folder.relief(&format!("volume {name}%d.png --bits 8 -o {name}.ktx2"));
+        assert!(ran.code == Some(0) && ran.stderr.contains("no value is"), "{}", ran.stderr);
         let volume = read(&folder, &format!("{name}.ktx2"));
         assert_eq!(volume.size(), [6, 5, 4]);
         assert_eq!(volume.voxel(3, 2, 1), 23.0 / 255.0);
@@ -173,7 +175,7 @@ fn what_takes_no_volume_says_what_does() {
         ("render hills.png --search voxels --refine trilinear -o out.png", 2, "give a volume"),
         ("render hills.png --method generalised -o out.png", 2, "give a volume"),
         ("explain sponge.ktx2 -o out.svg", 2, "volume"),
-        ("compare sponge.ktx2 -o out.html", 2, "volume"),
+        ("compare sponge.ktx2 -o out.html", 1, "volume"),
         ("mesh sponge.ktx2 -o out.glb", 2, "volume"),
         ("height deband sponge.ktx2 -o out.png", 1, "KTX2"),
         ("render --height sponge.ktx2 -o out.png", 1, "KTX2"),
@@ -194,8 +196,7 @@ fn what_takes_no_volume_says_what_does() {
 fn a_volume_without_anything_solid_is_told() {
     let folder = Folder::new();
     folder.relief("motif weave -o weave.glb").fine();
-    let ran = folder.relief("volume weave.glb --size 1x1x1 -o one.ktx2").fine();
-    assert!(ran.stderr.contains("no voxel is solid"), "{}", ran.stderr);
-    let ran = folder.relief("volume weave.glb --size 32x32x16 -o cloth.ktx2").fine();
-    assert!(!ran.stderr.contains("no voxel is solid"), "{}", ran.stderr);
+    let ran = folder.relief("volume weave.glb --size 1x1x1 -o one.ktx2");
+    assert!(ran.code == Some(0) && ran.stderr.contains("--size"), "{}", ran.stderr);
+    folder.relief("volume weave.glb --size 32x32x16 -o cloth.ktx2").fine();
 }
