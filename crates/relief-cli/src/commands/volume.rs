@@ -179,9 +179,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }?;
     let mut made = arguments.with_lengths(origin, made)?;
     if made.volume.atlas().texels().iter().all(|value| f64::from(*value) < Volume::SURFACE) {
-        let what =
-            "no voxel is solid, so nothing will be seen: what is thinner than a voxel falls between them";
-        made.notes.push(format!("{what}; take more voxels with --size"));
+        let what = "no value is one half or more, so nothing will be seen";
+        let thin = "parts thinner than a voxel fall between voxels: take more with --size";
+        made.notes.push(match origin {
+            Origin::Mesh => format!("{what}; {thin}"),
+            _ => what.to_owned(),
+        });
     }
     if !arguments.json {
         made.notes.iter().for_each(say::note);
