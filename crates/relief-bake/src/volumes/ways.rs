@@ -40,9 +40,9 @@ impl Directions {
 /// hit within `most` voxels, or before the lowest or the highest level, the way is infinite. It is 0
 /// within the solid.
 ///
-/// A hit is the first root of the trilinear field, to a part of 2⁻²⁴ of the way through a cell. `distance` is the
-/// volume's own, and lets rays skip what is empty. The result has the same bytes with any number of
-/// threads.
+/// A hit is the first root of the trilinear field, to a part of 2⁻²⁴ of the way through a cell.
+/// `distance` is the volume's own, and lets rays skip what is empty. The result has the same bytes
+/// with any number of threads.
 ///
 /// # Errors
 ///

@@ -37,7 +37,8 @@ impl Volume {
     }
 
     /// The first hit of a path that stays in one cell, as a parameter of the path, to a part of
-    /// `2^-halvings` of its way. For walks that know their cells; [`first_hit`](Self::first_hit) needs no walk.
+    /// `2^-halvings` of its way. For walks that know their cells; [`first_hit`](Self::first_hit) needs
+    /// none.
     pub fn first_hit_in_cell(&self, path: &Path, halvings: u32) -> Option<f64> {
         let way = Way::of(self, path)?;
         self.root_between(&way, 0.0, path.exit, halvings)
