@@ -23,7 +23,9 @@ pub enum Fit {
     /// The mesh fills the tile along `u`, `v` and the height, whatever its proportions.
     Stretch,
     /// The mesh lies in the tile already: its coordinates are `(u, height, v)`. Parts beyond the
-    /// tile's edges belong to the tiles beside it.
+    /// tile's edges belong to the tiles beside it. Where the mesh comes nearer to height 0 or 1 than
+    /// the margin, the volume reaches as far beyond, so that its surface is not cut off there. A mesh
+    /// that passes height 0 or 1 itself is cut off.
     Tile,
 }
 
@@ -40,15 +42,15 @@ impl Fit {
         }
     }
 
-    /// Returns the corners of triangles as `(u, v, height)`, and the length of the heights 0 to 1 in
-    /// metres, if the fit gives one.
+    /// Returns the corners of triangles as `(u, v, height)`, and the scale and bias of these heights
+    /// in metres. With [`Fit::Tile`] a metre stands for a height of 1.
     pub(super) fn place(
         self,
         triangles: &[[Vec3; 3]],
         size: [u32; 3],
         margin: f64,
         tile_m: [f64; 2],
-    ) -> Result<(Vec<[DVec3; 3]>, Option<f64>), VolumesError> {
+    ) -> Result<(Vec<[DVec3; 3]>, [f64; 2]), VolumesError> {
         let turned = |at: Vec3| DVec3::new(at.x.into(), at.z.into(), at.y.into());
         let bounds = triangles.iter().flatten().map(|at| turned(*at));
         let [low, high] = bounds
@@ -61,7 +63,15 @@ impl Fit {
             if low.z >= 1.0 || high.z <= 0.0 {
                 return Err(VolumesError::Outside);
             }
-            return Ok((triangles.iter().map(|corners| corners.map(turned)).collect(), None));
+            let [below, above] = free_heights(low.z, high.z, margin / f64::from(size[2]))
+                .ok_or(VolumesError::NoRoom { margin, size })?;
+            let length = 1.0 + below + above;
+            let placed = |at: Vec3| {
+                let at = turned(at);
+                at.with_z((at.z + below) / length)
+            };
+            let corners = triangles.iter().map(|corners| corners.map(placed)).collect();
+            return Ok((corners, [length, -below]));
         }
         let extent = high - low;
         for (axis, length) in ["x", "z", "y"].into_iter().zip(extent.to_array()) {
@@ -87,8 +97,32 @@ impl Fit {
         let middle = low.midpoint(high);
         let placed = |at: Vec3| (turned(at) - middle) * factor + 0.5;
         let corners = triangles.iter().map(|corners| corners.map(placed)).collect();
-        Ok((corners, Some(metres / factor.z)))
+        Ok((corners, [metres / factor.z, 0.0]))
     }
+}
+
+/// Returns the heights that a volume adds below height 0 and above height 1, so that at least
+/// `margin`, a part of all its heights, is free below `low` and above `high`. `None` if nothing is
+/// left between the margins.
+fn free_heights(low: f64, high: f64, margin: f64) -> Option<[f64; 2]> {
+    if 2.0 * margin >= 1.0 {
+        return None;
+    }
+    if low < 0.0 || high > 1.0 {
+        return Some([0.0; 2]);
+    }
+    let top = 1.0 - high;
+    // Added heights make the whole longer, and with it the margins.
+    let alone = |free: f64| (margin - free).max(0.0) / (1.0 - margin);
+    let [below, above] = [alone(low), alone(top)];
+    if top >= margin * (1.0 + below) {
+        return Some([below, 0.0]);
+    }
+    if low >= margin * (1.0 + above) {
+        return Some([0.0, above]);
+    }
+    let each = margin * (high - low) / (1.0 - 2.0 * margin);
+    Some([each - low, each - top].map(|added| added.max(0.0)))
 }
 
 impl fmt::Display for Fit {

@@ -44,7 +44,7 @@ pub struct MeshVolumeSettings {
     pub wrap: Wrap,
     /// Place of the mesh in the tile.
     pub fit: Fit,
-    /// Empty voxels between the mesh and each side of the tile, for all fits but [`Fit::Tile`].
+    /// Empty voxels between the mesh and each side of the tile; with [`Fit::Tile`] below and above it.
     pub margin: f64,
     /// Lengths of the tile along `u` and `v` in metres.
     pub tile_m: [f64; 2],
@@ -80,8 +80,8 @@ impl MeshVolumeSettings {
 /// Volume of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshVolume {
-    /// The volume. Its scale is the length of the mesh's height in metres of the tile; 1 m with
-    /// [`Fit::Tile`].
+    /// The volume. Its scale is the length of its height in metres of the tile. With [`Fit::Tile`]
+    /// scale and bias are those that put a height of the mesh at as many metres.
     pub volume: Volume,
     /// What counted as inside.
     pub solid: Solid,
@@ -148,7 +148,7 @@ pub fn volume_from_mesh(
         return bad("a side of the tile", side, "finite and above 0");
     }
     let corners: Vec<_> = mesh.triangle_positions()?.collect();
-    let (placed, scale_m) = fit.place(&corners, size, margin, tile_m)?;
+    let (placed, [scale_m, bias_m]) = fit.place(&corners, size, margin, tile_m)?;
     drop(corners);
     watch.at(0.02)?;
     let repeats = wrap == Wrap::Repeat;
@@ -170,11 +170,7 @@ pub fn volume_from_mesh(
         let odd = grid.fill(row, buckets[row as usize].iter().map(|at| &copies[*at as usize]), values);
         odd_columns.fetch_add(odd, Ordering::Relaxed);
     })?;
-    let volume = match scale_m {
-        // The mesh lies within the margin, so that height 0 is below it.
-        Some(scale_m) => volume.with_displacement(scale_m, 0.0)?,
-        None => volume,
-    };
+    let volume = volume.with_displacement(scale_m, bias_m)?;
     Ok(MeshVolume {
         volume,
         solid,

@@ -117,6 +117,37 @@ fn lines_through_edges_and_corners_are_no_leaks() {
     assert_eq!([inside.voxel(6, 6, 8), inside.voxel(1, 6, 8)], [1.0, 0.0]);
 }
 
+/// A mesh in its tile keeps free voxels below and above, so that its surface lies between voxels,
+/// and scale and bias put it where it was.
+#[test]
+fn a_mesh_in_its_tile_has_free_voxels_below_and_above() {
+    for (low, high) in [(0.0, 1.0), (0.0, 0.5), (0.6, 1.0), (0.02, 0.97), (0.25, 0.75)] {
+        let settings = MeshVolumeSettings { reach: 1.5, ..tile([16; 3]) };
+        let volume = made(&block([0.2, low, 0.2], [0.8, high, 0.8]), &settings).volume;
+        let (scale, bias) = (volume.atlas().scale_m(), volume.atlas().bias_m());
+        let column: Vec<_> = (0..16).map(|slice| f64::from(volume.voxel(8, 8, slice))).collect();
+        assert!(column[0] < Volume::SURFACE && column[15] < Volume::SURFACE, "{low} {high}: {column:?}");
+        // The surface along the column, by its values.
+        let crossing = |slices: &mut dyn Iterator<Item = usize>| {
+            let slice = slices.find(|slice| (column[*slice] < 0.5) != (column[*slice + 1] < 0.5));
+            let slice = slice.expect("a surface");
+            let part = (0.5 - column[slice]) / (column[slice + 1] - column[slice]);
+            bias + scale * (slice as f64 + 0.5 + part) / 16.0
+        };
+        let found = [crossing(&mut (0..15)), crossing(&mut (0..15).rev())];
+        assert!((found[0] - f64::from(low)).abs() < 1e-3, "{low} {high}: {found:?}");
+        assert!((found[1] - f64::from(high)).abs() < 1e-3, "{low} {high}: {found:?}");
+        let free = [(f64::from(low) - bias) / scale, 1.0 - (f64::from(high) - bias) / scale];
+        assert!(free.into_iter().all(|free| 16.0 * free >= 1.0 - 1e-6), "{low} {high}: {free:?}");
+    }
+    // Nothing is added without a margin, nor where the mesh passes a height itself.
+    for (low, high, margin) in [(0.0, 1.0, 0.0), (-0.25, 1.0, 1.0)] {
+        let settings = MeshVolumeSettings { margin, ..tile([16; 3]) };
+        let volume = made(&block([0.2, low, 0.2], [0.8, high, 0.8]), &settings).volume;
+        assert_eq!((volume.atlas().scale_m(), volume.atlas().bias_m()), (1.0, 0.0));
+    }
+}
+
 #[test]
 fn open_and_turned_meshes_are_counted() {
     let mut open = block([0.2; 3], [0.8; 3]);

@@ -54,7 +54,8 @@ pub struct Arguments {
     /// the motif or the height map say, otherwise 5cm]
     #[arg(long, value_name = "LENGTH", value_parser = units::length, allow_hyphen_values = true, help_heading = "Lengths")]
     scale: Option<f64>,
-    /// Displacement of height 0 along the base's normal [default: 0; of a height map the map's]
+    /// Displacement of height 0 along the base's normal [default: 0; of a height map the map's; of
+    /// a motif a little below 0, for its free voxels]
     #[arg(long, value_name = "LENGTH", value_parser = units::length, allow_hyphen_values = true, help_heading = "Lengths")]
     bias: Option<f64>,
     /// Lengths of the tile along u and v [default: 1 m; of a height map as its file says]
@@ -304,8 +305,11 @@ impl Arguments {
             return Ok(made);
         }
         let atlas = made.volume.atlas();
-        let scale_m = self.scale.unwrap_or(atlas.scale_m());
-        let bias_m = self.bias.unwrap_or(atlas.bias_m());
+        let (usual_m, low_m) = (atlas.scale_m(), atlas.bias_m());
+        let scale_m = self.scale.unwrap_or(usual_m);
+        // The part of the heights that lies below the base stays the same.
+        let low_m = if usual_m > 0.0 { low_m / usual_m * scale_m } else { low_m };
+        let bias_m = self.bias.unwrap_or(low_m);
         let volume = made.volume.clone().with_displacement(scale_m, bias_m).map_err(Failure::work)?;
         Ok(Made { volume, tile_m: self.tile.unwrap_or(made.tile_m), ..made })
     }

@@ -36,12 +36,14 @@ pub(super) fn make(arguments: &Arguments, cancel: &AtomicBool) -> Result<Made, F
         let tell = |_: &str, part: f32| bar.show(part);
         volume_from_mesh(&raw, &settings, &Watch::new(&tell, cancel)).map_err(of_volumes)?
     };
-    let volume = match (fit, depth) {
-        (Fit::Tile, depth) => {
-            let scale_m = depth.map_or(DEFAULT_SCALE_M, |depth| depth * tile_m[0]);
-            made.volume.clone().with_displacement(scale_m, 0.0).map_err(Failure::work)?
-        }
-        _ => made.volume.clone(),
+    let volume = if fit == Fit::Tile {
+        // The depth of a motif is that of its heights 0 to 1; the volume's reach beyond.
+        let depth_m = depth.map_or(DEFAULT_SCALE_M, |depth| depth * tile_m[0]);
+        let [scale_m, bias_m] =
+            [made.volume.atlas().scale_m(), made.volume.atlas().bias_m()].map(|length| depth_m * length);
+        made.volume.clone().with_displacement(scale_m, bias_m).map_err(Failure::work)?
+    } else {
+        made.volume.clone()
     };
     let mut notes = Vec::new();
     let name = arguments.input.display();
