@@ -99,6 +99,9 @@ pub struct MeshVolume {
     pub odd_columns: u64,
     /// Triangles that reach below height 0 or above height 1, which are cut off there.
     pub beyond: u64,
+    /// Part of the mesh's area, 0 to 1, on parts so thin that half a voxel behind the surface the volume
+    /// is empty. They have holes or are missing. Both are in voxels.
+    pub thin: f64,
 }
 
 /// Computes the volume of a closed mesh: ½ less the signed distance to its faces in voxels, divided
@@ -170,9 +173,11 @@ pub fn volume_from_mesh(
         let odd = grid.fill(row, buckets[row as usize].iter().map(|at| &copies[*at as usize]), values);
         odd_columns.fetch_add(odd, Ordering::Relaxed);
     })?;
+    let thin = grid.thin_part(&volume);
     let volume = volume.with_displacement(scale_m, bias_m)?;
     Ok(MeshVolume {
         volume,
+        thin,
         solid,
         triangles,
         open_edges: faces.open_edges,
@@ -182,6 +187,10 @@ pub fn volume_from_mesh(
         beyond,
     })
 }
+
+/// Voxels behind the surface at which a part of the mesh must be solid not to count as thin. More, and
+/// parts count that are seen well; fewer, and parts with holes do not.
+const HALF_VOXEL: f64 = 0.5;
 
 /// A triangle moved by whole tiles.
 struct Copy {
@@ -260,6 +269,28 @@ impl Grid<'_> {
         let side = f64::from(self.size[axis]);
         let (first, end) = (least.ceil().clamp(0.0, side), (greatest.floor() + 1.0).clamp(0.0, side));
         first as usize..(end as usize).max(first as usize)
+    }
+
+    /// Returns the part of the area, in voxels, on whose inner side the volume is empty half a voxel
+    /// behind the surface. Which side is the inner one does not matter: both are looked at.
+    fn thin_part(&self, volume: &Volume) -> f64 {
+        let [mut thin, mut all] = [0.0; 2];
+        for triangle in &self.faces.triangles {
+            let [a, b, c] = triangle.map(|corner| self.in_voxels(corner, [0; 2]));
+            let across = (b - a).cross(c - a);
+            let (area, middle) = (across.length(), (a + b + c) / 3.0);
+            let top = f64::from(self.size[2]) - 0.5;
+            if area > 0.0 && (-0.5..=top).contains(&middle.z) {
+                let beside = across * (HALF_VOXEL / area);
+                let is_solid = |at: DVec3| {
+                    let place = [0, 1, 2].map(|axis| (at[axis] + 0.5) / f64::from(self.size[axis]));
+                    volume.value_at(place) >= Volume::SURFACE
+                };
+                all += area;
+                thin += if is_solid(middle + beside) || is_solid(middle - beside) { 0.0 } else { area };
+            }
+        }
+        if all > 0.0 { thin / all } else { 0.0 }
     }
 
     /// Fills a row of all slices. Returns the number of columns with an odd number of crossings.

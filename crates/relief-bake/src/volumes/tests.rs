@@ -128,13 +128,16 @@ fn a_mesh_in_its_tile_has_free_voxels_below_and_above() {
         let column: Vec<_> = (0..16).map(|slice| f64::from(volume.voxel(8, 8, slice))).collect();
         assert!(column[0] < Volume::SURFACE && column[15] < Volume::SURFACE, "{low} {high}: {column:?}");
         // The surface along the column, by its values.
-        let crossing = |slices: &mut dyn Iterator<Item = usize>| {
-            let slice = slices.find(|slice| (column[*slice] < 0.5) != (column[*slice + 1] < 0.5));
+        let crossing = |slices: &[usize]| {
+            let slice =
+                slices.iter().copied().find(|slice| (column[*slice] < 0.5) != (column[*slice + 1] < 0.5));
             let slice = slice.expect("a surface");
             let part = (0.5 - column[slice]) / (column[slice + 1] - column[slice]);
             bias + scale * (slice as f64 + 0.5 + part) / 16.0
         };
-        let found = [crossing(&mut (0..15)), crossing(&mut (0..15).rev())];
+        let up: Vec<usize> = (0..15).collect();
+        let down: Vec<usize> = (0..15).rev().collect();
+        let found = [crossing(&up), crossing(&down)];
         assert!((found[0] - f64::from(low)).abs() < 1e-3, "{low} {high}: {found:?}");
         assert!((found[1] - f64::from(high)).abs() < 1e-3, "{low} {high}: {found:?}");
         let free = [(f64::from(low) - bias) / scale, 1.0 - (f64::from(high) - bias) / scale];
@@ -145,6 +148,18 @@ fn a_mesh_in_its_tile_has_free_voxels_below_and_above() {
         let settings = MeshVolumeSettings { margin, ..tile([16; 3]) };
         let volume = made(&block([0.2, low, 0.2], [0.8, high, 0.8]), &settings).volume;
         assert_eq!((volume.atlas().scale_m(), volume.atlas().bias_m()), (1.0, 0.0));
+    }
+}
+
+/// A plate of half a voxel falls between the voxels' centres; one of three voxels is there.
+#[test]
+fn thin_parts_are_measured() {
+    for (height, thin) in [(0.5 / 16.0, 0.9..=1.0), (3.0 / 16.0, 0.0..=0.1)] {
+        // The centres of voxels are at halves.
+        let low = 0.5 + 0.6 / 16.0;
+        let plate = block([0.2, low, 0.2], [0.8, low + height, 0.8]);
+        let made = made(&plate, &MeshVolumeSettings { reach: 1.5, ..tile([16; 3]) });
+        assert!(thin.contains(&made.thin), "{height}: {}", made.thin);
     }
 }
 

@@ -30,7 +30,8 @@ fn a_motif_becomes_a_volume_that_tiles() {
         let (scale, bias) = (volume.atlas().scale_m(), volume.atlas().bias_m());
         let least = f64::min(scale * 23.0 / 24.0, depth);
         assert!((least..1.1 * depth).contains(&scale) && (-0.05 * depth..=0.0).contains(&bias), "{about}");
-        let is_free = |k| (0..48).all(|j| (0..48).all(|i| f64::from(volume.voxel(i, j, k)) < Volume::SURFACE));
+        let is_free =
+            |k| (0..48).all(|j| (0..48).all(|i| f64::from(volume.voxel(i, j, k)) < Volume::SURFACE));
         assert!(is_free(0) && is_free(23), "{kind}");
         let solid = about["solid"].as_f64().expect("a share");
         assert!((0.005..0.7).contains(&solid), "{kind}: {solid}");
@@ -193,6 +194,18 @@ fn what_takes_no_volume_says_what_does() {
             ["'cone',", "or 'none'", "--height:", "--raw"].into_iter().find(|it| ran.stderr.contains(it));
         assert_eq!(wrong, None, "{line}: {}", ran.stderr);
     }
+}
+
+/// Blades thinner than a voxel break into pieces, which the command says; thick links do not.
+#[test]
+fn parts_thinner_than_a_voxel_are_told() {
+    let folder = Folder::new();
+    folder.relief("motif grass -o grass.glb").fine();
+    folder.relief("motif mail -o mail.glb").fine();
+    let told = folder.relief("volume grass.glb -o grass.ktx2");
+    assert!(told.code == Some(0) && told.stderr.contains("--size"), "{told:?}");
+    let about = json_of(&folder.relief("volume mail.glb -o mail.ktx2 --json").fine());
+    assert!(about["thin"].as_f64().is_some_and(|thin| thin < 0.01), "{about}");
 }
 
 #[test]

@@ -103,6 +103,7 @@ fn what_cannot_be_a_motif_is_refused() {
         ("mesh --motif mail.glb --error 1% -o out/a.glb", 2, &["--error"]),
         ("mesh --motif mail.glb --wrap clamp -o out/a.glb", 2, &["--wrap"]),
         ("mesh --motif mail.glb --scale 0 -o out/a.glb", 2, &["--scale"]),
+        ("mesh --motif mail.glb --scale -0.1 -o out/a.glb", 2, &["--scale"]),
         ("mesh --motif mail.glb --tile 0,1 -o out/a.glb", 2, &["--tile"]),
         ("mesh --motif mail.glb --tile 900,900 -o out/a.glb", 1, &["tiles"]),
         (

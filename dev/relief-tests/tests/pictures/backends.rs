@@ -1,5 +1,5 @@
-//! The two backends give the same picture: every method, every shadow and every ambient light on three
-//! scenes.
+//! The two backends give the same picture: every method on two of three scenes, every shadow and every ambient
+//! light on all.
 //!
 //! Both run the same shaders on the same rays, but for `exact`, which the CPU answers with the core's fast
 //! tracer. What may differ is which of two neighbouring triangles a pixel on their edge belongs to, and hits
@@ -106,8 +106,9 @@ fn every_method_gives_the_same_picture_on_both_backends() {
     if !has_adapter() {
         return;
     }
-    for file in SCENES {
-        for method in METHODS.iter().filter(|method| method.is_of_reliefs()) {
+    let [first, others @ ..] = SCENES;
+    for (number, method) in METHODS.iter().filter(|method| method.is_of_reliefs()).enumerate() {
+        for file in [first, others[number % others.len()]] {
             let cpu = picture(file, method.name, BackendChoice::Cpu);
             let gpu = picture(file, method.name, BackendChoice::Gpu);
             assert_eq!((cpu.info.backend, gpu.info.backend), ("cpu", "gpu"));

@@ -22,10 +22,13 @@ use crate::file_kind::is_volume;
 use crate::interrupt::{self, cancelled};
 use crate::progress::Progress;
 use crate::streams::tell_written;
-use crate::{say, values};
+use crate::{say, units, values};
 
 /// Metres between the heights 0 and 1, where neither a flag nor the motif says more.
 const DEFAULT_SCALE_M: f64 = 0.05;
+
+/// Depth of a motif over the length of its tile beyond which a unit was probably mistaken.
+const DEEP: f64 = 10.0;
 
 /// Most numbers of triangles that a note lists.
 const MOST_NUMBERS: usize = 5;
@@ -59,12 +62,20 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
         }
         (None, None) => DEFAULT_SCALE_M,
     };
+    if scale_m < 0.0 {
+        return Err(Failure::Usage(format!("--scale: {scale_m} cannot be used: it must be 0 or more")));
+    }
     let bias_m = arguments.placement.bias.unwrap_or(0.0);
     let settings = ShellMapSettings { scale_m, bias_m, triangles: arguments.limit() / BYTES_PER_TRIANGLE };
     let cancel = interrupt::catch()?;
     let mut staged = Staged::open(&[&arguments.output], arguments.json, cancel)?;
     let map = made(&base, &mesh, &settings, arguments.json, cancel)?;
-    let notes = notes_on(motif, &map);
+    let mut notes = notes_on(motif, &map);
+    let longest_m = base.tile_m().into_iter().fold(0.0, f64::max);
+    if scale_m > DEEP * longest_m {
+        let [deep, long] = [scale_m, longest_m].map(units::in_words);
+        notes.push(format!("the motif is {deep} deep, but its tile only {long} long: check --scale"));
+    }
     if !arguments.json {
         notes.iter().for_each(say::note);
     }

@@ -37,7 +37,7 @@ pub(super) fn make(arguments: &Arguments, cancel: &AtomicBool) -> Result<Made, F
         volume_from_mesh(&raw, &settings, &Watch::new(&tell, cancel)).map_err(of_volumes)?
     };
     let volume = if fit == Fit::Tile {
-        // The depth of a motif is that of its heights 0 to 1; the volume's reach beyond.
+        // A motif's depth is between its heights 0 and 1; the volume's heights reach beyond.
         let depth_m = depth.map_or(DEFAULT_SCALE_M, |depth| depth * tile_m[0]);
         let [scale_m, bias_m] =
             [made.volume.atlas().scale_m(), made.volume.atlas().bias_m()].map(|length| depth_m * length);
@@ -72,6 +72,13 @@ pub(super) fn make(arguments: &Arguments, cancel: &AtomicBool) -> Result<Made, F
             made.beyond, made.triangles
         ));
     }
+    if made.thin > MUCH_THIN {
+        notes.push(format!(
+            "{name}: {:.0} % of its surface is on parts thinner than a voxel, which break into pieces: make them thicker, \
+             or give more voxels with --size",
+            100.0 * made.thin
+        ));
+    }
     let motif = if depth.is_some() { "motif of " } else { "" };
     let lines = vec![("mesh", format!("{motif}{} triangles, --fit {fit}", made.triangles))];
     let about = [
@@ -80,6 +87,7 @@ pub(super) fn make(arguments: &Arguments, cancel: &AtomicBool) -> Result<Made, F
         ("turned_edges", json!(made.turned_edges)),
         ("odd_columns", json!(made.odd_columns)),
         ("beyond", json!(made.beyond)),
+        ("thin", json!(made.thin)),
         ("doubled", json!(made.doubled)),
         ("solid_by", json!(made.solid.name())),
         ("fit", json!(fit.name())),
@@ -87,6 +95,9 @@ pub(super) fn make(arguments: &Arguments, cancel: &AtomicBool) -> Result<Made, F
     let about = Map::from_iter(about.map(|(name, value)| (name.to_owned(), value)));
     Ok(Made { volume, tile_m, lines, about, notes })
 }
+
+/// Greatest part of a mesh's surface on thin parts without a note. The tips of blades are always thin.
+const MUCH_THIN: f64 = 0.25;
 
 /// Scale of a mesh that lies in the tile and does not say how deep that is.
 const DEFAULT_SCALE_M: f64 = 0.05;
