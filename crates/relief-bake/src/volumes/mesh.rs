@@ -99,8 +99,8 @@ pub struct MeshVolume {
     pub odd_columns: u64,
     /// Triangles that reach below height 0 or above height 1, which are cut off there.
     pub beyond: u64,
-    /// Part of the mesh's area, 0 to 1, on parts so thin that half a voxel behind the surface the volume
-    /// is empty. They have holes or are missing. Both are in voxels.
+    /// Share of the mesh's area, from 0 to 1 and measured in voxels, on parts so thin that the volume is
+    /// empty half a voxel behind the surface. Such parts have holes or are missing.
     pub thin: f64,
 }
 

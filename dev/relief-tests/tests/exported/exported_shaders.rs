@@ -73,7 +73,8 @@ fn validate_all(selections: &[(String, Selection)], depth: bool) -> usize {
     validate(selections.iter().flat_map(|of| turns.iter().map(move |turn| (of, *turn))).collect(), depth)
 }
 
-/// Has each selection exported in the profiles and the sampling of its turn, and compiled. How many files were.
+/// Has each selection exported in the profiles and the sampling of its turn, and compiled. How many files
+/// were.
 fn validate(cases: Vec<(&(String, Selection), Turn)>, depth: bool) -> usize {
     cases
         .into_par_iter()
@@ -108,8 +109,8 @@ fn every_pair_compiles() {
     if !compilers::are_there() {
         return;
     }
-    // Every search and every refinement takes all turns, with one or the other: most of the time goes into the
-    // compilers, and pairs have no text of their own.
+    // A pair takes one turn, and the next search or refinement the next: most of the time goes into the
+    // compilers. Methods take all turns, above.
     let turns = turns();
     let pairs: Vec<_> =
         pairs::all().filter(|pair| pair.check().is_ok()).map(|pair| (pairs::name(&pair), pair)).collect();

@@ -66,8 +66,8 @@ fn selections() -> Vec<Selection> {
     methods.chain(others).chain(surfaces).collect()
 }
 
-/// Renders everything within these limits and looks whether there is something to be seen. Samplings take turns,
-/// beginning with the one of that number: most of the time goes into compiling.
+/// Renders everything within these limits and looks whether there is something to be seen. Samplings take
+/// turns, beginning with the one of that number: most of the time goes into compiling.
 fn runs_within(limits: Limits, first: usize) {
     let Some(gpu) = opened(limits) else { return };
     let map = maps::ALL[2].build(Wrap::Repeat).with_displacement(0.05, -0.05).expect("lengths");

@@ -1,5 +1,5 @@
-//! The two backends give the same picture: every method on two of three scenes, every shadow and every ambient
-//! light on all.
+//! The two backends give the same picture: every method on two of three scenes, every shadow and every
+//! ambient light on all.
 //!
 //! Both run the same shaders on the same rays, but for `exact`, which the CPU answers with the core's fast
 //! tracer. What may differ is which of two neighbouring triangles a pixel on their edge belongs to, and hits

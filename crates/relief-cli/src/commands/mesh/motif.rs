@@ -62,8 +62,9 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
         }
         (None, None) => DEFAULT_SCALE_M,
     };
+    // As everywhere in the command, though the library can grow a motif inward.
     if scale_m < 0.0 {
-        return Err(Failure::Usage(format!("--scale: {scale_m} cannot be used: it must be 0 or more")));
+        return Err(Failure::Usage(format!("--scale: {scale_m} cannot be used: it must be above 0")));
     }
     let bias_m = arguments.placement.bias.unwrap_or(0.0);
     let settings = ShellMapSettings { scale_m, bias_m, triangles: arguments.limit() / BYTES_PER_TRIANGLE };

@@ -74,8 +74,8 @@ pub(super) fn make(arguments: &Arguments, cancel: &AtomicBool) -> Result<Made, F
     }
     if made.thin > MUCH_THIN {
         notes.push(format!(
-            "{name}: {:.0} % of its surface is on parts thinner than a voxel, which break into pieces: make them thicker, \
-             or give more voxels with --size",
+            "{name}: {:.0} % of its surface is on parts thinner than a voxel, which break into pieces: make \
+             them thicker, or give more voxels with --size",
             100.0 * made.thin
         ));
     }
