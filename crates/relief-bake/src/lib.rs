@@ -48,6 +48,7 @@ mod texel_pyramid;
 mod transpose;
 mod upper_hulls;
 mod upper_planes;
+pub mod view_dependent;
 pub mod volumes;
 
 pub use bake::{bake, bake_last, bits_of_heights};

@@ -23,6 +23,9 @@ const MOST: f64 = 1.5;
 /// The 2-D kind that traces many rays and takes more memory.
 const MANY_RAYS: &str = "bounce";
 
+/// Kinds that send a ray from every texel in every direction.
+const MANY_LAYERS: [&str; 3] = ["generalised", "view-dependent", "view-dependent-free"];
+
 /// Sink that keeps only sizes.
 #[derive(Default)]
 struct Counted {
@@ -48,6 +51,11 @@ fn measure(kind: &Kind, map: HeightMap, bits: u32) -> (f64, Counted) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build().expect("threads");
     let mut settings = kind.defaults();
     settings.set("bits", f64::from(bits)).expect("every kind has bits");
+    // Layers are made one after the other: a few show what all take.
+    if MANY_LAYERS.contains(&kind.name) {
+        settings.set("azimuths", 4.0).expect("a setting beside elevations");
+        settings.set("elevations", 5.0).expect("a setting");
+    }
     let metric = Metric::unit_tile(0.1).expect("a length");
     let (texels, mut sink) = (map.texels().len(), Counted::default());
     pool.install(|| {

@@ -660,6 +660,21 @@ impl LightRay {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// What a look-up tells: the part of the whole way to the hit, if there is one.
+pub struct LookedUp {
+    pub is_hit: u32,
+    pub part: f32,
+}
+impl LookedUp {
+    pub fn new(
+        is_hit: impl rt::Into<u32>,
+        part: impl rt::Into<f32>,
+    ) -> Self {
+        Self { is_hit: rt::into(is_hit), part: rt::into(part) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// Settings of a baked map.
 pub struct MapSettings {
     /// 1 where its texels are codes of 8 bits: the value of code c is low + step c.
@@ -832,6 +847,35 @@ impl OnSlice {
         over: impl rt::Into<f32>,
     ) -> Self {
         Self { passes: rt::into(passes), number: rt::into(number), nearest: rt::into(nearest), over: rt::into(over) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A path's axes, each from 0 to 1.
+pub struct PathAxes {
+    /// 1 if the path comes in at the top, or would have come in there before it begins.
+    pub comes_in: u32,
+    /// Azimuth in turns, elevation from upright to level, and the place of the bend: ½ for a straight path.
+    pub turn: f32,
+    pub elevation: f32,
+    pub bend: f32,
+    /// The parameter at height 1, not above 0, and its change on the whole way to height 0, or back to height 1.
+    pub start: f32,
+    pub whole: f32,
+    /// The part F of the way per unit of t: the height's fall at the top.
+    pub fall: f32,
+}
+impl PathAxes {
+    pub fn new(
+        comes_in: impl rt::Into<u32>,
+        turn: impl rt::Into<f32>,
+        elevation: impl rt::Into<f32>,
+        bend: impl rt::Into<f32>,
+        start: impl rt::Into<f32>,
+        whole: impl rt::Into<f32>,
+        fall: impl rt::Into<f32>,
+    ) -> Self {
+        Self { comes_in: rt::into(comes_in), turn: rt::into(turn), elevation: rt::into(elevation), bend: rt::into(bend), start: rt::into(start), whole: rt::into(whole), fall: rt::into(fall) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -2097,9 +2141,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_9 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_9.elementwise_le(span)) {
-                return first_9;
+            let first_10 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_10.elementwise_le(span)) {
+                return first_10;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -2317,9 +2361,9 @@ impl<'g> Resources<'g> {
         }
         let period_1 = (rt::Scalar(2i32) * n_2).select(n_2, wrap.elementwise_eq(WRAP_REPEAT));
         let rest_3 = (i_1 % period_1);
-        let first_10 = rest_3.select((rest_3 + period_1), rest_3.elementwise_lt(rt::Scalar(0i32)));
-        let second_1 = (first_10 + rt::Scalar(1i32)).select(rt::Scalar(0i32), (first_10 + rt::Scalar(1i32)).elementwise_eq(period_1));
-        let _e45 = self.v_unfolded(first_10, n_2, period_1);
+        let first_11 = rest_3.select((rest_3 + period_1), rest_3.elementwise_lt(rt::Scalar(0i32)));
+        let second_1 = (first_11 + rt::Scalar(1i32)).select(rt::Scalar(0i32), (first_11 + rt::Scalar(1i32)).elementwise_eq(period_1));
+        let _e45 = self.v_unfolded(first_11, n_2, period_1);
         let _e46 = self.v_unfolded(second_1, n_2, period_1);
         return <rt::Vec2<i32>>::from_scalars(_e45, _e46);
     }
@@ -2466,15 +2510,15 @@ impl<'g> Resources<'g> {
         uv_1: rt::Vec2<f32>,
         level_3: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let first_11 = rt::Scalar(self.surface_settings.maps[4usize].first_level);
-        let seen_6 = first_11.select(level_3, level_3.elementwise_gt(first_11));
+        let first_12 = rt::Scalar(self.surface_settings.maps[4usize].first_level);
+        let seen_6 = first_12.select(level_3, level_3.elementwise_gt(first_12));
         let _e9 = self.v_height_texels(seen_6);
         let _e10 = self.v_texels_around(uv_1, _e9);
-        let k_45 = (seen_6 - first_11).to_i32();
-        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_45);
-        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_45);
-        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_45);
-        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_45);
+        let k_46 = (seen_6 - first_12).to_i32();
+        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_46);
+        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_46);
+        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_46);
+        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_46);
         let _e42 = self.v_bilinear(_e19, _e26, _e33, _e40, _e10.part);
         return _e42;
     }
@@ -2773,29 +2817,29 @@ impl<'g> Resources<'g> {
     pub(super) fn v_face_place(&self, d: rt::Vec3<f32>) -> FacePlace {
         let mut local_7: rt::Scalar<bool>;
 
-        let size = d.abs();
-        if rt::Scalar::into_branch_condition(size.x().elementwise_ge(size.y())) {
-            local_7 = size.x().elementwise_ge(size.z());
+        let size_1 = d.abs();
+        if rt::Scalar::into_branch_condition(size_1.x().elementwise_ge(size_1.y())) {
+            local_7 = size_1.x().elementwise_ge(size_1.z());
         } else {
             local_7 = rt::Scalar(false);
         }
         let _e11 = local_7;
         if rt::Scalar::into_branch_condition(_e11) {
             if rt::Scalar::into_branch_condition(d.x().elementwise_gt(rt::Scalar(0f32))) {
-                return <FacePlace>::new(rt::Scalar(0i32), (<rt::Vec2<f32>>::from_scalars((-d.z()), (-d.y())) / rt::Vec2::splat_from_scalar(size.x())));
+                return <FacePlace>::new(rt::Scalar(0i32), (<rt::Vec2<f32>>::from_scalars((-d.z()), (-d.y())) / rt::Vec2::splat_from_scalar(size_1.x())));
             }
-            return <FacePlace>::new(rt::Scalar(1i32), (<rt::Vec2<f32>>::from_scalars(d.z(), (-d.y())) / rt::Vec2::splat_from_scalar(size.x())));
+            return <FacePlace>::new(rt::Scalar(1i32), (<rt::Vec2<f32>>::from_scalars(d.z(), (-d.y())) / rt::Vec2::splat_from_scalar(size_1.x())));
         }
-        if rt::Scalar::into_branch_condition(size.y().elementwise_ge(size.z())) {
+        if rt::Scalar::into_branch_condition(size_1.y().elementwise_ge(size_1.z())) {
             if rt::Scalar::into_branch_condition(d.y().elementwise_gt(rt::Scalar(0f32))) {
-                return <FacePlace>::new(rt::Scalar(2i32), (<rt::Vec2<f32>>::from_scalars(d.x(), d.z()) / rt::Vec2::splat_from_scalar(size.y())));
+                return <FacePlace>::new(rt::Scalar(2i32), (<rt::Vec2<f32>>::from_scalars(d.x(), d.z()) / rt::Vec2::splat_from_scalar(size_1.y())));
             }
-            return <FacePlace>::new(rt::Scalar(3i32), (<rt::Vec2<f32>>::from_scalars(d.x(), (-d.z())) / rt::Vec2::splat_from_scalar(size.y())));
+            return <FacePlace>::new(rt::Scalar(3i32), (<rt::Vec2<f32>>::from_scalars(d.x(), (-d.z())) / rt::Vec2::splat_from_scalar(size_1.y())));
         }
         if rt::Scalar::into_branch_condition(d.z().elementwise_gt(rt::Scalar(0f32))) {
-            return <FacePlace>::new(rt::Scalar(4i32), (<rt::Vec2<f32>>::from_scalars(d.x(), (-d.y())) / rt::Vec2::splat_from_scalar(size.z())));
+            return <FacePlace>::new(rt::Scalar(4i32), (<rt::Vec2<f32>>::from_scalars(d.x(), (-d.y())) / rt::Vec2::splat_from_scalar(size_1.z())));
         }
-        return <FacePlace>::new(rt::Scalar(5i32), (<rt::Vec2<f32>>::from_scalars((-d.x()), (-d.y())) / rt::Vec2::splat_from_scalar(size.z())));
+        return <FacePlace>::new(rt::Scalar(5i32), (<rt::Vec2<f32>>::from_scalars((-d.x()), (-d.y())) / rt::Vec2::splat_from_scalar(size_1.z())));
     }
     pub(crate) fn environment_texel(
         &self,
@@ -2838,12 +2882,12 @@ impl<'g> Resources<'g> {
         let point_23 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_3 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
         let corner_3 = point_23.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
-        let texel_5 = corner_3.to_i32();
-        let k_46 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_46);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_46);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_46);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_46);
+        let texel_6 = corner_3.to_i32();
+        let k_47 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_6, rt::Scalar(_e2.face), k_47);
+        let _e41 = self.v_environment_texel((texel_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_47);
+        let _e47 = self.v_environment_texel((texel_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_47);
+        let _e53 = self.v_environment_texel((texel_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_47);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_23 - corner_3));
         return _e55.xyz();
     }
@@ -3247,13 +3291,13 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_47 = level_8.to_i32();
+        let k_48 = level_8.to_i32();
         let _e6 = self.v_wrap_pair(cell.x(), _e2.x());
         let _e9 = self.v_wrap_pair(cell.y(), _e2.y());
-        let _e14 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_47));
-        let _e20 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_47));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_47));
-        let _e32 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_47));
+        let _e14 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_48));
+        let _e20 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_48));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_48));
+        let _e32 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_48));
         return <rt::Vec4<f32>>::from_scalars(_e14.x(), _e20.x(), _e26.x(), _e32.x());
     }
     pub(crate) fn height_cell(
@@ -3444,9 +3488,9 @@ impl<'g> Resources<'g> {
         way: Way,
         offset: rt::Scalar<f32>,
     ) -> WayPoint {
-        let low_2 = self.surface_settings.shell_m.x();
+        let low_3 = self.surface_settings.shell_m.x();
         let _e11 = self.surface_settings.shell_m.y();
-        let width_2 = (_e11 - low_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_2 = (_e11 - low_3).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let _e16 = self.v_quadratic(way.first, offset);
         let _e18 = self.v_quadratic(way.second, offset);
         let _e20 = self.v_quadratic(way.third, offset);
@@ -3454,14 +3498,14 @@ impl<'g> Resources<'g> {
         let limited = parts_4.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_27 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_30 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
-        let t_46 = place_30.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let place_31 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_27 * offset));
+        let t_46 = place_31.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_2 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_2.cross(third_1).dot(normal_27) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
-        let height_17 = (((offset - low_2) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_17), t_46, (place_30 - (along * t_46)).length(), volume);
+        let height_17 = (((offset - low_3) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_17), t_46, (place_31 - (along * t_46)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -3717,9 +3761,9 @@ impl<'g> Resources<'g> {
         let _e19 = self.v_uv_of(pixel_3, (at_14.weights - line));
         let _e21 = self.v_height_size(rt::Scalar(0u32));
         let apart = (_e19 * _e21).abs();
-        let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_2.height) + rt::Scalar(b_2.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
-        let slope_5 = ((rt::Scalar(b_2.height) - rt::Scalar(a_2.height)) - bend_3);
-        let height_18 = (rt::Scalar(a_2.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
+        let bend_6 = (rt::Scalar(2f32) * ((rt::Scalar(a_2.height) + rt::Scalar(b_2.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
+        let slope_5 = ((rt::Scalar(b_2.height) - rt::Scalar(a_2.height)) - bend_6);
+        let height_18 = (rt::Scalar(a_2.height) + (part_1 * (slope_5 + (part_1 * bend_6))));
         return apart.x().max(apart.y()).max(((rt::Scalar(at_14.height) - height_18).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
@@ -3868,12 +3912,12 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     pub(super) fn v_slice_begin(&self, slice: rt::Scalar<i32>) -> rt::Vec2<i32> {
         let _e3 = self.surface_settings.volume;
-        let size_1 = _e3.xyz().to_i32();
+        let size_2 = _e3.xyz().to_i32();
         let _e9 = self.surface_settings.volume.w();
         let in_row = _e9.to_i32();
-        let k_48 = slice.clamp(rt::Scalar(0i32), (size_1.z() - rt::Scalar(1i32)));
-        let row_8 = ((k_48.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
-        return <rt::Vec2<i32>>::from_scalars(((k_48 - (row_8 * in_row)) * size_1.x()), (row_8 * size_1.y()));
+        let k_49 = slice.clamp(rt::Scalar(0i32), (size_2.z() - rt::Scalar(1i32)));
+        let row_9 = ((k_49.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
+        return <rt::Vec2<i32>>::from_scalars(((k_49 - (row_9 * in_row)) * size_2.x()), (row_9 * size_2.y()));
     }
     pub(crate) fn slice_cell(
         &self,
@@ -3890,11 +3934,11 @@ impl<'g> Resources<'g> {
         slice_1: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.volume;
-        let size_2 = _e4.xyz().to_i32();
+        let size_3 = _e4.xyz().to_i32();
         let _e7 = self.v_slice_begin(slice_1);
-        let _e13 = self.v_wrap_pair(cell_2.x(), size_2.x());
+        let _e13 = self.v_wrap_pair(cell_2.x(), size_3.x());
         let i_8 = (<rt::Vec2<i32>>::from_scalars(_e7.x(), _e7.x()) + _e13);
-        let _e20 = self.v_wrap_pair(cell_2.y(), size_2.y());
+        let _e20 = self.v_wrap_pair(cell_2.y(), size_3.y());
         let j_1 = (<rt::Vec2<i32>>::from_scalars(_e7.y(), _e7.y()) + _e20);
         let _e27 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i_8.x(), j_1.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(i_8.y(), j_1.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
@@ -3936,9 +3980,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_at_voxel(&self, place_4: rt::Vec3<f32>) -> rt::Scalar<f32> {
-        let first_12 = place_4.floor();
-        let part_13 = (place_4 - first_12);
-        let _e4 = self.v_voxel_cell(first_12.to_i32());
+        let first_13 = place_4.floor();
+        let part_13 = (place_4 - first_13);
+        let _e4 = self.v_voxel_cell(first_13.to_i32());
         let _e7 = self.v_in_slice(_e4.low, part_13.xy());
         let _e10 = self.v_in_slice(_e4.high, part_13.xy());
         return (_e7 + ((_e10 - _e7) * part_13.z()));
@@ -4459,10 +4503,10 @@ impl<'g> Resources<'g> {
             let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_16));
             return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_16, sides);
         }
-        let k_49 = (number_1 - n_16);
-        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_49, m_4);
-        let x_8 = ((apex_1.x() * (m_4 - k_49)) + (sweep_1.end.x() * k_49));
-        let y_2 = ((apex_1.y() * (m_4 - k_49)) + (sweep_1.end.y() * k_49));
+        let k_50 = (number_1 - n_16);
+        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_50, m_4);
+        let x_8 = ((apex_1.x() * (m_4 - k_50)) + (sweep_1.end.x() * k_50));
+        let y_2 = ((apex_1.y() * (m_4 - k_50)) + (sweep_1.end.y() * k_50));
         return <SweptPoint>::new(_e29.x(), _e29.y(), x_8, y_2, m_4, ON_SECOND);
     }
     pub(crate) fn low_point(
@@ -4971,7 +5015,7 @@ impl<'g> Resources<'g> {
         let mut path_15: Path;
 
         let heights_1 = pixel_6.shell.heights;
-        let first_13 = ends.x();
+        let first_14 = ends.x();
         let long = (ends.y() - ends.x());
         let _e16 = self.v_uv_of(pixel_6, a_5.weights);
         let _e18 = self.v_uv_of(pixel_6, b_5.weights);
@@ -4979,7 +5023,7 @@ impl<'g> Resources<'g> {
         let slope_7 = ((rt::Scalar(b_5.height) - rt::Scalar(a_5.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_6, middle_1);
         let change_3 = ((b_5.weights - a_5.weights) / rt::Vec3::splat_from_scalar(long));
-        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_13)), long);
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_14)), long);
         let _e39 = inside;
         let _e44 = self.v_where_positive(_e39, a_5.weights.x(), change_3.x(), beyond.x());
         inside = _e44;
@@ -4999,7 +5043,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_15 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_5.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_21.metric, RAY_VIEW, rt::Scalar(at_21.level), (middle_1 + first_13), (rt::Scalar(1f32) / rt::Scalar(at_21.segments).to_f32()), rt::Scalar(0f32));
+        path_15 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_5.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_21.metric, RAY_VIEW, rt::Scalar(at_21.level), (middle_1 + first_14), (rt::Scalar(1f32) / rt::Scalar(at_21.segments).to_f32()), rt::Scalar(0f32));
         let _e90 = inside.y();
         let _e92 = inside.x();
         if rt::Scalar::into_branch_condition((!_e90.elementwise_gt(_e92))) {
@@ -5054,9 +5098,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let _e11 = self.v_height_size(rt::Scalar(0u32));
         let _e14 = self.v_height_size(rt::Scalar(0u32));
-        let texel_6 = (at_22.metric.x().max(at_22.metric.z()).sqrt() / _e11.x().max(_e14.y()));
+        let texel_7 = (at_22.metric.x().max(at_22.metric.z()).sqrt() / _e11.x().max(_e14.y()));
         let _e18 = self.v_shell_slack(pixel_7, middle_2);
-        return (_e18 + ((rt::Scalar(2f32) * params_22.x()) * texel_6));
+        return (_e18 + ((rt::Scalar(2f32) * params_22.x()) * texel_7));
     }
     pub(crate) fn way_bend(
         &self,
@@ -5233,11 +5277,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_27);
         let _e6 = self.v_color_texels_around(place_6, _e5);
-        let k_50 = level_27.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_50));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_50));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_50));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_50));
+        let k_51 = level_27.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_51));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_51));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_51));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_51));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -5293,10 +5337,10 @@ impl<'g> Resources<'g> {
         let mut z: rt::Scalar<f32>;
 
         let _e3 = rt::Scalar(self.surface_settings.images);
-        let row_9 = _e3.to_i32();
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_9));
-        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_9));
-        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_9));
+        let row_10 = _e3.to_i32();
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_10));
+        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_10));
+        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_10));
         let last_4 = (_e7.w() - rt::Scalar(1f32)).max(rt::Scalar(1f32));
         let is_hemi = _e10.w().elementwise_gt(rt::Scalar(0f32));
         let up_2 = _e10.xyz().dot(toward);
@@ -5324,15 +5368,15 @@ impl<'g> Resources<'g> {
         let _e81 = z;
         let _e82 = x_1;
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
-        let place_31 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
-        let cell_40 = place_31.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
-        let part_14 = (place_31 - cell_40);
+        let place_32 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
+        let cell_40 = place_32.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
+        let part_14 = (place_32 - cell_40);
         let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
-        let first_14 = ((cell_40.y().to_u32() * side_6) + cell_40.x().to_u32());
-        let beside_4 = (first_14 + side_6).select((first_14 + rt::Scalar(1u32)), part_14.x().elementwise_gt(part_14.y()));
+        let first_15 = ((cell_40.y().to_u32() * side_6) + cell_40.x().to_u32());
+        let beside_4 = (first_15 + side_6).select((first_15 + rt::Scalar(1u32)), part_14.x().elementwise_gt(part_14.y()));
         let least_3 = part_14.x().min(part_14.y());
         let most_7 = part_14.x().max(part_14.y());
-        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_14, beside_4, ((first_14 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_3), least_3));
+        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_15, beside_4, ((first_15 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_3), least_3));
     }
     pub(crate) fn image_of_object(&self, number_3: impl rt::Into<rt::Scalar<u32>>) -> Image {
         rt::into(self.v_image_of_object(rt::into(number_3)))
@@ -5342,19 +5386,19 @@ impl<'g> Resources<'g> {
         let mut depth_5: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32));
         let mut eye_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
 
-        let row_10 = number_3.to_i32();
-        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_10));
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_10));
+        let row_11 = number_3.to_i32();
+        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_11));
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_11));
         let has_eye = _e7.w().elementwise_eq(rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition(has_eye) {
-            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_10));
+            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_11));
             depth_5 = _e25;
-            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_10));
+            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_11));
             eye_1 = _e28;
         }
-        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_10));
-        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_10));
-        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_10));
+        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_11));
+        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_11));
+        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_11));
         let _e38 = depth_5;
         let _e44 = eye_1;
         let _e47 = eye_1.w();
@@ -5557,12 +5601,12 @@ impl<'g> Resources<'g> {
         let uv3_ = _e119.xy();
         let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
         let _e124 = weight1_;
-        let first_15 = (_e122.xyz() * _e124);
+        let first_16 = (_e122.xyz() * _e124);
         let _e127 = self.v_color_at(uv2_, rt::Scalar(0u32));
         let _e129 = weight2_;
         let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
         let _e135 = weight3_;
-        let sum_8 = ((first_15 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let sum_8 = ((first_16 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
         let _e138 = weight1_;
         let _e139 = weight2_;
         let _e141 = weight3_;
@@ -5665,10 +5709,10 @@ impl<'g> Resources<'g> {
         let a_low = (a_8 & rt::Scalar(65535u32));
         let b_high = (b_8 >> rt::Scalar(16u32));
         let b_low = (b_8 & rt::Scalar(65535u32));
-        let low_3 = (a_low * b_low);
-        let one = ((a_low * b_high) + (low_3 >> rt::Scalar(16u32)));
+        let low_4 = (a_low * b_low);
+        let one = ((a_low * b_high) + (low_4 >> rt::Scalar(16u32)));
         let two = ((a_high * b_low) + (one & rt::Scalar(65535u32)));
-        return <rt::Vec2<u32>>::from_scalars((((a_high * b_high) + (one >> rt::Scalar(16u32))) + (two >> rt::Scalar(16u32))), ((two << rt::Scalar(16u32)) | (low_3 & rt::Scalar(65535u32))));
+        return <rt::Vec2<u32>>::from_scalars((((a_high * b_high) + (one >> rt::Scalar(16u32))) + (two >> rt::Scalar(16u32))), ((two << rt::Scalar(16u32)) | (low_4 & rt::Scalar(65535u32))));
     }
     pub(crate) fn compared(
         &self,
@@ -5776,9 +5820,9 @@ impl<'g> Resources<'g> {
         level_29: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_16.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_8, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_29));
+            let texel_8 = rt::texture::Read::read_texel((&self.shadow_search_map), place_8, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_29));
             let _e12 = self.surface_settings.maps[2usize];
-            let _e13 = self.v_decoded(texel_7, _e12);
+            let _e13 = self.v_decoded(texel_8, _e12);
             return _e13;
         }
         let _e15 = rt::texture::Read::read_texel((&self.search_map), place_8, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_29));
@@ -6052,11 +6096,11 @@ impl<'g> Resources<'g> {
         level_31: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e7 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
-        let k_51 = (level_31 - _e7).to_i32();
-        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.x(), at_34.rows.x()), layer_3, k_51);
-        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.y(), at_34.rows.x()), layer_3, k_51);
-        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.x(), at_34.rows.y()), layer_3, k_51);
-        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.y(), at_34.rows.y()), layer_3, k_51);
+        let k_52 = (level_31 - _e7).to_i32();
+        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.x(), at_34.rows.x()), layer_3, k_52);
+        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.y(), at_34.rows.x()), layer_3, k_52);
+        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.x(), at_34.rows.y()), layer_3, k_52);
+        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_34.columns.y(), at_34.rows.y()), layer_3, k_52);
         let _e35 = self.v_bilinear(_e15, _e21, _e27, _e33, at_34.part);
         return _e35;
     }
@@ -6635,8 +6679,8 @@ impl<'g> Resources<'g> {
         let _e24 = rest_1;
         let _e27 = rest_1;
         let part_17 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
-        let square_1 = (part_17 * part_17);
-        let sum_10 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
+        let square_3 = (part_17 * part_17);
+        let sum_10 = (rt::Scalar(1f32) + (square_3 * (rt::Scalar(0.33333334f32) + (square_3 * (rt::Scalar(0.2f32) + (square_3 * (rt::Scalar(0.14285715f32) + (square_3 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent;
         return (_e45 + ((rt::Scalar(2.88539f32) * part_17) * sum_10));
     }
@@ -6826,13 +6870,13 @@ impl<'g> Resources<'g> {
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_32 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_6 = place_32.floor();
+        let place_33 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_6 = place_33.floor();
         let _e13 = self.v_search_texel_between(path_20, uv_10, below_6.to_i32());
         let lower_1 = _e13.x();
         let _e21 = self.v_search_texel_between(path_20, uv_10, (below_6 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_32 - below_6)));
+        return (lower_1 + ((upper - lower_1) * (place_33 - below_6)));
     }
     pub(crate) fn material_of_texels(
         &self,
@@ -6853,11 +6897,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.material_size;
         let _e6 = self.v_level_texels(_e5, level_35);
         let _e7 = self.v_color_texels_around(place_12, _e6);
-        let k_52 = level_35.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_52));
-        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_52));
-        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_52));
-        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_52));
+        let k_53 = level_35.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_53));
+        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_53));
+        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_53));
+        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_53));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -7024,7 +7068,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_38 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
+        let uv_39 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
         let tangent_1 = (((pixel_20.a.tangent * wa) + (pixel_20.b.tangent * wb_1)) + (pixel_20.c.tangent * wc_1));
         let bitangent = (((pixel_20.a.bitangent * wa) + (pixel_20.b.bitangent * wb_1)) + (pixel_20.c.bitangent * wc_1));
         let normal_29 = ((((pixel_20.a.normal * wa) + (pixel_20.b.normal * wb_1)) + (pixel_20.c.normal * wc_1)).normalize() * rt::Scalar(pixel_20.side));
@@ -7042,7 +7086,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_31;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_27, uv_38, tangent_1, bitangent, normal_29, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_27, uv_39, tangent_1, bitangent, normal_29, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -7152,11 +7196,11 @@ impl<'g> Resources<'g> {
         let mut at_36: Entered;
 
         let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_39 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_40 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_25, along_7);
         let point_28 = (pixel_25.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_25, along_7);
-        let _e21 = self.v_frame_at(pixel_25, third_2, point_28, uv_39, _e20);
+        let _e21 = self.v_frame_at(pixel_25, third_2, point_28, uv_40, _e20);
         at_36 = _e21;
         rt::Scalar(at_36.segments) = rt::Scalar(0u32);
         let _e25 = at_36;
@@ -7202,9 +7246,9 @@ impl<'g> Resources<'g> {
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_16 = (rt::Scalar(pixel_26.shell.order) & rt::Scalar(3u32));
+        let first_17 = (rt::Scalar(pixel_26.shell.order) & rt::Scalar(3u32));
         let second_4 = ((rt::Scalar(pixel_26.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_4 + rt::Scalar(3u32)) - first_16) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let is_turned = (((second_4 + rt::Scalar(3u32)) - first_17) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -7599,8 +7643,8 @@ impl<'g> Resources<'g> {
     pub(super) fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_40 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_40, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_40, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_41 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_41, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_41, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
@@ -7621,9 +7665,9 @@ impl<'g> Resources<'g> {
         let mut h_4: rt::Scalar<f32>;
         let mut step_1: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let low_4 = self.surface_settings.shell_m.x();
+        let low_5 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let width_5 = (_e10 - low_4).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_5 = (_e10 - low_5).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let l = prism_9.lift;
         w_1 = from_point.weights;
         h_4 = rt::Scalar(from_point.height);
@@ -7640,7 +7684,7 @@ impl<'g> Resources<'g> {
                     let _e27 = h_4;
                     let _e30 = w_1;
                     let _e31 = self.v_lift_of(l, _e30);
-                    let offset_7 = ((low_4 + (width_5 * _e27)) + _e31);
+                    let offset_7 = ((low_5 + (width_5 * _e27)) + _e31);
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
@@ -8171,7 +8215,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
         let point_29 = (pixel_40.origin + (pixel_40.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_40, _e2, point_29);
-        let uv_41 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let uv_42 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_3 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let sum_12 = ((((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z())) * rt::Scalar(pixel_40.side));
@@ -8179,14 +8223,14 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_41);
+            let _e77 = self.v_is_on_map(uv_42);
             local_40 = _e77;
         } else {
             local_40 = rt::Scalar(false);
         }
         let _e79 = local_40;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_41, tangent_3, bitangent_2, sum_12.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_42, tangent_3, bitangent_2, sum_12.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -8209,7 +8253,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_41, _e2);
         let point_30 = (pixel_41.origin + (pixel_41.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_41, _e2, point_30);
-        let uv_42 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
+        let uv_43 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
         let tangent_4 = (((pixel_41.a.tangent * _e8.x()) + (pixel_41.b.tangent * _e8.y())) + (pixel_41.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_41.a.bitangent * _e8.x()) + (pixel_41.b.bitangent * _e8.y())) + (pixel_41.c.bitangent * _e8.z()));
         let raw_ = (((pixel_41.a.normal * _e8.x()) + (pixel_41.b.normal * _e8.y())) + (pixel_41.c.normal * _e8.z()));
@@ -8222,7 +8266,7 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
         let height_m = (_e87 + (_e90 * slice_8.x()));
         let normal_32 = raw_.normalize();
-        let _e95 = self.v_is_on_map(uv_42);
+        let _e95 = self.v_is_on_map(uv_43);
         if rt::Scalar::into_branch_condition(_e95) {
             local_41 = ((slice_8.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
         } else {
@@ -8242,7 +8286,7 @@ impl<'g> Resources<'g> {
         }
         let _e122 = local_43;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_42, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_8, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_43, tangent_4, bitangent_3, normal_32, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_32, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_8, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -8819,8 +8863,8 @@ impl<'g> Resources<'g> {
         let gap_1 = (end_6 * (_e31.y() + (_e31.z() * end_6)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_7 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_1) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_97 = <Path>::new(_e51, _e3.duv, h_7, (_e11 - end_6), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_6, rt::Scalar(1f32), rt::Scalar(0f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_97);
+        let path_104 = <Path>::new(_e51, _e3.duv, h_7, (_e11 - end_6), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_6, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_104);
     }
     pub(crate) fn field_heights_light_ray(
         &self,
@@ -8880,11 +8924,11 @@ impl<'g> Resources<'g> {
         layer_8: rt::Scalar<i32>,
         level_43: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let k_53 = level_43.to_i32();
-        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.x(), at_49.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_53));
-        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.y(), at_49.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_53));
-        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.x(), at_49.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_53));
-        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.y(), at_49.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_53));
+        let k_54 = level_43.to_i32();
+        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.x(), at_49.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_54));
+        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.y(), at_49.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_54));
+        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.x(), at_49.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_54));
+        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_49.columns.y(), at_49.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_54));
         let _e33 = self.v_bilinear(_e10, _e17, _e24, _e31, at_49.part);
         return _e33;
     }
@@ -9125,10 +9169,10 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_means_of_one(&self, n_10: rt::Vec3<f32>) -> Normals {
-        let upright = n_10.z().max(rt::Scalar(0.05f32));
-        let slope_8 = (<rt::Vec2<f32>>::from_scalars((-n_10.x()), (-n_10.y())) / rt::Vec2::splat_from_scalar(upright));
-        let square_2 = ((slope_8 * slope_8) * upright);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_10, slope_8.x()), <rt::Vec4<f32>>::from_scalars(square_2.x(), ((slope_8.x() * slope_8.y()) * upright), square_2.y(), slope_8.y()));
+        let upright_1 = n_10.z().max(rt::Scalar(0.05f32));
+        let slope_8 = (<rt::Vec2<f32>>::from_scalars((-n_10.x()), (-n_10.y())) / rt::Vec2::splat_from_scalar(upright_1));
+        let square_4 = ((slope_8 * slope_8) * upright_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_10, slope_8.x()), <rt::Vec4<f32>>::from_scalars(square_4.x(), ((slope_8.x() * slope_8.y()) * upright_1), square_4.y(), slope_8.y()));
     }
     pub(crate) fn to_tangent_space(
         &self,
@@ -9193,12 +9237,12 @@ impl<'g> Resources<'g> {
         let tile = self.surface_settings.normal_tile_m;
         let x_12 = ((tile.x() * at_55.tangent.normalize().dot(at_55.tangent)) / at_55.tangent.dot(at_55.tangent));
         let y_7 = ((tile.y() * at_55.bitangent.normalize().dot(at_55.bitangent)) / at_55.bitangent.dot(at_55.bitangent));
-        let first_17 = _e11.first;
+        let first_18 = _e11.first;
         let second_6 = _e11.second;
-        let flatter = <rt::Vec3<f32>>::from_scalars((first_17.x() * x_12), (first_17.y() * y_7), first_17.z());
-        let longer_1 = (first_17.xyz().dot(first_17.xyz()) / flatter.dot(flatter)).sqrt();
+        let flatter = <rt::Vec3<f32>>::from_scalars((first_18.x() * x_12), (first_18.y() * y_7), first_18.z());
+        let longer_1 = (first_18.xyz().dot(first_18.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((second_6.x() * x_12) * x_12), ((second_6.y() * x_12) * y_7), ((second_6.z() * y_7) * y_7)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (first_17.w() * x_12)), <rt::Vec4<f32>>::new_31(squares, (second_6.w() * y_7)));
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (first_18.w() * x_12)), <rt::Vec4<f32>>::new_31(squares, (second_6.w() * y_7)));
     }
     pub(crate) fn mean_of_five(
         &self,
@@ -9239,18 +9283,18 @@ impl<'g> Resources<'g> {
         normals: Normals,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_18 = normals.first;
+        let first_19 = normals.first;
         let second_7 = normals.second;
-        let slope_9 = <rt::Vec2<f32>>::from_scalars(first_18.w(), second_7.w());
-        let upright_1 = first_18.z().max(rt::Scalar(0.05f32));
-        let x_13 = (first_18.x() / upright_1);
-        let y_8 = (first_18.y() / upright_1);
-        let a_36 = ((second_7.x() / upright_1) - (x_13 * x_13)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_36 = (((second_7.y() / upright_1) - (x_13 * y_8)) / a_36);
-        let spread = ((second_7.z() / upright_1) - (y_8 * y_8)).max(rt::Scalar(0f32));
+        let slope_9 = <rt::Vec2<f32>>::from_scalars(first_19.w(), second_7.w());
+        let upright_2 = first_19.z().max(rt::Scalar(0.05f32));
+        let x_13 = (first_19.x() / upright_2);
+        let y_8 = (first_19.y() / upright_2);
+        let a_36 = ((second_7.x() / upright_2) - (x_13 * x_13)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_36 = (((second_7.y() / upright_2) - (x_13 * y_8)) / a_36);
+        let spread = ((second_7.z() / upright_2) - (y_8 * y_8)).max(rt::Scalar(0f32));
         let d_4 = (spread - (b_36 * b_36)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_7.x(), second_7.y(), first_18.x())) - (first_18.xyz() * slope_9.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_7.y(), second_7.z(), first_18.y())) - (first_18.xyz() * slope_9.y()));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_7.x(), second_7.y(), first_19.x())) - (first_19.xyz() * slope_9.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_7.y(), second_7.z(), first_19.y())) - (first_19.xyz() * slope_9.y()));
         let most_13 = ((a_36 * a_36) + spread).sqrt().min(rt::Scalar(1f32));
         let along_31 = (with_x / rt::Vec3::splat_from_scalar(a_36.max((with_x.length() / most_13))));
         let rest_7 = (with_y - (along_31 * b_36));
@@ -9263,9 +9307,9 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_mean_of_five(one_1, _e94);
         let all_2 = _e95.max(rt::Scalar(0.001f32));
         let aside_4 = ((along_31 * ((_e91.x() - _e91.y()) / all_2)) + (across_7 * ((_e91.z() - _e91.w()) / all_2)));
-        let _e113 = self.v_from_tangent_space(at_56, (first_18.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_56, (first_19.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_18.xyz(), along_31, across_7, slope_9, <rt::Vec2<f32>>::from_scalars(a_36, b_36), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_2), (_e91 / rt::Vec4::splat_from_scalar(all_2)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_19.xyz(), along_31, across_7, slope_9, <rt::Vec2<f32>>::from_scalars(a_36, b_36), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_2), (_e91 / rt::Vec4::splat_from_scalar(all_2)), rt::Scalar(0f32), _e133);
     }
     pub(crate) fn table_part(&self, at_57: Entered) -> f32 {
         rt::into(self.v_table_part(at_57))
@@ -9355,9 +9399,9 @@ impl<'g> Resources<'g> {
         elevation: rt::Scalar<i32>,
         level_47: rt::Scalar<u32>,
     ) -> SeenTexel {
-        let layer_11 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(at_59, layer_11, level_47);
-        let _e12 = self.v_detail_texel_between(at_59, (layer_11 + rt::Scalar(1i32)), level_47);
+        let layer_13 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
+        let _e9 = self.v_detail_texel_between(at_59, layer_13, level_47);
+        let _e12 = self.v_detail_texel_between(at_59, (layer_13 + rt::Scalar(1i32)), level_47);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
@@ -9408,22 +9452,22 @@ impl<'g> Resources<'g> {
         let up_3 = (toward_8.z() / toward_8.length());
         let elevation_3 = ((up_3 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
         let _e29 = self.v_turn_of(toward_8.xy());
-        let azimuth_3 = (_e29 * rt::Scalar(8f32));
-        let a0_1 = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
+        let azimuth_4 = (_e29 * rt::Scalar(8f32));
+        let a0_1 = (azimuth_4.floor().to_i32() % rt::Scalar(8i32));
         let a1_1 = ((a0_1 + rt::Scalar(1i32)) % rt::Scalar(8i32));
         let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
-        let across_8 = (azimuth_3 - azimuth_3.floor());
+        let across_8 = (azimuth_4 - azimuth_4.floor());
         let _e49 = self.v_height_texels(rt::Scalar(levels_1.fine));
         let _e50 = self.v_texels_around(uv_26, _e49);
         let _e54 = self.v_height_texels((rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
         let _e55 = self.v_texels_around(uv_26, _e54);
-        let place_33 = <SeenPlace>::new(_e50, _e55, levels_1);
-        let _e57 = self.v_seen_in_levels(place_33, a0_1, e0_);
-        let _e58 = self.v_seen_in_levels(place_33, a1_1, e0_);
+        let place_34 = <SeenPlace>::new(_e50, _e55, levels_1);
+        let _e57 = self.v_seen_in_levels(place_34, a0_1, e0_);
+        let _e58 = self.v_seen_in_levels(place_34, a1_1, e0_);
         let _e59 = self.v_seen_between(_e57, _e58, across_8);
-        let _e60 = self.v_seen_in_levels(place_33, a0_1, e1_1);
-        let _e61 = self.v_seen_in_levels(place_33, a1_1, e1_1);
+        let _e60 = self.v_seen_in_levels(place_34, a0_1, e1_1);
+        let _e61 = self.v_seen_in_levels(place_34, a1_1, e1_1);
         let _e62 = self.v_seen_between(_e60, _e61, across_8);
         let _e65 = self.v_seen_between(_e59, _e62, (elevation_3 - elevation_3.floor()));
         let x_14 = ((tile_1.x() * at_61.tangent.normalize().dot(at_61.tangent)) / at_61.tangent.dot(at_61.tangent));
@@ -9431,8 +9475,8 @@ impl<'g> Resources<'g> {
         let mean_11 = _e65.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_11.x() * x_14), (mean_11.y() * y_9), mean_11.z());
         let squared_3 = (mean_11.dot(mean_11) / flatter_1.dot(flatter_1));
-        let upright_2 = ((rt::Scalar(1f32) - _e65.first.w()) - _e65.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e65.first.w() * x_14) * x_14), ((_e65.second.y() * y_9) * y_9), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e65.second.x() * x_14) * y_9), (_e65.second.z() * x_14), (_e65.second.w() * y_9)) * squared_3));
+        let upright_3 = ((rt::Scalar(1f32) - _e65.first.w()) - _e65.second.y()).max(rt::Scalar(0f32));
+        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e65.first.w() * x_14) * x_14), ((_e65.second.y() * y_9) * y_9), upright_3) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e65.second.x() * x_14) * y_9), (_e65.second.z() * x_14), (_e65.second.w() * y_9)) * squared_3));
     }
     pub(crate) fn mesostructure_normals(
         &self,
@@ -9457,8 +9501,8 @@ impl<'g> Resources<'g> {
             let _e9 = self.v_one_seen(at_62.normal);
             return _e9;
         }
-        let upright_3 = at_62.normal.dot(view_14);
-        let shown = upright_3.max(rt::Scalar(0.5f32));
+        let upright_4 = at_62.normal.dot(view_14);
+        let shown = upright_4.max(rt::Scalar(0.5f32));
         let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_62.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
         let texels_5 = ((rt::Scalar(at_62.footprint) * _e22) * width_6);
@@ -9535,15 +9579,15 @@ impl<'g> Resources<'g> {
     pub(super) fn v_field_slopes(&self, place_17: rt::Vec3<f32>) -> rt::Vec3<f32> {
         let i_12 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let j_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
-        let k_54 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
+        let k_55 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
         let _e14 = self.v_field_at_voxel((place_17 + i_12));
         let _e16 = self.v_field_at_voxel((place_17 - i_12));
         let along_i = (_e14 - _e16);
         let _e19 = self.v_field_at_voxel((place_17 + j_2));
         let _e21 = self.v_field_at_voxel((place_17 - j_2));
         let along_j = (_e19 - _e21);
-        let _e24 = self.v_field_at_voxel((place_17 + k_54));
-        let _e26 = self.v_field_at_voxel((place_17 - k_54));
+        let _e24 = self.v_field_at_voxel((place_17 + k_55));
+        let _e26 = self.v_field_at_voxel((place_17 - k_55));
         let along_k = (_e24 - _e26);
         return (<rt::Vec3<f32>>::from_scalars(along_i, along_j, along_k) / rt::Vec3::splat_from_scalar(rt::Scalar(1f32)));
     }
@@ -9567,16 +9611,16 @@ impl<'g> Resources<'g> {
         let _e25 = self.v_volume_size();
         let begin_6 = ((_e19 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))) / _e25);
         let h_8 = <rt::Vec3<f32>>::from_scalars(begin_6.z(), _e4.z(), rt::Scalar(0f32));
-        let way_19 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_64.metric, RAY_SHADOW, rt::Scalar(at_64.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let way_20 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_64.metric, RAY_SHADOW, rt::Scalar(at_64.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e4.z().elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_DARK, way_19);
+            return <LightRay>::new(LIGHT_RAY_DARK, way_20);
         }
-        let _e48 = self.v_way_out(way_19, light_5);
+        let _e48 = self.v_way_out(way_20, light_5);
         if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_LIT, way_19);
+            return <LightRay>::new(LIGHT_RAY_LIT, way_20);
         }
-        let path_98 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, _e48, rt::Scalar(0f32), at_64.metric, RAY_SHADOW, rt::Scalar(at_64.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_98);
+        let path_105 = <Path>::new(begin_6.xy(), _e4.xy(), h_8, _e48, rt::Scalar(0f32), at_64.metric, RAY_SHADOW, rt::Scalar(at_64.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_105);
     }
     pub(crate) fn field_volume_light_ray(
         &self,
@@ -9881,10 +9925,10 @@ impl<'g> Resources<'g> {
         let _e27 = self.v_shell_point(_e12, (along_34 * _e23), mean_12);
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_34 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
-        let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
+        let bend_7 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
         let _e56 = self.v_chord_reach(pixel_49, at_72, _e11, params_49);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_49, at_72, _e11, params_49, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_49, at_72, _e11, params_49, _e25, _e27, bend_7, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
@@ -9917,16 +9961,16 @@ impl<'g> Resources<'g> {
         let _e12 = self.v_plane_distance(pixel_50, _e11);
         let distance_1 = (_e12 * along_35);
         let whole = (at_73.span.y() - at_73.span.x());
-        let first_19 = (at_73.span.x() + (whole * (k_9.to_f32() / params_50.z())));
+        let first_20 = (at_73.span.x() + (whole * (k_9.to_f32() / params_50.z())));
         let last_9 = (at_73.span.x() + (whole * ((k_9 + rt::Scalar(1u32)).to_f32() / params_50.z())));
-        let long_4 = (last_9 - first_19);
-        let _e38 = self.v_across_depth(_e9, first_19);
+        let long_4 = (last_9 - first_20);
+        let _e38 = self.v_across_depth(_e9, first_20);
         begin_1 = (at_73.of_surface.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_9.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_19 + last_9)));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_20 + last_9)));
         let middle_15 = (at_73.of_surface.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_9);
         end_1 = (at_73.of_surface.w() - (_e57 / _e10));
@@ -9943,13 +9987,13 @@ impl<'g> Resources<'g> {
         }
         let _e76 = begin_1;
         let _e77 = end_1;
-        let bend_5 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_15)));
+        let bend_8 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_15)));
         let _e84 = end_1;
         let _e85 = begin_1;
-        let slope_11 = ((_e84 - _e85) - bend_5);
-        let base_3 = (rt::Scalar(0f32) - first_19).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let slope_11 = ((_e84 - _e85) - bend_8);
+        let base_3 = (rt::Scalar(0f32) - first_20).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_24 = <Path>::new((at_73.uv + (_e9.duv * first_19)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_11 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_73.metric, RAY_VIEW, rt::Scalar(at_73.level), (distance_1 + first_19), (rt::Scalar(1f32) / params_50.z()), rt::Scalar(0f32));
+        path_24 = <Path>::new((at_73.uv + (_e9.duv * first_20)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_11 / long_4), (bend_8 / (long_4 * long_4))), long_4, base_3, at_73.metric, RAY_VIEW, rt::Scalar(at_73.level), (distance_1 + first_20), (rt::Scalar(1f32) / params_50.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e118 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
@@ -10122,7 +10166,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_52, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_43 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_44 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_52, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -10137,10 +10181,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_43.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_44.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_43.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_44.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -10151,7 +10195,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_26 = <Path>::new((uv_43 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_75.metric, RAY_VIEW, rt::Scalar(at_75.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        path_26 = <Path>::new((uv_44 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_75.metric, RAY_VIEW, rt::Scalar(at_75.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
         let _e159 = rt::Scalar(path_26.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
             let _e162 = path_26;
@@ -10183,11 +10227,11 @@ impl<'g> Resources<'g> {
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_53);
         let _e5 = self.v_triangle_distance(pixel_53, _e4);
-        let start_5 = (_e5 * pixel_53.direction.length());
+        let start_6 = (_e5 * pixel_53.direction.length());
         let _e11 = self.v_height_at(at_76.uv, rt::Scalar(at_76.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let h_9 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_76.uv, duv_8, h_9, rt::Scalar(1f32), rt::Scalar(0f32), at_76.metric, RAY_VIEW, rt::Scalar(at_76.level), start_5, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(at_76.uv, duv_8, h_9, rt::Scalar(1f32), rt::Scalar(0f32), at_76.metric, RAY_VIEW, rt::Scalar(at_76.level), start_6, rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn slice_inside(
         &self,
@@ -10546,7 +10590,7 @@ impl<'g> Resources<'g> {
         let _e30 = begin_2;
         let origin_6 = (pixel_57.origin + (along_39 * _e30));
         let _e33 = self.v_depth_in_image(_e4, origin_6);
-        let bend_6 = (deepens / _e33);
+        let bend_9 = (deepens / _e33);
         let u_3 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
         let v_5 = ((_e4.v.xyz().dot(origin_6) + _e4.v.w()) / _e33);
         let h_10 = ((_e4.height.xyz().dot(origin_6) + _e4.height.w()) / _e33);
@@ -10563,10 +10607,10 @@ impl<'g> Resources<'g> {
         let _e97 = interval_7;
         let _e98 = self.v_within_bounds(h_10, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
         interval_7 = _e98;
-        let start_6 = interval_7.x();
-        let nearer = (rt::Scalar(1f32) - (bend_6 * start_6));
+        let start_7 = interval_7.x();
+        let nearer = (rt::Scalar(1f32) - (bend_9 * start_7));
         let change_5 = (nearer * nearer);
-        height_8 = <rt::Vec3<f32>>::from_scalars((h_10 + (dh_1 * start_6)), (dh_1 * change_5), rt::Scalar(0f32));
+        height_8 = <rt::Vec3<f32>>::from_scalars((h_10 + (dh_1 * start_7)), (dh_1 * change_5), rt::Scalar(0f32));
         let _e113 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e113.elementwise_eq(CELLS_MASK)) {
             height_8 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
@@ -10575,7 +10619,7 @@ impl<'g> Resources<'g> {
         let _e135 = interval_7.y();
         let _e140 = self.v_metric_of_image(_e4, (_e33 / nearer));
         let _e143 = begin_2;
-        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_3 + (du_1 * start_6)), (v_5 + (dv_1 * start_6))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_6) / change_5), k_14.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_6 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_3 + (du_1 * start_7)), (v_5 + (dv_1 * start_7))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_7) / change_5), k_14.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_7 / nearer)), rt::Scalar(1f32), (bend_9 * nearer));
     }
     pub(crate) fn surface_object_segment(
         &self,
@@ -10644,10 +10688,10 @@ impl<'g> Resources<'g> {
         let h_11 = ((image_9.height.xyz().dot(point_13) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
         let beside_5 = ((u_4 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_6 - rt::Scalar(0.5f32)).abs() - _e24.y()));
-        let uv_44 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_4, v_6)));
+        let uv_45 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_4, v_6)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_164 = (((uv_44 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let at_164 = (((uv_45 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
         let _e52 = self.v_cell_of(at_164);
         let part_22 = (at_164 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
@@ -10673,7 +10717,7 @@ impl<'g> Resources<'g> {
         }
         let is_inside_2 = local_59;
         let _e97 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_44, h_11.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
+        return <OnImage>::new(uv_45, h_11.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
     }
     pub(crate) fn is_in_image(&self, at_84: OnImage) -> bool {
         rt::into(self.v_is_in_image(at_84))
@@ -10964,12 +11008,12 @@ impl<'g> Resources<'g> {
         let b_39 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
         let rest_9 = (place_18 - corner_5);
         let across_9 = a_39.cross(b_39);
-        let square_3 = across_9.dot(across_9);
-        if rt::Scalar::into_branch_condition((!square_3.elementwise_gt(rt::Scalar(0f32)))) {
+        let square_5 = across_9.dot(across_9);
+        if rt::Scalar::into_branch_condition((!square_5.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_8 = (rest_9.cross(b_39).dot(across_9) / square_3);
-        let third_4 = (a_39.cross(rest_9).dot(across_9) / square_3);
+        let second_8 = (rest_9.cross(b_39).dot(across_9) / square_5);
+        let third_4 = (a_39.cross(rest_9).dot(across_9) / square_5);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_8) - third_4), second_8, third_4);
     }
     pub(crate) fn shell_point_near(
@@ -10988,9 +11032,9 @@ impl<'g> Resources<'g> {
         place_19: rt::Vec3<f32>,
         height_9: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let low_5 = self.surface_settings.shell_m.x();
+        let low_6 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let offset_8 = (low_5 + ((_e10 - low_5).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_9));
+        let offset_8 = (low_6 + ((_e10 - low_6).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_9));
         let _e16 = self.v_weights_at_offset(prism_12, place_19, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
         let _e20 = self.v_weights_at_offset(prism_12, place_19, (offset_8 + _e18));
@@ -11093,15 +11137,15 @@ impl<'g> Resources<'g> {
                         t_18 = (_e69 - (gap_2 / change_6)).clamp((rt::Scalar(hit_20.t) - most_14), (rt::Scalar(hit_20.t) + most_14));
                     }
                     let _e78 = t_18;
-                    let place_34 = (along_40 * ((rt::Scalar(path_30.start) + _e78) - _e10));
+                    let place_35 = (along_40 * ((rt::Scalar(path_30.start) + _e78) - _e10));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e86 = t_18;
                         let _e87 = self.v_path_height(path_30, _e86);
-                        let _e88 = self.v_shell_point_near(_e11, place_34, _e87);
+                        let _e88 = self.v_shell_point_near(_e11, place_35, _e87);
                         point_16 = _e88;
                     } else {
                         let _e89 = point_16;
-                        let _e90 = self.v_shell_point_from(_e11, place_34, _e89);
+                        let _e90 = self.v_shell_point_from(_e11, place_35, _e89);
                         point_16 = _e90;
                     }
                 }
@@ -12395,13 +12439,13 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_voxel_place_on(way_12, t_27);
         let at_165 = (_e5 - cell_21);
         let slope_13 = ((way_12.step.z() + ((rt::Scalar(2f32) * rt::Scalar(way_12.bend)) * t_27)) * span_4);
-        let bend_7 = (rt::Scalar(way_12.bend) * (span_4 * span_4));
+        let bend_10 = (rt::Scalar(way_12.bend) * (span_4 * span_4));
         let dx_3 = (way_12.step.x() * span_4);
         let dy_1 = (way_12.step.y() * span_4);
         let _e26 = self.v_along_slice(corners_1.low, at_165.xy(), dx_3, dy_1);
         let _e29 = self.v_along_slice(corners_1.high, at_165.xy(), dx_3, dy_1);
         let rise_4 = (_e29 - _e26);
-        return <Quartic>::new((rt::Scalar(0.5f32) - (_e26.x() + (rise_4.x() * at_165.z()))), (rt::Scalar(0f32) - ((_e26.y() + (rise_4.y() * at_165.z())) + (rise_4.x() * slope_13))), (rt::Scalar(0f32) - (((_e26.z() + (rise_4.z() * at_165.z())) + (rise_4.y() * slope_13)) + (rise_4.x() * bend_7))), (rt::Scalar(0f32) - ((rise_4.z() * slope_13) + (rise_4.y() * bend_7))), (rt::Scalar(0f32) - (rise_4.z() * bend_7)));
+        return <Quartic>::new((rt::Scalar(0.5f32) - (_e26.x() + (rise_4.x() * at_165.z()))), (rt::Scalar(0f32) - ((_e26.y() + (rise_4.y() * at_165.z())) + (rise_4.x() * slope_13))), (rt::Scalar(0f32) - (((_e26.z() + (rise_4.z() * at_165.z())) + (rise_4.y() * slope_13)) + (rise_4.x() * bend_10))), (rt::Scalar(0f32) - ((rise_4.z() * slope_13) + (rise_4.y() * bend_10))), (rt::Scalar(0f32) - (rise_4.z() * bend_10)));
     }
     pub(crate) fn is_above_zero(&self, q_3: Quartic) -> bool {
         rt::into(self.v_is_above_zero(q_3))
@@ -12431,15 +12475,15 @@ impl<'g> Resources<'g> {
         }
         let root_5 = discriminant_4.sqrt();
         let s_2 = (rt::Scalar(-0.5f32) * (b_40 + (rt::Scalar(0f32) - root_5).select(root_5, b_40.elementwise_ge(rt::Scalar(0f32)))));
-        let first_20 = rt::Scalar(1f32).select((s_2 / a_40), a_40.elementwise_ne(rt::Scalar(0f32)));
+        let first_21 = rt::Scalar(1f32).select((s_2 / a_40), a_40.elementwise_ne(rt::Scalar(0f32)));
         let second_9 = rt::Scalar(1f32).select((rt::Scalar(q_4.c) / s_2), s_2.elementwise_ne(rt::Scalar(0f32)));
-        if rt::Scalar::into_branch_condition(first_20.elementwise_gt(rt::Scalar(0f32))) {
-            local_72 = first_20.elementwise_lt(rt::Scalar(1f32));
+        if rt::Scalar::into_branch_condition(first_21.elementwise_gt(rt::Scalar(0f32))) {
+            local_72 = first_21.elementwise_lt(rt::Scalar(1f32));
         } else {
             local_72 = rt::Scalar(false);
         }
         let _e46 = local_72;
-        let x_15 = rt::Scalar(1f32).select(first_20, _e46);
+        let x_15 = rt::Scalar(1f32).select(first_21, _e46);
         if rt::Scalar::into_branch_condition(second_9.elementwise_gt(rt::Scalar(0f32))) {
             local_73 = second_9.elementwise_lt(rt::Scalar(1f32));
         } else {
@@ -13201,7 +13245,7 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_21 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_22 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_29;
                     let _e28 = self.v_whole_cell(_e27);
                     let _e30 = self.v_height_cell(_e28, rt::Scalar(path_67.level));
@@ -13253,7 +13297,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e106) {
                             let _e107 = t_34;
                             let _e108 = cost_13;
-                            let _e109 = self.v_found_in_cell(_e105, _e107, span_11, first_21, _e108);
+                            let _e109 = self.v_found_in_cell(_e105, _e107, span_11, first_22, _e108);
                             return _e109;
                         }
                     }
@@ -13424,7 +13468,7 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_14;
                     cost_14 = (_e20 + STEP);
                     let _e24 = cost_14.x();
-                    let first_22 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_23 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_30;
                     let _e28 = self.v_whole_cell(_e27);
                     let _e30 = self.v_height_cell(_e28, rt::Scalar(path_69.level));
@@ -13446,15 +13490,15 @@ impl<'g> Resources<'g> {
                     let _e57 = self.v_path_height(path_69, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_30;
-                        let texel_8 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_69, texel_8);
+                        let texel_9 = (_e59 + _e52);
+                        let _e61 = self.v_cone_slope(path_69, texel_9);
                         let _e62 = cost_14;
                         let _e64 = self.v_map_read(path_69, rt::Scalar(1u32));
                         cost_14 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
                             let _e68 = t_36;
                             let _e69 = t_36;
-                            let _e70 = self.v_stays_inside(path_69, _e2, texel_8, _e53, _e61, _e69);
+                            let _e70 = self.v_stays_inside(path_69, _e2, texel_9, _e53, _e61, _e69);
                             next_3 = (_e68 + _e70);
                         }
                     }
@@ -13467,7 +13511,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e77) {
                             let _e78 = t_36;
                             let _e79 = cost_14;
-                            let _e80 = self.v_found_in_cell(_e76, _e78, span_12, first_22, _e79);
+                            let _e80 = self.v_found_in_cell(_e76, _e78, span_12, first_23, _e79);
                             return _e80;
                         }
                         let _e81 = t_36;
@@ -13511,15 +13555,15 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec2<i32> {
         let mut local_81: rt::Scalar<bool>;
 
-        let first_23 = ((image_10.x() >> level_48) << level_48);
+        let first_24 = ((image_10.x() >> level_48) << level_48);
         let side_8 = (rt::Scalar(1i32) << level_48);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_6 = (cell_31 - (image_10.x() - first_23));
-            return <rt::Vec2<i32>>::from_scalars(low_6, (low_6 + side_8.min((n_12 - first_23))));
+            let low_7 = (cell_31 - (image_10.x() - first_24));
+            return <rt::Vec2<i32>>::from_scalars(low_7, (low_7 + side_8.min((n_12 - first_24))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_2 = ((cell_31 + (image_10.x() - first_23)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_2 - side_8.min(((n_12 - rt::Scalar(1i32)) - first_23))), high_2);
+            let high_3 = ((cell_31 + (image_10.x() - first_24)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high_3 - side_8.min(((n_12 - rt::Scalar(1i32)) - first_24))), high_3);
         }
         if rt::Scalar::into_branch_condition(level_48.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
@@ -13618,10 +13662,10 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_32.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_35 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let place_36 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_49;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_35.x() >> above_level), (place_35.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_36.x() >> above_level), (place_36.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
@@ -13659,7 +13703,7 @@ impl<'g> Resources<'g> {
                     let end_14 = _e117.min(_e122).min(rt::Scalar(path_70.exit));
                     let _e126 = t_37;
                     let span_13 = (end_14 - _e126).max(rt::Scalar(0f32));
-                    let low_7 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
+                    let low_8 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_11 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_49;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
@@ -13684,7 +13728,7 @@ impl<'g> Resources<'g> {
                         cost_15 = (_e160 + _e162);
                         let _e165 = level_49;
                         let _e168 = level_49;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_35.x() >> _e165), (place_35.y() >> _e168));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_36.x() >> _e165), (place_36.y() >> _e168));
                         let _e172 = level_49;
                         let _e178 = self.v_search_texel(path_70, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_70.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
@@ -13705,7 +13749,7 @@ impl<'g> Resources<'g> {
                             }
                             let _e216 = t_37;
                             let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
-                            cell_32 = _e219.to_i32().clamp(low_7, last_11);
+                            cell_32 = _e219.to_i32().clamp(low_8, last_11);
                             let _e222 = level_49;
                             level_49 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
@@ -13718,16 +13762,16 @@ impl<'g> Resources<'g> {
                         return <SearchResult>::new(FOUND_MISS, _e231, rt::Scalar(path_70.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
                     }
                     let _e241 = self.v_cell_of((_e2.origin + (_e2.step * end_14)));
-                    cell_32 = _e241.to_i32().clamp(low_7, last_11);
+                    cell_32 = _e241.to_i32().clamp(low_8, last_11);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_14)) {
-                        cell_32.set_x((low_7.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_32.set_x((low_8.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_14)) {
-                        cell_32.set_y((low_7.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_32.set_y((low_8.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
                     let _e267 = level_49;
                     let _e272 = level_49;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_35.x() >> (_e267 + rt::Scalar(1u32))), (place_35.y() >> (_e272 + rt::Scalar(1u32))));
+                    parent = <rt::Vec2<i32>>::from_scalars((place_36.x() >> (_e267 + rt::Scalar(1u32))), (place_36.y() >> (_e272 + rt::Scalar(1u32))));
                     let _e277 = t_37;
                     t_37 = _e277.max(end_14);
                 }
@@ -13755,8 +13799,8 @@ impl<'g> Resources<'g> {
         let mut local_85: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_13);
-        let first_24 = ((_e3 >> level_50) << level_50);
-        let last_12 = (first_24 + (rt::Scalar(1i32) << level_50)).min(n_13);
+        let first_25 = ((_e3 >> level_50) << level_50);
+        let last_12 = (first_25 + (rt::Scalar(1i32) << level_50)).min(n_13);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_85 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -13765,16 +13809,16 @@ impl<'g> Resources<'g> {
         }
         let _e20 = local_85;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_24), ((texel_2 - _e3) + last_12));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_25), ((texel_2 - _e3) + last_12));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_4 = (rt::Scalar(2i32) * n_13);
             let folded_1 = (((texel_2 % period_4) + period_4) % period_4);
             if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_13)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_24), ((texel_2 - _e3) + last_12));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_25), ((texel_2 - _e3) + last_12));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_12) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_24) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_12) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_25) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
@@ -13839,18 +13883,18 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_36 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_37 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
                     let _e59 = level_51;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_16;
                         cost_16 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_36, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_37, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
                         let _e70 = level_51;
                         let _e73 = level_51;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_36.x() >> _e70), (place_36.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_37.x() >> _e70), (place_37.y() >> _e73));
                         let _e76 = cost_16;
                         let _e78 = self.v_map_read(path_71, rt::Scalar(1u32));
                         cost_16 = (_e76 + _e78);
@@ -13881,7 +13925,7 @@ impl<'g> Resources<'g> {
                         let _e127 = self.v_first_root(gap_7, (end_15 - _e125));
                         sinks = _e127;
                     }
-                    let low_8 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
+                    let low_9 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
                     let last_13 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
@@ -13899,7 +13943,7 @@ impl<'g> Resources<'g> {
                         level_51 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_38;
                         let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
-                        texel_3 = _e160.to_i32().clamp(low_8, last_13);
+                        texel_3 = _e160.to_i32().clamp(low_9, last_13);
                     } else {
                         if rt::Scalar::into_branch_condition(end_15.elementwise_ge(rt::Scalar(path_71.exit))) {
                             let _e166 = t_38;
@@ -13907,12 +13951,12 @@ impl<'g> Resources<'g> {
                             return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_71.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_7 + (step_7 * end_15)));
-                        texel_3 = _e174.to_i32().clamp(low_8, last_13);
+                        texel_3 = _e174.to_i32().clamp(low_9, last_13);
                         if rt::Scalar::into_branch_condition(leave_8.x().elementwise_le(end_15)) {
-                            texel_3.set_x((low_8.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_x((low_9.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_8.y().elementwise_le(end_15)) {
-                            texel_3.set_y((low_8.y() - rt::Scalar(1i32)).select(_e96.y(), step_7.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_y((low_9.y() - rt::Scalar(1i32)).select(_e96.y(), step_7.y().elementwise_gt(rt::Scalar(0f32))));
                         }
                         t_38 = end_15;
                     }
@@ -14579,30 +14623,30 @@ impl<'g> Resources<'g> {
                         return _e79;
                     }
                     let _e80 = t_43;
-                    let start_7 = _e80.max(end_19);
-                    if rt::Scalar::into_branch_condition(start_7.elementwise_ge(rt::Scalar(path_76.exit))) {
+                    let start_8 = _e80.max(end_19);
+                    if rt::Scalar::into_branch_condition(start_8.elementwise_ge(rt::Scalar(path_76.exit))) {
                         let _e85 = t_43;
                         let _e87 = cost_21;
                         return <SearchResult>::new(FOUND_MISS, _e85, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
                     }
-                    near_8 = start_7;
+                    near_8 = start_8;
                     let _e91 = self.v_quadratic(_e47, span_17);
                     near_gap_5 = _e91;
                     let _e93 = cell_37;
-                    let _e98 = self.v_nearest_corner(((_e2.origin - _e93) + (_e2.step * start_7)));
+                    let _e98 = self.v_nearest_corner(((_e2.origin - _e93) + (_e2.step * start_8)));
                     let _e99 = self.v_corner_height(_e30, _e98);
-                    next_7 = start_7;
-                    let _e101 = self.v_path_height(path_76, start_7);
+                    next_7 = start_8;
+                    let _e101 = self.v_path_height(path_76, start_8);
                     if rt::Scalar::into_branch_condition(_e101.elementwise_gt(_e99)) {
                         let _e103 = cell_37;
-                        let texel_9 = (_e103 + _e98);
-                        let _e105 = self.v_cone_slope(path_76, texel_9);
+                        let texel_10 = (_e103 + _e98);
+                        let _e105 = self.v_cone_slope(path_76, texel_10);
                         let _e106 = cost_21;
                         let _e108 = self.v_map_read(path_76, rt::Scalar(1u32));
                         cost_21 = (_e106 + _e108);
                         if rt::Scalar::into_branch_condition(_e105.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e112 = self.v_stays_inside(path_76, _e2, texel_9, _e99, _e105, start_7);
-                            next_7 = (start_7 + _e112);
+                            let _e112 = self.v_stays_inside(path_76, _e2, texel_10, _e99, _e105, start_8);
+                            next_7 = (start_8 + _e112);
                         }
                     }
                     let _e114 = next_7;
@@ -14613,11 +14657,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e118.elementwise_le(rt::Scalar(0f32))) {
                             let _e125 = near_gap_5;
                             let _e126 = cost_21;
-                            let _e127 = self.v_entered_once(path_76, _e2, start_7, rt::Scalar(path_76.exit), _e125, _e118, _e126);
+                            let _e127 = self.v_entered_once(path_76, _e2, start_8, rt::Scalar(path_76.exit), _e125, _e118, _e126);
                             return _e127;
                         }
                         let _e130 = cost_21;
-                        return <SearchResult>::new(FOUND_MISS, start_7, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <SearchResult>::new(FOUND_MISS, start_8, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
                     let _e134 = cell_37;
                     let _e135 = next_7;
@@ -14661,10 +14705,10 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     pub(super) fn v_voxel_texel(&self, cell_38: rt::Vec3<i32>) -> rt::Vec2<i32> {
         let _e3 = self.surface_settings.volume;
-        let size_3 = _e3.xyz().to_i32();
+        let size_4 = _e3.xyz().to_i32();
         let _e7 = self.v_slice_begin(cell_38.z());
-        let _e10 = self.v_wrap_cell(cell_38.x(), size_3.x());
-        let _e13 = self.v_wrap_cell(cell_38.y(), size_3.y());
+        let _e10 = self.v_wrap_cell(cell_38.x(), size_4.x());
+        let _e13 = self.v_wrap_cell(cell_38.y(), size_4.y());
         return (_e7 + <rt::Vec2<i32>>::from_scalars(_e10, _e13));
     }
     pub(crate) fn search_voxels(
@@ -14789,13 +14833,13 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_volume_size();
         let last_14 = (_e4.z() - rt::Scalar(1f32));
         let inside_7 = <rt::Vec3<f32>>::new_21(place_21.xy(), place_21.z().clamp(rt::Scalar(0f32), last_14));
-        let first_25 = inside_7.floor();
-        let part_23 = (inside_7 - first_25);
+        let first_26 = inside_7.floor();
+        let part_23 = (inside_7 - first_26);
         let _e15 = self.v_volume_size();
-        let size_4 = _e15.xy().to_i32();
-        let cell_43 = first_25.to_i32();
-        let _e21 = self.v_wrap_pair(cell_43.x(), size_4.x());
-        let _e24 = self.v_wrap_pair(cell_43.y(), size_4.y());
+        let size_5 = _e15.xy().to_i32();
+        let cell_43 = first_26.to_i32();
+        let _e21 = self.v_wrap_pair(cell_43.x(), size_5.x());
+        let _e24 = self.v_wrap_pair(cell_43.y(), size_5.y());
         let elevation_4 = ((rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * direction_5.z())) * (params_95.z() - rt::Scalar(1f32))).clamp(rt::Scalar(0f32), (params_95.z() - rt::Scalar(1f32)));
         let below_8 = elevation_4.floor().min((params_95.z() - rt::Scalar(2f32)));
         let _e45 = self.v_turn_of(direction_5.xy());
@@ -14817,28 +14861,28 @@ impl<'g> Resources<'g> {
                     let _e71 = k_29;
                     let is_upper = (_e71 & rt::Scalar(4u32)).elementwise_eq(rt::Scalar(4u32));
                     let behind_3 = (before_6 + rt::Scalar(1f32)).select(rt::Scalar(0f32), (before_6 + rt::Scalar(1f32)).elementwise_ge(params_95.y()));
-                    let azimuth_4 = before_6.select(behind_3, is_next);
-                    let layer_12 = (((azimuth_4 * params_95.z()) + below_8) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_above)).to_i32();
+                    let azimuth_5 = before_6.select(behind_3, is_next);
+                    let layer_14 = (((azimuth_5 * params_95.z()) + below_8) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_above)).to_i32();
                     let of_azimuth = (rt::Scalar(1f32) - (turn_5 - before_6)).select((turn_5 - before_6), is_next);
                     let of_elevation = (rt::Scalar(1f32) - (elevation_4 - below_8)).select((elevation_4 - below_8), is_above);
                     let of_slice = (rt::Scalar(1f32) - part_23.z()).select(part_23.z(), is_upper);
                     let weight_2 = ((of_azimuth * of_elevation) * of_slice);
                     let _e115 = self.v_slice_begin((cell_43.z() + rt::Scalar(0i32).select(rt::Scalar(1i32), is_upper)));
-                    let _e121 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.x())), layer_12, rt::Scalar(0i32));
-                    let _e128 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.x())), layer_12, rt::Scalar(0i32));
-                    let _e135 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.y())), layer_12, rt::Scalar(0i32));
-                    let _e142 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.y())), layer_12, rt::Scalar(0i32));
+                    let _e121 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.x())), layer_14, rt::Scalar(0i32));
+                    let _e128 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.x())), layer_14, rt::Scalar(0i32));
+                    let _e135 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.y())), layer_14, rt::Scalar(0i32));
+                    let _e142 = self.v_search_texel(path_78, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.y())), layer_14, rt::Scalar(0i32));
                     let ways = <rt::Vec4<f32>>::from_scalars(_e121.x(), _e128.x(), _e135.x(), _e142.x());
                     let beside_7 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) - part_23.x()), part_23.x());
                     let corners_3 = (<rt::Vec4<f32>>::new_22((beside_7 * (rt::Scalar(1f32) - part_23.y())), (beside_7 * part_23.y())) * weight_2);
                     let limit_12 = <rt::Vec4<f32>>::from_scalars(most_16, most_16, most_16, most_16);
                     let none_3 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let solid = none_3.select(corners_3, ways.elementwise_lt(limit_12));
-                    let way_20 = (solid * ways);
+                    let way_21 = (solid * ways);
                     let _e167 = weights_4;
                     weights_4 = (_e167 + ((solid.x() + solid.y()) + (solid.z() + solid.w())));
                     let _e176 = sum_3;
-                    sum_3 = (_e176 + ((way_20.x() + way_20.y()) + (way_20.z() + way_20.w())));
+                    sum_3 = (_e176 + ((way_21.x() + way_21.y()) + (way_21.z() + way_21.w())));
                     let _e185 = k_29;
                     k_29 = (_e185 + rt::Scalar(1u32));
                 }
@@ -14925,159 +14969,620 @@ impl<'g> Resources<'g> {
         let _e102 = cost_23;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e100, _e101, rt::Scalar(1f32), rt::Scalar(1f32), _e102);
     }
-    pub(crate) fn search_stage(&self, path_80: Path) -> SearchResult {
-        rt::into(self.v_search_stage(path_80))
+    pub(crate) fn upright(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_upright(rt::into(uv_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_search_stage(&self, path_80: Path) -> SearchResult {
+    #[inline(always)]
+    pub(super) fn v_upright(&self, uv_30: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        let tile_2 = uv_30.floor();
+        let is_odd = (tile_2 - (rt::Scalar(2f32) * (tile_2 * rt::Scalar(0.5f32)).floor())).elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e14 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e14.elementwise_ne(WRAP_MIRROR)) {
+            return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32));
+        }
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1f32), rt::Scalar(-1f32)), is_odd);
+    }
+    pub(crate) fn path_axes(
+        &self,
+        path_80: Path,
+        depth_8: impl rt::Into<rt::Scalar<f32>>,
+    ) -> PathAxes {
+        rt::into(self.v_path_axes(path_80, rt::into(depth_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_path_axes(
+        &self,
+        path_80: Path,
+        depth_8: rt::Scalar<f32>,
+    ) -> PathAxes {
+        let mut start_3: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut fall: rt::Scalar<f32>;
+        let mut way_16: rt::Scalar<f32>;
+        let mut local_96: rt::Scalar<bool>;
+        let mut local_97: rt::Scalar<bool>;
+
+        let below_9 = (path_80.h.x() - rt::Scalar(1f32));
+        fall = (rt::Scalar(0f32) - path_80.h.y());
+        if rt::Scalar::into_branch_condition(below_9.elementwise_lt(rt::Scalar(0f32))) {
+            let discriminant_6 = ((path_80.h.y() * path_80.h.y()) - ((rt::Scalar(4f32) * path_80.h.z()) * below_9));
+            fall = discriminant_6.max(rt::Scalar(0f32)).sqrt();
+            let _e31 = fall;
+            start_3 = ((rt::Scalar(2f32) * below_9) / (_e31 - path_80.h.y()));
+        }
+        let _e38 = fall;
+        let _e39 = fall;
+        let bend_11 = (path_80.h.z() / (_e38 * _e39));
+        let speed_4 = path_80.duv.length();
+        way_16 = (rt::Scalar(1f32) / bend_11);
+        if rt::Scalar::into_branch_condition(bend_11.elementwise_lt(rt::Scalar(0.25f32))) {
+            way_16 = (rt::Scalar(2f32) / (rt::Scalar(1f32) + (rt::Scalar(1f32) - (rt::Scalar(4f32) * bend_11)).sqrt()));
+        }
+        let _e58 = way_16;
+        let _e59 = fall;
+        let whole_2 = (_e58 / _e59);
+        let _e61 = fall;
+        if rt::Scalar::into_branch_condition(_e61.elementwise_gt(rt::Scalar(0f32))) {
+            local_96 = whole_2.elementwise_gt(rt::Scalar(0f32));
+        } else {
+            local_96 = rt::Scalar(false);
+        }
+        let _e69 = local_96;
+        if rt::Scalar::into_branch_condition(_e69) {
+            let _e72 = start_3;
+            local_97 = _e72.elementwise_ge((whole_2 * rt::Scalar(-1.001f32)));
+        } else {
+            local_97 = rt::Scalar(false);
+        }
+        let comes_in = local_97;
+        let _e84 = start_3;
+        let _e87 = self.v_upright((path_80.uv + (path_80.duv * _e84)));
+        let _e89 = self.v_turn_of((path_80.duv * _e87));
+        let _e90 = fall;
+        let _e102 = start_3;
+        let _e103 = fall;
+        return <PathAxes>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), comes_in), _e89, (speed_4 / (speed_4 + (depth_8 * _e90))), (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * (bend_11 / (rt::Scalar(0.25f32) + bend_11.abs())))), _e102, whole_2, _e103);
+    }
+    pub(crate) fn row_of_bend(
+        &self,
+        row_6: impl rt::Into<rt::Scalar<i32>>,
+        bend_3: impl rt::Into<rt::Scalar<f32>>,
+        rows_15: impl rt::Into<rt::Scalar<i32>>,
+    ) -> i32 {
+        rt::into(self.v_row_of_bend(rt::into(row_6), rt::into(bend_3), rt::into(rows_15)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_row_of_bend(
+        &self,
+        row_6: rt::Scalar<i32>,
+        bend_3: rt::Scalar<f32>,
+        rows_15: rt::Scalar<i32>,
+    ) -> rt::Scalar<i32> {
+        return (row_6 + (bend_3.to_i32() * rows_15));
+    }
+    pub(crate) fn ways_of_texel(
+        &self,
+        path_81: Path,
+        texel_4: impl rt::Into<rt::Vec2<i32>>,
+        layer_9: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_ways_of_texel(path_81, rt::into(texel_4), rt::into(layer_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_ways_of_texel(
+        &self,
+        path_81: Path,
+        texel_4: rt::Vec2<i32>,
+        layer_9: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let level_62 = rt::Scalar(path_81.level).to_i32();
+        let _e5 = self.v_search_texel(path_81, texel_4, layer_9, level_62);
+        let below_10 = _e5.x();
+        let _e9 = self.v_search_texel(path_81, texel_4, (layer_9 + rt::Scalar(1i32)), level_62);
+        let above_10 = _e9.x();
+        let is_below = below_10.elementwise_lt(rt::Scalar(0.998f32));
+        let is_above_1 = above_10.elementwise_lt(rt::Scalar(0.998f32));
+        return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(below_10, is_below), rt::Scalar(0f32).select(rt::Scalar(1f32), is_below), rt::Scalar(0f32).select(above_10, is_above_1), rt::Scalar(0f32).select(rt::Scalar(1f32), is_above_1));
+    }
+    pub(crate) fn ways_of_bend(
+        &self,
+        path_82: Path,
+        around: Around,
+        layer_10: impl rt::Into<rt::Scalar<i32>>,
+        bend_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_ways_of_bend(path_82, around, rt::into(layer_10), rt::into(bend_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_ways_of_bend(
+        &self,
+        path_82: Path,
+        around: Around,
+        layer_10: rt::Scalar<i32>,
+        bend_4: rt::Scalar<f32>,
+    ) -> rt::Vec4<f32> {
+        let _e5 = self.v_height_texels(rt::Scalar(path_82.level));
+        let rows_16 = _e5.y();
+        let _e9 = self.v_row_of_bend(around.rows.x(), bend_4, rows_16);
+        let _e12 = self.v_row_of_bend(around.rows.y(), bend_4, rows_16);
+        let _e16 = self.v_ways_of_texel(path_82, <rt::Vec2<i32>>::from_scalars(around.columns.x(), _e9), layer_10);
+        let _e20 = self.v_ways_of_texel(path_82, <rt::Vec2<i32>>::from_scalars(around.columns.y(), _e9), layer_10);
+        let _e24 = self.v_ways_of_texel(path_82, <rt::Vec2<i32>>::from_scalars(around.columns.x(), _e12), layer_10);
+        let _e28 = self.v_ways_of_texel(path_82, <rt::Vec2<i32>>::from_scalars(around.columns.y(), _e12), layer_10);
+        let _e30 = self.v_bilinear(_e16, _e20, _e24, _e28, around.part);
+        return _e30;
+    }
+    pub(crate) fn looked_up(
+        &self,
+        path_83: Path,
+        axes: PathAxes,
+        params_97: impl rt::Into<rt::Vec4<f32>>,
+    ) -> LookedUp {
+        rt::into(self.v_looked_up(path_83, axes, rt::into(params_97)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_looked_up(
+        &self,
+        path_83: Path,
+        axes: PathAxes,
+        params_97: rt::Vec4<f32>,
+    ) -> LookedUp {
+        let mut first_4: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        let mut low_2: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        let mut high_2: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut azimuth_2: rt::Scalar<f32>;
+
+        let _e4 = self.v_path_uv(path_83, rt::Scalar(axes.start));
+        let _e6 = self.v_height_texels(rt::Scalar(path_83.level));
+        let _e7 = self.v_texels_around(_e4, _e6);
+        let elevation_5 = ((rt::Scalar(axes.elevation) * params_97.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_97.y() - rt::Scalar(1f32)));
+        let below_11 = elevation_5.floor().min((params_97.y() - rt::Scalar(2f32)));
+        let bend_12 = ((rt::Scalar(axes.bend) * params_97.z()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_97.z() - rt::Scalar(1f32)));
+        let lower_2 = bend_12.floor().min((params_97.z() - rt::Scalar(2f32)).max(rt::Scalar(0f32)));
+        let turn_6 = ((rt::Scalar(axes.turn) * params_97.x()) - rt::Scalar(0.5f32));
+        let before_8 = turn_6.floor();
+        let count_13 = rt::Scalar(4u32).select(rt::Scalar(2u32), params_97.z().elementwise_eq(rt::Scalar(1f32)));
+        'naga_break: loop {
+            'naga_continue: {
+                let _e66 = k_30;
+                if rt::Scalar::into_branch_condition(_e66.elementwise_lt(count_13)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e68 = k_30;
+                    let is_next_1 = (_e68 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(1u32));
+                    azimuth_2 = (before_8 + rt::Scalar(0f32).select(rt::Scalar(1f32), is_next_1));
+                    let _e78 = azimuth_2;
+                    let _e79 = azimuth_2;
+                    let _e82 = azimuth_2;
+                    azimuth_2 = _e78.select((_e79 + params_97.x()), _e82.elementwise_lt(rt::Scalar(0f32)));
+                    let _e86 = azimuth_2;
+                    let _e87 = azimuth_2;
+                    let _e90 = azimuth_2;
+                    azimuth_2 = _e86.select((_e87 - params_97.x()), _e90.elementwise_ge(params_97.x()));
+                    let _e94 = azimuth_2;
+                    let layer_15 = ((_e94 * params_97.y()) + below_11).to_i32();
+                    let _e99 = k_30;
+                    let _e106 = self.v_ways_of_bend(path_83, _e7, layer_15, (lower_2 + rt::Scalar(0f32).select(rt::Scalar(1f32), _e99.elementwise_gt(rt::Scalar(1u32)))));
+                    let of_below = <rt::Vec2<f32>>::from_scalars(_e106.x(), _e106.y());
+                    let mixed_2 = (of_below + ((<rt::Vec2<f32>>::from_scalars(_e106.z(), _e106.w()) - of_below) * (elevation_5 - below_11)));
+                    let _e117 = first_4;
+                    let _e118 = first_4;
+                    let joined = (_e117 + ((mixed_2 - _e118) * (turn_6 - before_8)));
+                    first_4 = mixed_2;
+                    let _e123 = k_30;
+                    if rt::Scalar::into_branch_condition(_e123.elementwise_eq(rt::Scalar(1u32))) {
+                        low_2 = joined;
+                    }
+                    high_2 = joined;
+                    let _e126 = k_30;
+                    k_30 = (_e126 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e129 = low_2;
+        let _e130 = high_2;
+        let _e131 = low_2;
+        let way_22 = (_e129 + ((_e130 - _e131) * (bend_12 - lower_2)));
+        if rt::Scalar::into_branch_condition(way_22.y().elementwise_ge(rt::Scalar(0.5f32))) {
+            return <LookedUp>::new(rt::Scalar(1u32), (way_22.x() / way_22.y()));
+        }
+        return <LookedUp>::new(rt::Scalar(0u32), rt::Scalar(1f32));
+    }
+    pub(crate) fn search_view_dependent(
+        &self,
+        path_84: Path,
+        params_98: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SearchResult {
+        rt::into(self.v_search_view_dependent(path_84, rt::into(params_98)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_view_dependent(
+        &self,
+        path_84: Path,
+        params_98: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let mut local_98: rt::Scalar<bool>;
+        let mut local_99: rt::Scalar<bool>;
+
+        let _e3 = self.v_path_axes(path_84, params_98.w());
+        let texels_7 = rt::Scalar(32u32).select(rt::Scalar(16u32), params_98.z().elementwise_eq(rt::Scalar(1f32)));
+        let _e11 = self.v_map_read(path_84, texels_7);
+        let cost_29 = (STEP + _e11);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(0u32))) {
+            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_84.exit), rt::Scalar(path_84.exit), rt::Scalar(1f32), rt::Scalar(1f32), STEP);
+        }
+        let _e23 = self.v_looked_up(path_84, _e3, params_98);
+        let t_52 = (rt::Scalar(_e3.start) + (rt::Scalar(_e23.part) * rt::Scalar(_e3.whole)));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(_e23.is_hit).elementwise_eq(rt::Scalar(0u32)))) {
+            local_98 = t_52.elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_98 = rt::Scalar(true);
+        }
+        let _e38 = local_98;
+        if rt::Scalar::into_branch_condition((!_e38)) {
+            local_99 = t_52.elementwise_gt(rt::Scalar(path_84.exit));
+        } else {
+            local_99 = rt::Scalar(true);
+        }
+        let _e45 = local_99;
+        if rt::Scalar::into_branch_condition(_e45) {
+            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_84.exit), rt::Scalar(path_84.exit), rt::Scalar(1f32), rt::Scalar(1f32), cost_29);
+        }
+        return <SearchResult>::new(FOUND_ABOVE, t_52, rt::Scalar(path_84.exit), rt::Scalar(0f32), rt::Scalar(1f32), cost_29);
+    }
+    pub(crate) fn is_in_footprint(
+        &self,
+        square: impl rt::Into<rt::Vec2<f32>>,
+        size: impl rt::Into<rt::Vec2<f32>>,
+    ) -> bool {
+        rt::into(self.v_is_in_footprint(rt::into(square), rt::into(size)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_is_in_footprint(
+        &self,
+        square: rt::Vec2<f32>,
+        size: rt::Vec2<f32>,
+    ) -> rt::Scalar<bool> {
+        let mut local_100: rt::Scalar<bool>;
+        let mut local_101: rt::Scalar<bool>;
+        let mut local_102: rt::Scalar<bool>;
+        let mut local_103: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(square.x().elementwise_ge(rt::Scalar(0f32))) {
+            local_100 = square.y().elementwise_ge(rt::Scalar(0f32));
+        } else {
+            local_100 = rt::Scalar(false);
+        }
+        let _e11 = local_100;
+        if rt::Scalar::into_branch_condition(_e11) {
+            local_101 = square.x().elementwise_lt(size.x());
+        } else {
+            local_101 = rt::Scalar(false);
+        }
+        let _e18 = local_101;
+        if rt::Scalar::into_branch_condition(_e18) {
+            local_102 = square.y().elementwise_lt(size.y());
+        } else {
+            local_102 = rt::Scalar(false);
+        }
+        let is_inside_3 = local_102;
+        if rt::Scalar::into_branch_condition((!is_inside_3)) {
+            let _e31 = rt::Scalar(self.surface_settings.wrap);
+            local_103 = _e31.elementwise_ne(WRAP_CLAMP);
+        } else {
+            local_103 = rt::Scalar(true);
+        }
+        let _e35 = local_103;
+        return _e35;
+    }
+    pub(crate) fn step_of_axis(
+        &self,
+        place_22: impl rt::Into<rt::Scalar<f32>>,
+        count_5: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_step_of_axis(rt::into(place_22), rt::into(count_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_step_of_axis(
+        &self,
+        place_22: rt::Scalar<f32>,
+        count_5: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (place_22 * count_5).floor().clamp(rt::Scalar(0f32), (count_5 - rt::Scalar(1f32)));
+    }
+    pub(crate) fn longest_of_step(
+        &self,
+        bend_5: impl rt::Into<rt::Scalar<f32>>,
+        count_6: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_longest_of_step(rt::into(bend_5), rt::into(count_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_longest_of_step(
+        &self,
+        bend_5: rt::Scalar<f32>,
+        count_6: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(count_6.elementwise_eq(rt::Scalar(1f32))) {
+            return rt::Scalar(1f32);
+        }
+        let low_10 = (((rt::Scalar(2f32) * bend_5) / count_6) - rt::Scalar(1f32));
+        let high_4 = (low_10 + (rt::Scalar(2f32) / count_6));
+        if rt::Scalar::into_branch_condition(high_4.elementwise_lt(rt::Scalar(0.500001f32))) {
+            return (rt::Scalar(2f32) / (rt::Scalar(1f32) + (rt::Scalar(1f32) - (high_4 / (rt::Scalar(1f32) - high_4.abs()))).max(rt::Scalar(0f32)).sqrt()));
+        }
+        let least_8 = low_10.max(rt::Scalar(0.5f32));
+        return ((rt::Scalar(4f32) * (rt::Scalar(1f32) - least_8)) / least_8);
+    }
+    pub(crate) fn free_way_of_step(
+        &self,
+        path_85: Path,
+        axes_1: PathAxes,
+        square_1: impl rt::Into<rt::Vec2<i32>>,
+        params_99: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_free_way_of_step(path_85, axes_1, rt::into(square_1), rt::into(params_99)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_free_way_of_step(
+        &self,
+        path_85: Path,
+        axes_1: PathAxes,
+        square_1: rt::Vec2<i32>,
+        params_99: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e5 = self.v_height_texels(rt::Scalar(path_85.level));
+        let _e8 = self.v_step_of_axis(rt::Scalar(axes_1.turn), params_99.x());
+        let _e11 = self.v_step_of_axis(rt::Scalar(axes_1.elevation), params_99.y());
+        let _e14 = self.v_step_of_axis(rt::Scalar(axes_1.bend), params_99.z());
+        let _e17 = self.v_wrap_index(square_1.y(), _e5.y());
+        let _e19 = self.v_row_of_bend(_e17, _e14, _e5.y());
+        let _e22 = self.v_wrap_index(square_1.x(), _e5.x());
+        let at_168 = <rt::Vec2<i32>>::from_scalars(_e22, _e19);
+        let _e30 = self.v_search_texel(path_85, at_168, ((_e8 * params_99.y()) + _e11).to_i32(), rt::Scalar(path_85.level).to_i32());
+        let part_24 = _e30.x();
+        let _e33 = self.v_longest_of_step(_e14, params_99.z());
+        return (part_24 * _e33);
+    }
+    pub(crate) fn search_view_dependent_free(
+        &self,
+        path_86: Path,
+        params_100: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SearchResult {
+        rt::into(self.v_search_view_dependent_free(path_86, rt::into(params_100)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_view_dependent_free(
+        &self,
+        path_86: Path,
+        params_100: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let mut local_104: rt::Scalar<bool>;
+        let mut local_105: rt::Scalar<bool>;
+        let mut local_106: rt::Scalar<bool>;
+        let mut local_107: rt::Scalar<bool>;
+        let mut local_108: rt::Scalar<bool>;
+
+        let _e3 = self.v_path_axes(path_86, params_100.w());
+        let _e6 = self.v_height_size(rt::Scalar(path_86.level));
+        let place_38 = (path_86.uv * _e6);
+        let _e8 = self.v_cell_of(place_38);
+        let inside_8 = (place_38 - _e8);
+        let near_10 = inside_8.x().min((rt::Scalar(1f32) - inside_8.x())).min(inside_8.y().min((rt::Scalar(1f32) - inside_8.y())));
+        let rounded_2 = (rt::Scalar(0.0000009536743f32) * (place_38.x().abs().max(place_38.y().abs()) + rt::Scalar(1f32)));
+        let _e31 = self.v_height_size(rt::Scalar(path_86.level));
+        let _e32 = self.v_is_in_footprint(_e8, _e31);
+        if rt::Scalar::into_branch_condition(path_86.h.x().elementwise_eq(rt::Scalar(1f32))) {
+            local_104 = rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(1u32));
+        } else {
+            local_104 = rt::Scalar(false);
+        }
+        let _e43 = local_104;
+        if rt::Scalar::into_branch_condition(_e43) {
+            local_105 = near_10.elementwise_gt(rounded_2);
+        } else {
+            local_105 = rt::Scalar(false);
+        }
+        let _e48 = local_105;
+        if rt::Scalar::into_branch_condition(_e48) {
+            local_106 = _e32;
+        } else {
+            local_106 = rt::Scalar(false);
+        }
+        let is_known = local_106;
+        if rt::Scalar::into_branch_condition((!(!is_known))) {
+            if rt::Scalar::into_branch_condition(params_100.z().elementwise_eq(rt::Scalar(1f32))) {
+                local_108 = path_86.h.z().elementwise_ne(rt::Scalar(0f32));
+            } else {
+                local_108 = rt::Scalar(false);
+            }
+            let _e67 = local_108;
+            local_107 = _e67;
+        } else {
+            local_107 = rt::Scalar(true);
+        }
+        let _e69 = local_107;
+        if rt::Scalar::into_branch_condition(_e69) {
+            return <SearchResult>::new(FOUND_ABOVE, rt::Scalar(0f32), rt::Scalar(path_86.exit), rt::Scalar(0f32), rt::Scalar(1f32), STEP);
+        }
+        let _e77 = self.v_whole_cell(_e8);
+        let _e78 = self.v_free_way_of_step(path_86, _e3, _e77, params_100);
+        let free_2 = (_e78 / rt::Scalar(_e3.fall));
+        let _e87 = self.v_map_read(path_86, rt::Scalar(1u32));
+        return <SearchResult>::new(FOUND_ABOVE, free_2.min(rt::Scalar(path_86.exit)), rt::Scalar(path_86.exit), rt::Scalar(0f32), rt::Scalar(1f32), (STEP + _e87));
+    }
+    pub(crate) fn search_stage(&self, path_87: Path) -> SearchResult {
+        rt::into(self.v_search_stage(path_87))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_stage(&self, path_87: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_80, _e10);
+                let _e11 = self.v_search_none(path_87, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_80, _e16);
+                let _e17 = self.v_search_linear(path_87, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_80, _e22);
+                let _e23 = self.v_search_cells(path_87, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_80, _e28);
+                let _e29 = self.v_search_frustum(path_87, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_80, _e34);
+                let _e35 = self.v_search_cone(path_87, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_80, _e40);
+                let _e41 = self.v_search_pyramid(path_87, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_80, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_87, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_80, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_87, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_80, _e58);
+                let _e59 = self.v_search_sphere(path_87, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_80, _e64);
+                let _e65 = self.v_search_cone_moved(path_87, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_80, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_87, _e70);
                 return _e71;
             }
             11u32 => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_80, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_87, _e76);
                 return _e77;
             }
             12u32 => {
                 let _e82 = self.surface_settings.choices[6usize].params;
-                let _e83 = self.v_search_voxels(path_80, _e82);
+                let _e83 = self.v_search_voxels(path_87, _e82);
                 return _e83;
             }
-            _ => {
+            13u32 => {
                 let _e88 = self.surface_settings.choices[6usize].params;
-                let _e89 = self.v_search_generalised(path_80, _e88);
+                let _e89 = self.v_search_generalised(path_87, _e88);
                 return _e89;
+            }
+            14u32 => {
+                let _e94 = self.surface_settings.choices[6usize].params;
+                let _e95 = self.v_search_view_dependent(path_87, _e94);
+                return _e95;
+            }
+            _ => {
+                let _e100 = self.surface_settings.choices[6usize].params;
+                let _e101 = self.v_search_view_dependent_free(path_87, _e100);
+                return _e101;
             }
         }
     }
-    pub(crate) fn trace(&self, path_81: Path) -> Hit {
-        rt::into(self.v_trace(path_81))
+    pub(crate) fn trace(&self, path_88: Path) -> Hit {
+        rt::into(self.v_trace(path_88))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_trace(&self, path_81: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_81);
-        let _e2 = self.v_refine_stage(path_81, _e1);
+    pub(super) fn v_trace(&self, path_88: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_88);
+        let _e2 = self.v_refine_stage(path_88, _e1);
         return _e2;
     }
     pub(crate) fn object_none(
         &self,
         pixel_77: PixelIn,
         at_102: Entered,
-        params_97: impl rt::Into<rt::Vec4<f32>>,
+        params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_77, at_102, rt::into(params_97)))
+        rt::into(self.v_object_none(pixel_77, at_102, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_none(
         &self,
         pixel_77: PixelIn,
         at_102: Entered,
-        params_97: rt::Vec4<f32>,
+        params_101: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_24: rt::Vec3<u32> = NO_COST;
-        let mut first_4: FirstHit;
-        let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_96: rt::Scalar<bool>;
+        let mut first_5: FirstHit;
+        let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_109: rt::Scalar<bool>;
 
         let _e5 = cost_24;
         let _e6 = self.v_miss(_e5);
-        first_4 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_5 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = k_30;
+                let _e13 = k_31;
                 if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_102.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e16 = k_30;
+                    let _e16 = k_31;
                     let _e17 = self.v_segment_of(pixel_77, at_102, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
-                        let _e22 = k_30;
+                        let _e22 = k_31;
                         let _e23 = self.v_hit_on_segment(pixel_77, at_102, _e17, _e21, _e22);
                         let _e24 = cost_24;
                         cost_24 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
-                            let _e34 = rt::Scalar(first_4.hit.found);
+                            let _e34 = rt::Scalar(first_5.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
-                                let _e42 = rt::Scalar(first_4.key);
-                                local_96 = rt::Scalar(_e23.key).elementwise_gt(_e42);
+                                let _e42 = rt::Scalar(first_5.key);
+                                local_109 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_96 = rt::Scalar(true);
+                                local_109 = rt::Scalar(true);
                             }
-                            let _e45 = local_96;
+                            let _e45 = local_109;
                             if rt::Scalar::into_branch_condition(_e45) {
-                                first_4 = _e23;
+                                first_5 = _e23;
                             }
                             if rt::Scalar::into_branch_condition(rt::Scalar(pixel_77.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
                             }
                         }
                     }
-                    let _e50 = k_30;
-                    k_30 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_31;
+                    k_31 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
         let _e55 = cost_24;
-        first_4.hit.cost = _e55;
-        let _e56 = first_4;
+        first_5.hit.cost = _e55;
+        let _e56 = first_5;
         return _e56;
     }
     pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_103: Entered) -> FirstHit {
@@ -15086,51 +15591,51 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_103: Entered) -> FirstHit {
         let mut cost_25: rt::Vec3<u32> = NO_COST;
-        let mut first_5: FirstHit;
+        let mut first_6: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_97: rt::Scalar<bool>;
-        let mut local_98: rt::Scalar<bool>;
-        let mut local_99: rt::Scalar<bool>;
+        let mut local_110: rt::Scalar<bool>;
+        let mut local_111: rt::Scalar<bool>;
+        let mut local_112: rt::Scalar<bool>;
 
         let _e4 = cost_25;
         let _e5 = self.v_miss(_e4);
-        first_5 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_6 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
         let most_17 = (rt::Scalar(at_103.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
                 if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_103.segments))) {
                     let _e26 = turns;
-                    local_97 = _e26.elementwise_lt(most_17);
+                    local_110 = _e26.elementwise_lt(most_17);
                 } else {
-                    local_97 = rt::Scalar(false);
+                    local_110 = rt::Scalar(false);
                 }
-                let _e29 = local_97;
+                let _e29 = local_110;
                 if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = k_31;
+                    let _e30 = k_32;
                     let _e31 = self.v_segment_of(pixel_78, at_103, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
                     let ahead_3 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
                     let passed = (passed_m / ahead_3);
                     if rt::Scalar::into_branch_condition(ahead_3.elementwise_gt(rt::Scalar(0f32))) {
-                        local_98 = passed.elementwise_lt(rt::Scalar(_e31.exit));
+                        local_111 = passed.elementwise_lt(rt::Scalar(_e31.exit));
                     } else {
-                        local_98 = rt::Scalar(false);
+                        local_111 = rt::Scalar(false);
                     }
-                    let _e49 = local_98;
+                    let _e49 = local_111;
                     if rt::Scalar::into_branch_condition((!_e49)) {
                         let _e52 = cost_25;
                         let _e53 = self.v_miss(_e52);
-                        first_5.hit = _e53;
-                        let _e54 = first_5;
+                        first_6.hit = _e53;
+                        let _e54 = first_6;
                         return _e54;
                     }
                     let _e55 = self.v_beginning_at(_e31, passed);
@@ -15140,56 +15645,56 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e56.found).elementwise_eq(rt::Scalar(0u32))) {
                         let _e64 = cost_25;
                         let _e65 = self.v_miss(_e64);
-                        first_5.hit = _e65;
-                        let _e66 = first_5;
+                        first_6.hit = _e65;
+                        let _e66 = first_6;
                         return _e66;
                     }
-                    let t_52 = (passed + rt::Scalar(_e56.t));
-                    let _e70 = self.v_metres_on(_e31, t_52);
+                    let t_53 = (passed + rt::Scalar(_e56.t));
+                    let _e70 = self.v_metres_on(_e31, t_53);
                     let at_m = (rt::Scalar(_e31.start) + _e70);
-                    let _e74 = rt::Scalar(first_5.hit.found);
+                    let _e74 = rt::Scalar(first_6.hit.found);
                     if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
                         let _e80 = reached_1;
                         let _e81 = reached_1;
-                        local_99 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
+                        local_112 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
                     } else {
-                        local_99 = rt::Scalar(true);
+                        local_112 = rt::Scalar(true);
                     }
-                    let _e87 = local_99;
+                    let _e87 = local_112;
                     if rt::Scalar::into_branch_condition(_e87) {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
                         let _e93 = cost_25;
-                        let _e95 = k_31;
-                        let _e96 = self.v_hit_on_segment(pixel_78, at_103, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_52, _e93), _e95);
-                        first_5 = _e96;
-                        let _e99 = first_5.hit.cost;
+                        let _e95 = k_32;
+                        let _e96 = self.v_hit_on_segment(pixel_78, at_103, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_53, _e93), _e95);
+                        first_6 = _e96;
+                        let _e99 = first_6.hit.cost;
                         cost_25 = _e99;
                     }
                     let _e100 = agreed;
                     agreed = (_e100 + rt::Scalar(1u32));
-                    let _e103 = k_31;
-                    let _e107 = k_31;
-                    k_31 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_103.segments)));
+                    let _e103 = k_32;
+                    let _e107 = k_32;
+                    k_32 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_103.segments)));
                     let _e113 = turns;
                     turns = (_e113 + rt::Scalar(1u32));
                 }
             }
         }
         let _e120 = agreed;
-        rt::Scalar(first_5.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_103.segments)));
+        rt::Scalar(first_6.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_103.segments)));
         let _e126 = cost_25;
-        first_5.hit.cost = _e126;
-        let _e127 = first_5;
+        first_6.hit.cost = _e126;
+        let _e127 = first_6;
         return _e127;
     }
     pub(crate) fn object_depth(
         &self,
         pixel_79: PixelIn,
         at_104: Entered,
-        params_98: impl rt::Into<rt::Vec4<f32>>,
+        params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_79, at_104, rt::into(params_98)))
+        rt::into(self.v_object_depth(pixel_79, at_104, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15197,7 +15702,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_79: PixelIn,
         at_104: Entered,
-        params_98: rt::Vec4<f32>,
+        params_102: rt::Vec4<f32>,
     ) -> FirstHit {
         let _e3 = self.v_first_in_all(pixel_79, at_104);
         return _e3;
@@ -15206,9 +15711,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_80: PixelIn,
         at_105: Entered,
-        params_99: impl rt::Into<rt::Vec4<f32>>,
+        params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_80, at_105, rt::into(params_99)))
+        rt::into(self.v_object_hull(pixel_80, at_105, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15216,25 +15721,25 @@ impl<'g> Resources<'g> {
         &self,
         pixel_80: PixelIn,
         at_105: Entered,
-        params_99: rt::Vec4<f32>,
+        params_103: rt::Vec4<f32>,
     ) -> FirstHit {
         let _e3 = self.v_first_in_all(pixel_80, at_105);
         return _e3;
     }
-    pub(crate) fn look_into_frame(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_look_into_frame(rt::into(uv_30)))
+    pub(crate) fn look_into_frame(&self, uv_31: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_look_into_frame(rt::into(uv_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_look_into_frame(&self, uv_30: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_look_into_frame(&self, uv_31: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_168 = ((uv_30 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_168);
-        let part_24 = (at_168 - _e8);
+        let at_169 = ((uv_31 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_169);
+        let part_25 = (at_169 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_16 = (rt::Scalar(1f32) - part_24.x());
-        let y_11 = (rt::Scalar(1f32) - part_24.y());
-        let weights_7 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_24.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_24.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_24.x() * part_24.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let x_16 = (rt::Scalar(1f32) - part_25.x());
+        let y_11 = (rt::Scalar(1f32) - part_25.y());
+        let weights_7 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_25.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_25.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_25.x() * part_25.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
         let cover_2 = ((weights_7.x() + weights_7.y()) + (weights_7.z() + weights_7.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_7.dot(_e12) / cover_2));
@@ -15243,16 +15748,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn look_along(
         &self,
-        path_82: Path,
+        path_89: Path,
         image_11: Image,
         steps_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_look_along(path_82, image_11, rt::into(steps_1)))
+        rt::into(self.v_look_along(path_89, image_11, rt::into(steps_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_look_along(
         &self,
-        path_82: Path,
+        path_89: Path,
         image_11: Image,
         steps_1: rt::Scalar<u32>,
     ) -> rt::Vec2<f32> {
@@ -15262,8 +15767,8 @@ impl<'g> Resources<'g> {
 
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         let beyond_8 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
-        let low_9 = (image_11.corner - beyond_8);
-        let high_3 = ((image_11.corner + image_11.extent) + beyond_8);
+        let low_11 = (image_11.corner - beyond_8);
+        let high_5 = ((image_11.corner + image_11.extent) + beyond_8);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = step_4;
@@ -15273,8 +15778,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e23 = height_11;
-                    let _e30 = self.v_path_uv(path_82, ((_e23 - path_82.h.x()) / path_82.h.y()));
-                    let _e32 = self.v_look_into_frame(_e30.clamp(low_9, high_3));
+                    let _e30 = self.v_path_uv(path_89, ((_e23 - path_89.h.x()) / path_89.h.y()));
+                    let _e32 = self.v_look_into_frame(_e30.clamp(low_11, high_5));
                     cover = _e32.x();
                     let _e34 = height_11;
                     let _e36 = cover;
@@ -15292,48 +15797,48 @@ impl<'g> Resources<'g> {
         &self,
         pixel_81: PixelIn,
         at_106: Entered,
-        params_100: impl rt::Into<rt::Vec4<f32>>,
+        params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_81, at_106, rt::into(params_100)))
+        rt::into(self.v_object_blend(pixel_81, at_106, rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_blend(
         &self,
         pixel_81: PixelIn,
         at_106: Entered,
-        params_100: rt::Vec4<f32>,
+        params_104: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_26: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut along_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut heaviest: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut first_6: FirstHit;
-        let mut local_100: rt::Scalar<bool>;
+        let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut first_7: FirstHit;
+        let mut local_113: rt::Scalar<bool>;
 
         let toward_10 = (-pixel_81.direction.normalize());
         let _e6 = self.v_frames_around(toward_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_32;
+                let _e19 = k_33;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e22 = k_32;
+                    let _e22 = k_33;
                     let _e23 = self.v_frame_number(_e6, _e22);
                     let _e24 = self.v_image_of_object(_e23);
-                    let _e25 = k_32;
+                    let _e25 = k_33;
                     let _e26 = self.v_frame_weight(_e6, _e25);
                     if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_10).elementwise_ge(rt::Scalar(0.05f32))) {
-                        let _e31 = k_32;
+                        let _e31 = k_33;
                         let _e32 = self.v_segment_of(pixel_81, at_106, _e31);
-                        let _e35 = self.v_look_along(_e32, _e24, params_100.w().to_u32());
+                        let _e35 = self.v_look_along(_e32, _e24, params_104.w().to_u32());
                         let seen_7 = (_e26 * _e35.x());
                         let _e38 = cost_26;
-                        cost_26 = (_e38 + (LOOK * (params_100.w().to_u32() + rt::Scalar(1u32))));
+                        cost_26 = (_e38 + (LOOK * (params_104.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
                         cover_1 = (_e46 + seen_7);
                         let _e48 = along_18;
@@ -15341,39 +15846,39 @@ impl<'g> Resources<'g> {
                         let _e60 = most_1;
                         if rt::Scalar::into_branch_condition(seen_7.elementwise_gt(_e60)) {
                             most_1 = seen_7;
-                            let _e62 = k_32;
+                            let _e62 = k_33;
                             heaviest = _e62;
                         }
                     }
-                    let _e63 = k_32;
-                    k_32 = (_e63 + rt::Scalar(1u32));
+                    let _e63 = k_33;
+                    k_33 = (_e63 + rt::Scalar(1u32));
                 }
             }
         }
         let _e66 = cost_26;
         let _e67 = self.v_miss(_e66);
-        first_6 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_7 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
-            local_100 = _e78.elementwise_lt(rt::Scalar(0f32));
+            local_113 = _e78.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_100 = rt::Scalar(true);
+            local_113 = rt::Scalar(true);
         }
-        let _e82 = local_100;
+        let _e82 = local_113;
         if rt::Scalar::into_branch_condition(_e82) {
-            let _e83 = first_6;
+            let _e83 = first_7;
             return _e83;
         }
         let _e84 = heaviest;
         let _e85 = self.v_segment_of(pixel_81, at_106, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
-        let t_53 = ((_e86 / _e87) - rt::Scalar(_e85.start));
-        let _e93 = self.v_path_uv(_e85, t_53);
-        let _e94 = self.v_path_height(_e85, t_53);
+        let t_54 = ((_e86 / _e87) - rt::Scalar(_e85.start));
+        let _e93 = self.v_path_uv(_e85, t_54);
+        let _e94 = self.v_path_height(_e85, t_54);
         let _e95 = cost_26;
-        let hit_76 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_53, _e95);
+        let hit_76 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_54, _e95);
         let _e97 = heaviest;
         let _e98 = self.v_hit_on_segment(pixel_81, at_106, _e85, hit_76, _e97);
         return _e98;
@@ -15470,82 +15975,92 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         return ((rt::Scalar(at_109.footprint) * at_109.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn shadow_search_stage(&self, path_83: Path) -> SearchResult {
-        rt::into(self.v_shadow_search_stage(path_83))
+    pub(crate) fn shadow_search_stage(&self, path_90: Path) -> SearchResult {
+        rt::into(self.v_shadow_search_stage(path_90))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_shadow_search_stage(&self, path_83: Path) -> SearchResult {
+    pub(super) fn v_shadow_search_stage(&self, path_90: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[10usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[10usize].params;
-                let _e11 = self.v_search_none(path_83, _e10);
+                let _e11 = self.v_search_none(path_90, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[10usize].params;
-                let _e17 = self.v_search_linear(path_83, _e16);
+                let _e17 = self.v_search_linear(path_90, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[10usize].params;
-                let _e23 = self.v_search_cells(path_83, _e22);
+                let _e23 = self.v_search_cells(path_90, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[10usize].params;
-                let _e29 = self.v_search_frustum(path_83, _e28);
+                let _e29 = self.v_search_frustum(path_90, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[10usize].params;
-                let _e35 = self.v_search_cone(path_83, _e34);
+                let _e35 = self.v_search_cone(path_90, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[10usize].params;
-                let _e41 = self.v_search_pyramid(path_83, _e40);
+                let _e41 = self.v_search_pyramid(path_90, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[10usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_83, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_90, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[10usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_83, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_90, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[10usize].params;
-                let _e59 = self.v_search_sphere(path_83, _e58);
+                let _e59 = self.v_search_sphere(path_90, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[10usize].params;
-                let _e65 = self.v_search_cone_moved(path_83, _e64);
+                let _e65 = self.v_search_cone_moved(path_90, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[10usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_83, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_90, _e70);
                 return _e71;
             }
             11u32 => {
                 let _e76 = self.surface_settings.choices[10usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_83, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_90, _e76);
                 return _e77;
             }
             12u32 => {
                 let _e82 = self.surface_settings.choices[10usize].params;
-                let _e83 = self.v_search_voxels(path_83, _e82);
+                let _e83 = self.v_search_voxels(path_90, _e82);
                 return _e83;
             }
-            _ => {
+            13u32 => {
                 let _e88 = self.surface_settings.choices[10usize].params;
-                let _e89 = self.v_search_generalised(path_83, _e88);
+                let _e89 = self.v_search_generalised(path_90, _e88);
                 return _e89;
+            }
+            14u32 => {
+                let _e94 = self.surface_settings.choices[10usize].params;
+                let _e95 = self.v_search_view_dependent(path_90, _e94);
+                return _e95;
+            }
+            _ => {
+                let _e100 = self.surface_settings.choices[10usize].params;
+                let _e101 = self.v_search_view_dependent_free(path_90, _e100);
+                return _e101;
             }
         }
     }
@@ -15582,9 +16097,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_25 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_25 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_25.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_26 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_26 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_26.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned_1(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned_1(rt::into(turn_3)))
@@ -15607,91 +16122,91 @@ impl<'g> Resources<'g> {
     pub(crate) fn gradient_at(
         &self,
         point_17: impl rt::Into<rt::Vec2<f32>>,
-        way_16: impl rt::Into<rt::Vec2<f32>>,
-        count_5: impl rt::Into<rt::Scalar<f32>>,
+        way_17: impl rt::Into<rt::Vec2<f32>>,
+        count_7: impl rt::Into<rt::Scalar<f32>>,
         turns_1: impl rt::Into<rt::Scalar<f32>>,
         seed_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_at(rt::into(point_17), rt::into(way_16), rt::into(count_5), rt::into(turns_1), rt::into(seed_2)))
+        rt::into(self.v_gradient_at(rt::into(point_17), rt::into(way_17), rt::into(count_7), rt::into(turns_1), rt::into(seed_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gradient_at(
         &self,
         point_17: rt::Vec2<f32>,
-        way_16: rt::Vec2<f32>,
-        count_5: rt::Scalar<f32>,
+        way_17: rt::Vec2<f32>,
+        count_7: rt::Scalar<f32>,
         turns_1: rt::Scalar<f32>,
         seed_2: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_bits_of_point(point_17, count_5, seed_2);
+        let _e5 = self.v_bits_of_point(point_17, count_7, seed_2);
         let _e6 = self.v_unit_of(_e5);
         let _e8 = self.v_turned_1((_e6 + turns_1));
-        return _e8.dot(way_16);
+        return _e8.dot(way_17);
     }
     pub(crate) fn gradient_noise(
         &self,
         at_111: impl rt::Into<rt::Vec2<f32>>,
-        count_6: impl rt::Into<rt::Scalar<f32>>,
+        count_8: impl rt::Into<rt::Scalar<f32>>,
         turns_2: impl rt::Into<rt::Scalar<f32>>,
         seed_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_noise(rt::into(at_111), rt::into(count_6), rt::into(turns_2), rt::into(seed_3)))
+        rt::into(self.v_gradient_noise(rt::into(at_111), rt::into(count_8), rt::into(turns_2), rt::into(seed_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gradient_noise(
         &self,
         at_111: rt::Vec2<f32>,
-        count_6: rt::Scalar<f32>,
+        count_8: rt::Scalar<f32>,
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let cell_44 = at_111.floor();
-        let part_26 = (at_111 - cell_44);
-        let fade = (((part_26 * part_26) * part_26) * ((part_26 * ((part_26 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
+        let part_27 = (at_111 - cell_44);
+        let fade = (((part_27 * part_27) * part_27) * ((part_27 * ((part_27 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_44, part_26, count_6, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_44 + right_5), (part_26 - right_5), count_6, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_44 + down_1), (part_26 - down_1), count_6, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_44 + right_5) + down_1), ((part_26 - right_5) - down_1), count_6, turns_2, seed_3);
-        let above_10 = (_e24 + ((_e27 - _e24) * fade.x()));
-        let below_9 = (_e30 + ((_e35 - _e30) * fade.x()));
-        return (above_10 + ((below_9 - above_10) * fade.y()));
+        let _e24 = self.v_gradient_at(cell_44, part_27, count_8, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_44 + right_5), (part_27 - right_5), count_8, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_44 + down_1), (part_27 - down_1), count_8, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_44 + right_5) + down_1), ((part_27 - right_5) - down_1), count_8, turns_2, seed_3);
+        let above_11 = (_e24 + ((_e27 - _e24) * fade.x()));
+        let below_12 = (_e30 + ((_e35 - _e30) * fade.x()));
+        return (above_11 + ((below_12 - above_11) * fade.y()));
     }
     pub(crate) fn holds_filter(
         &self,
         view_18: LightView,
-        place_22: impl rt::Into<rt::Vec3<f32>>,
+        place_23: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_18, rt::into(place_22), rt::into(half)))
+        rt::into(self.v_holds_filter(view_18, rt::into(place_23), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_holds_filter(
         &self,
         view_18: LightView,
-        place_22: rt::Vec3<f32>,
+        place_23: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_101: rt::Scalar<bool>;
-        let mut local_102: rt::Scalar<bool>;
+        let mut local_114: rt::Scalar<bool>;
+        let mut local_115: rt::Scalar<bool>;
 
-        let least_8 = (place_22.x().min(place_22.y()) - half);
-        let most_18 = (place_22.x().max(place_22.y()) + half);
-        if rt::Scalar::into_branch_condition(place_22.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_101 = least_8.elementwise_ge(rt::Scalar(0f32));
+        let least_9 = (place_23.x().min(place_23.y()) - half);
+        let most_18 = (place_23.x().max(place_23.y()) + half);
+        if rt::Scalar::into_branch_condition(place_23.z().elementwise_gt(rt::Scalar(0f32))) {
+            local_114 = least_9.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_101 = rt::Scalar(false);
+            local_114 = rt::Scalar(false);
         }
-        let _e19 = local_101;
+        let _e19 = local_114;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_102 = most_18.elementwise_le(rt::Scalar(view_18.size).to_f32());
+            local_115 = most_18.elementwise_le(rt::Scalar(view_18.size).to_f32());
         } else {
-            local_102 = rt::Scalar(false);
+            local_115 = rt::Scalar(false);
         }
-        let _e26 = local_102;
+        let _e26 = local_115;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -15714,16 +16229,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_103: rt::Scalar<bool>;
+        let mut local_116: rt::Scalar<bool>;
 
-        let low_10 = (plane_1.xyz().dot((position + (direction_6 * low_m))) + plane_1.w());
-        let high_4 = (plane_1.xyz().dot((position + (direction_6 * high_m))) + plane_1.w());
-        if rt::Scalar::into_branch_condition(low_10.elementwise_gt(rt::Scalar(0f32))) {
-            local_103 = high_4.elementwise_gt(rt::Scalar(0f32));
+        let low_12 = (plane_1.xyz().dot((position + (direction_6 * low_m))) + plane_1.w());
+        let high_6 = (plane_1.xyz().dot((position + (direction_6 * high_m))) + plane_1.w());
+        if rt::Scalar::into_branch_condition(low_12.elementwise_gt(rt::Scalar(0f32))) {
+            local_116 = high_6.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_103 = rt::Scalar(false);
+            local_116 = rt::Scalar(false);
         }
-        let _e24 = local_103;
+        let _e24 = local_116;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -15747,37 +16262,37 @@ impl<'g> Resources<'g> {
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_104: rt::Scalar<bool>;
-        let mut local_105: rt::Scalar<bool>;
+        let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_117: rt::Scalar<bool>;
+        let mut local_118: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_33;
+                let _e8 = k_34;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_33;
+                    let _e12 = k_34;
                     let plane_3 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_33;
-                    k_33 = (_e14 + rt::Scalar(1u32));
+                    let _e14 = k_34;
+                    k_34 = (_e14 + rt::Scalar(1u32));
                     let _e19 = self.v_is_before(plane_3, a_15.position, a_15.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_3, b_15.position, b_15.direction, low_m_1, high_m_1);
-                        local_104 = _e24;
+                        local_117 = _e24;
                     } else {
-                        local_104 = rt::Scalar(false);
+                        local_117 = rt::Scalar(false);
                     }
-                    let _e26 = local_104;
+                    let _e26 = local_117;
                     if rt::Scalar::into_branch_condition(_e26) {
                         let _e31 = self.v_is_before(plane_3, c_11.position, c_11.direction, low_m_1, high_m_1);
-                        local_105 = _e31;
+                        local_118 = _e31;
                     } else {
-                        local_105 = rt::Scalar(false);
+                        local_118 = rt::Scalar(false);
                     }
-                    let _e33 = local_105;
+                    let _e33 = local_118;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -15843,8 +16358,8 @@ impl<'g> Resources<'g> {
         c_13: Voxel,
         level_52: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let mut local_106: rt::Scalar<bool>;
-        let mut local_107: rt::Scalar<bool>;
+        let mut local_119: rt::Scalar<bool>;
+        let mut local_120: rt::Scalar<bool>;
 
         let _e6 = self.v_coarser_voxel(a_18.at, level_52);
         let _e8 = self.v_coarser_voxel(b_18.at, level_52);
@@ -15854,17 +16369,17 @@ impl<'g> Resources<'g> {
         let _e17 = self.v_longest_of((_e6 - _e10));
         let longest = _e12.max(_e14).max(_e17);
         if rt::Scalar::into_branch_condition(longest.elementwise_gt(rt::Scalar(0i32))) {
-            local_106 = longest.elementwise_le(rt::Scalar(1023i32));
+            local_119 = longest.elementwise_le(rt::Scalar(1023i32));
         } else {
-            local_106 = rt::Scalar(false);
+            local_119 = rt::Scalar(false);
         }
-        let _e26 = local_106;
+        let _e26 = local_119;
         if rt::Scalar::into_branch_condition(_e26) {
-            local_107 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
+            local_120 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
         } else {
-            local_107 = rt::Scalar(false);
+            local_120 = rt::Scalar(false);
         }
-        let _e33 = local_107;
+        let _e33 = local_120;
         return _e33;
     }
     pub(crate) fn light_place(
@@ -15881,31 +16396,31 @@ impl<'g> Resources<'g> {
         view_19: LightView,
         point_18: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_169 = <rt::Vec4<f32>>::new_31(point_18, rt::Scalar(1f32));
-        let depth_9 = view_19.depth.dot(at_169);
-        let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_19.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_19.column.dot(at_169), view_19.row.dot(at_169)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
+        let at_170 = <rt::Vec4<f32>>::new_31(point_18, rt::Scalar(1f32));
+        let depth_10 = view_19.depth.dot(at_170);
+        let over_3 = rt::Scalar(1f32).select(depth_10, rt::Scalar(view_19.from_point).elementwise_eq(rt::Scalar(1u32)));
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_19.column.dot(at_170), view_19.row.dot(at_170)) / rt::Vec2::splat_from_scalar(over_3)), depth_10);
     }
     pub(crate) fn patch_normal(
         &self,
         at_112: Entered,
-        uv_31: impl rt::Into<rt::Vec2<f32>>,
+        uv_32: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_112, rt::into(uv_31)))
+        rt::into(self.v_patch_normal(at_112, rt::into(uv_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_patch_normal(
         &self,
         at_112: Entered,
-        uv_31: rt::Vec2<f32>,
+        uv_32: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let facet = at_112.facing.normalize();
             return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_112.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_31, rt::Scalar(at_112.level));
+        let _e18 = self.v_height_and_slope(uv_32, rt::Scalar(at_112.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
         let along_u_4 = (at_112.tangent + (at_112.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
@@ -15918,9 +16433,9 @@ impl<'g> Resources<'g> {
         view_20: LightView,
         point_19: impl rt::Into<rt::Vec3<f32>>,
         normal_19: impl rt::Into<rt::Vec3<f32>>,
-        texel_4: impl rt::Into<rt::Vec2<f32>>,
+        texel_5: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_20, rt::into(point_19), rt::into(normal_19), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_20, rt::into(point_19), rt::into(normal_19), rt::into(texel_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15929,9 +16444,9 @@ impl<'g> Resources<'g> {
         view_20: LightView,
         point_19: rt::Vec3<f32>,
         normal_19: rt::Vec3<f32>,
-        texel_4: rt::Vec2<f32>,
+        texel_5: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_6 = ((view_20.corner.xyz() + (view_20.across.xyz() * texel_4.x())) + (view_20.along.xyz() * texel_4.y()));
+        let corner_6 = ((view_20.corner.xyz() + (view_20.across.xyz() * texel_5.x())) + (view_20.along.xyz() * texel_5.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_20.from_point).elementwise_eq(rt::Scalar(1u32))) {
             return (normal_19.dot((point_19 - view_20.eye.xyz())) / normal_19.dot(corner_6));
         }
@@ -15939,34 +16454,34 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_texel(
         &self,
-        place_23: impl rt::Into<rt::Vec2<i32>>,
+        place_24: impl rt::Into<rt::Vec2<i32>>,
         view_21: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_23), rt::into(view_21)))
+        rt::into(self.v_light_texel(rt::into(place_24), rt::into(view_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_light_texel(
         &self,
-        place_23: rt::Vec2<i32>,
+        place_24: rt::Vec2<i32>,
         view_21: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_23, rt::Scalar::into_inner(view_21), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_24, rt::Scalar::into_inner(view_21), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
         &self,
         at_113: InView,
-        row_6: impl rt::Into<rt::Scalar<f32>>,
+        row_7: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_113, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_113, rt::into(row_7), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_row_sees(
         &self,
         at_113: InView,
-        row_6: rt::Scalar<f32>,
+        row_7: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15986,11 +16501,11 @@ impl<'g> Resources<'g> {
                     let _e24 = column_2;
                     let wide_2 = (at_113.high.x().min((_e18 + rt::Scalar(1f32))) - at_113.low.x().max(_e24));
                     let _e27 = column_2;
-                    let place_37 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_34, at_113.point, at_113.normal, (place_37 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_10 = _e35.clamp(rt::Scalar(at_113.least_depth), rt::Scalar(at_113.most_depth));
-                    let key = (rt::Scalar(view_34.near) / (rt::Scalar(view_34.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_37.to_i32(), rt::Scalar(at_113.number).to_i32());
+                    let place_39 = <rt::Vec2<f32>>::from_scalars(_e27, row_7);
+                    let _e35 = self.v_plane_depth(view_34, at_113.point, at_113.normal, (place_39 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_11 = _e35.clamp(rt::Scalar(at_113.least_depth), rt::Scalar(at_113.most_depth));
+                    let key = (rt::Scalar(view_34.near) / (rt::Scalar(view_34.near) + depth_11.max(rt::Scalar(0f32))));
+                    let _e48 = self.v_light_texel(place_39.to_i32(), rt::Scalar(at_113.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -16008,11 +16523,11 @@ impl<'g> Resources<'g> {
         number_15: impl rt::Into<rt::Scalar<u32>>,
         at_114: Entered,
         normal_20: impl rt::Into<rt::Vec3<f32>>,
-        place_24: impl rt::Into<rt::Vec3<f32>>,
+        place_25: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_15), at_114, rt::into(normal_20), rt::into(place_24), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_15), at_114, rt::into(normal_20), rt::into(place_25), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_part(
@@ -16020,40 +16535,40 @@ impl<'g> Resources<'g> {
         number_15: rt::Scalar<u32>,
         at_114: Entered,
         normal_20: rt::Vec3<f32>,
-        place_24: rt::Vec3<f32>,
+        place_25: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut seen_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut row_7: rt::Scalar<f32>;
+        let mut row_8: rt::Scalar<f32>;
 
         let view_35 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
-        let texel_m = (rt::Scalar(view_35.texel_m) * rt::Scalar(1f32).select(place_24.z(), rt::Scalar(view_35.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let texel_m = (rt::Scalar(view_35.texel_m) * rt::Scalar(1f32).select(place_25.z(), rt::Scalar(view_35.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_114);
         let point_32 = (at_114.point + (normal_20 * (bias * texel_m.max(_e19))));
         let reach_5 = (rt::Scalar(16f32) * texel_m);
-        let low_11 = (place_24.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
-        let high_5 = (low_11 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_17 = high_5.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_35.size).to_f32(), rt::Scalar(view_35.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_15, point_32, normal_20, low_11, high_5, (place_24.z() - reach_5), (place_24.z() + reach_5));
-        row_7 = low_11.y().floor();
+        let low_13 = (place_25.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let high_7 = (low_13 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
+        let last_17 = high_7.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_35.size).to_f32(), rt::Scalar(view_35.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_15, point_32, normal_20, low_13, high_7, (place_25.z() - reach_5), (place_25.z() + reach_5));
+        row_8 = low_13.y().floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e55 = row_7;
+                let _e55 = row_8;
                 if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_17.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e59 = row_7;
-                    let _e64 = row_7;
-                    let tall = (high_5.y().min((_e59 + rt::Scalar(1f32))) - low_11.y().max(_e64));
+                    let _e59 = row_8;
+                    let _e64 = row_8;
+                    let tall = (high_7.y().min((_e59 + rt::Scalar(1f32))) - low_13.y().max(_e64));
                     let _e67 = seen_1;
-                    let _e68 = row_7;
+                    let _e68 = row_8;
                     let _e70 = self.v_row_sees(in_view, _e68, last_17.x());
                     seen_1 = (_e67 + (_e70 * tall));
-                    let _e73 = row_7;
-                    row_7 = (_e73 + rt::Scalar(1f32));
+                    let _e73 = row_8;
+                    row_8 = (_e73 + rt::Scalar(1f32));
                 }
             }
         }
@@ -16063,57 +16578,57 @@ impl<'g> Resources<'g> {
     pub(crate) fn light_seen(
         &self,
         at_115: Entered,
-        uv_32: impl rt::Into<rt::Vec2<f32>>,
+        uv_33: impl rt::Into<rt::Vec2<f32>>,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_115, rt::into(uv_32), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_115, rt::into(uv_33), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_light_seen(
         &self,
         at_115: Entered,
-        uv_32: rt::Vec2<f32>,
+        uv_33: rt::Vec2<f32>,
         number_16: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_34: rt::Scalar<u32>;
+        let mut k_35: rt::Scalar<u32>;
 
         let light_21 = self.frame.lights[rt::Scalar::into_array_index(number_16)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_21.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_115, uv_32);
+        let _e14 = self.v_patch_normal(at_115, uv_33);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let width_7 = filter_texels.max(rt::Scalar(0.001f32));
-        k_34 = rt::Scalar(light_21.first_view);
+        k_35 = rt::Scalar(light_21.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_34;
+                let _e24 = k_35;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_21.first_view) + rt::Scalar(light_21.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_34;
+                    let _e31 = k_35;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
                     let _e35 = self.v_light_place(_e33, at_115.point);
-                    let _e38 = k_34;
+                    let _e38 = k_35;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_7));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_34;
+                        let _e44 = k_35;
                         let _e45 = self.v_seen_part(_e44, at_115, _e14, _e35, width_7, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_34;
-                    k_34 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_35;
+                    k_35 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -16121,28 +16636,28 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn main_axis(
         &self,
-        start_3: impl rt::Into<rt::Vec3<i32>>,
+        start_4: impl rt::Into<rt::Vec3<i32>>,
         to_1: impl rt::Into<rt::Vec3<i32>>,
     ) -> u32 {
-        rt::into(self.v_main_axis(rt::into(start_3), rt::into(to_1)))
+        rt::into(self.v_main_axis(rt::into(start_4), rt::into(to_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_main_axis(
         &self,
-        start_3: rt::Vec3<i32>,
+        start_4: rt::Vec3<i32>,
         to_1: rt::Vec3<i32>,
     ) -> rt::Scalar<u32> {
-        let mut local_108: rt::Scalar<bool>;
+        let mut local_121: rt::Scalar<bool>;
 
-        let along_42 = (to_1 - start_3).abs();
+        let along_42 = (to_1 - start_4).abs();
         let of_last_1 = rt::Scalar(2u32).select(rt::Scalar(1u32), along_42.y().elementwise_ge(along_42.z()));
         if rt::Scalar::into_branch_condition(along_42.x().elementwise_ge(along_42.y())) {
-            local_108 = along_42.x().elementwise_ge(along_42.z());
+            local_121 = along_42.x().elementwise_ge(along_42.z());
         } else {
-            local_108 = rt::Scalar(false);
+            local_121 = rt::Scalar(false);
         }
-        let _e20 = local_108;
+        let _e20 = local_121;
         return of_last_1.select(rt::Scalar(0u32), _e20);
     }
     pub(crate) fn shadow_ray(
@@ -16150,9 +16665,9 @@ impl<'g> Resources<'g> {
         at_116: Entered,
         hit_34: Hit,
         light_9: Toward,
-        params_101: impl rt::Into<rt::Vec4<f32>>,
+        params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_116, hit_34, light_9, rt::into(params_101)))
+        rt::into(self.v_shadow_ray(at_116, hit_34, light_9, rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16161,7 +16676,7 @@ impl<'g> Resources<'g> {
         at_116: Entered,
         hit_34: Hit,
         light_9: Toward,
-        params_101: rt::Vec4<f32>,
+        params_105: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_free_way(at_116, hit_34, light_9);
         return _e4;
@@ -16171,9 +16686,9 @@ impl<'g> Resources<'g> {
         at_117: Entered,
         hit_35: Hit,
         light_10: Toward,
-        params_102: impl rt::Into<rt::Vec4<f32>>,
+        params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_117, hit_35, light_10, rt::into(params_102)))
+        rt::into(self.v_shadow_none(at_117, hit_35, light_10, rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16182,7 +16697,7 @@ impl<'g> Resources<'g> {
         at_117: Entered,
         hit_35: Hit,
         light_10: Toward,
-        params_102: rt::Vec4<f32>,
+        params_106: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -16191,9 +16706,9 @@ impl<'g> Resources<'g> {
         at_118: Entered,
         hit_36: Hit,
         light_11: Toward,
-        params_103: impl rt::Into<rt::Vec4<f32>>,
+        params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_118, hit_36, light_11, rt::into(params_103)))
+        rt::into(self.v_shadow_entry(at_118, hit_36, light_11, rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_entry(
@@ -16201,7 +16716,7 @@ impl<'g> Resources<'g> {
         at_118: Entered,
         hit_36: Hit,
         light_11: Toward,
-        params_103: rt::Vec4<f32>,
+        params_107: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_from_hit(at_118, hit_36, light_11);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -16222,7 +16737,7 @@ impl<'g> Resources<'g> {
         }
         let _e52 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e42.uv - _e4.uv).abs() * _e52);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_103.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_107.x()));
     }
     pub(crate) fn seed_of(&self, hit_37: Hit) -> u32 {
         rt::into(self.v_seed_of(hit_37))
@@ -16230,19 +16745,19 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seed_of(&self, hit_37: Hit) -> rt::Scalar<u32> {
-        let place_38 = ((hit_37.uv - hit_37.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_38.y());
-        let _e12 = self.v_mixed((place_38.x() ^ _e10));
+        let place_40 = ((hit_37.uv - hit_37.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_40.y());
+        let _e12 = self.v_mixed((place_40.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn point_of_disc(
         &self,
         light_12: Toward,
         seed_4: impl rt::Into<rt::Scalar<u32>>,
-        k_35: impl rt::Into<rt::Scalar<u32>>,
-        count_7: impl rt::Into<rt::Scalar<u32>>,
+        k_36: impl rt::Into<rt::Scalar<u32>>,
+        count_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_12, rt::into(seed_4), rt::into(k_35), rt::into(count_7)))
+        rt::into(self.v_point_of_disc(light_12, rt::into(seed_4), rt::into(k_36), rt::into(count_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16250,19 +16765,19 @@ impl<'g> Resources<'g> {
         &self,
         light_12: Toward,
         seed_4: rt::Scalar<u32>,
-        k_35: rt::Scalar<u32>,
-        count_7: rt::Scalar<u32>,
+        k_36: rt::Scalar<u32>,
+        count_9: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_4 + k_35) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_4 + k_36) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_35.to_f32() + _e9) / count_7.to_f32());
+        let ring = ((k_36.to_f32() + _e9) / count_9.to_f32());
         let _e16 = self.v_unit_of(seed_4);
-        let _e18 = self.v_turned_1(((k_35.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_39 = (_e18 * (ring.sqrt() * rt::Scalar(light_12.radius)));
+        let _e18 = self.v_turned_1(((k_36.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_41 = (_e18 * (ring.sqrt() * rt::Scalar(light_12.radius)));
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_12.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_12.direction).normalize();
         let up_5 = light_12.direction.cross(right_6);
-        let toward_11 = ((light_12.direction + (right_6 * place_39.x())) + (up_5 * place_39.y()));
+        let toward_11 = ((light_12.direction + (right_6 * place_41.x())) + (up_5 * place_41.y()));
         let along_43 = toward_11.length();
         return <Toward>::new((toward_11 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_12.falloff), (rt::Scalar(light_12.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_12.number));
     }
@@ -16271,9 +16786,9 @@ impl<'g> Resources<'g> {
         at_119: Entered,
         hit_38: Hit,
         light_13: Toward,
-        params_104: impl rt::Into<rt::Vec4<f32>>,
+        params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_119, hit_38, light_13, rt::into(params_104)))
+        rt::into(self.v_shadow_soft(at_119, hit_38, light_13, rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_soft(
@@ -16281,42 +16796,42 @@ impl<'g> Resources<'g> {
         at_119: Entered,
         hit_38: Hit,
         light_13: Toward,
-        params_104: rt::Vec4<f32>,
+        params_108: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_11 = params_104.x().to_u32();
+        let count_14 = params_108.x().to_u32();
         let _e6 = self.v_seed_of(hit_38);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_36;
-                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_11)) {
+                let _e11 = k_37;
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_14)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_36;
-                    let _e15 = self.v_point_of_disc(light_13, _e6, _e14, count_11);
+                    let _e14 = k_37;
+                    let _e15 = self.v_point_of_disc(light_13, _e6, _e14, count_14);
                     let _e16 = self.v_free_way(at_119, hit_38, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_36;
-                    k_36 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_37;
+                    k_37 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
         let _e21 = free;
-        return (_e21 / count_11.to_f32());
+        return (_e21 / count_14.to_f32());
     }
     pub(crate) fn shadow_heuristic(
         &self,
         at_120: Entered,
         hit_39: Hit,
         light_14: Toward,
-        params_105: impl rt::Into<rt::Vec4<f32>>,
+        params_109: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_120, hit_39, light_14, rt::into(params_105)))
+        rt::into(self.v_shadow_heuristic(at_120, hit_39, light_14, rt::into(params_109)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_heuristic(
@@ -16324,10 +16839,10 @@ impl<'g> Resources<'g> {
         at_120: Entered,
         hit_39: Hit,
         light_14: Toward,
-        params_105: rt::Vec4<f32>,
+        params_109: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_37: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_38: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e4 = self.v_from_hit(at_120, hit_39, light_14);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -16336,89 +16851,89 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_way_out(_e4, light_14);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_37;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_105.x())) {
+                let _e16 = k_38;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_109.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_37;
-                    let part_27 = (_e19 / params_105.x());
+                    let _e19 = k_38;
+                    let part_28 = (_e19 / params_109.x());
                     let _e22 = most_2;
-                    let _e24 = self.v_path_gap(_e4, (part_27 * _e11));
-                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_27)));
-                    let _e31 = k_37;
-                    k_37 = (_e31 + rt::Scalar(1f32));
+                    let _e24 = self.v_path_gap(_e4, (part_28 * _e11));
+                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_28)));
+                    let _e31 = k_38;
+                    k_38 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_2;
-        return (rt::Scalar(1f32) - (params_105.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_109.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_25: impl rt::Into<rt::Vec2<i32>>,
-        layer_9: impl rt::Into<rt::Scalar<i32>>,
+        place_26: impl rt::Into<rt::Vec2<i32>>,
+        layer_11: impl rt::Into<rt::Scalar<i32>>,
         level_53: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_25), rt::into(layer_9), rt::into(level_53)))
+        rt::into(self.v_shadow_texel(rt::into(place_26), rt::into(layer_11), rt::into(level_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_texel(
         &self,
-        place_25: rt::Vec2<i32>,
-        layer_9: rt::Scalar<i32>,
+        place_26: rt::Vec2<i32>,
+        layer_11: rt::Scalar<i32>,
         level_53: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_25, rt::Scalar::into_inner(layer_9), 0i32, rt::Scalar::into_inner(level_53));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_26, rt::Scalar::into_inner(layer_11), 0i32, rt::Scalar::into_inner(level_53));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_33: impl rt::Into<rt::Vec2<f32>>,
-        layer_10: impl rt::Into<rt::Scalar<i32>>,
+        uv_34: impl rt::Into<rt::Vec2<f32>>,
+        layer_12: impl rt::Into<rt::Scalar<i32>>,
         level_54: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_33), rt::into(layer_10), rt::into(level_54)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_34), rt::into(layer_12), rt::into(level_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_texel_between(
         &self,
-        uv_33: rt::Vec2<f32>,
-        layer_10: rt::Scalar<i32>,
+        uv_34: rt::Vec2<f32>,
+        layer_12: rt::Scalar<i32>,
         level_54: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_54);
-        let _e4 = self.v_texels_around(uv_33, _e3);
-        let k_55 = level_54.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_10, k_55);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_10, k_55);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_10, k_55);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_10, k_55);
+        let _e4 = self.v_texels_around(uv_34, _e3);
+        let k_56 = level_54.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_12, k_56);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_12, k_56);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_12, k_56);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_12, k_56);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
-    pub(crate) fn own_slope(&self, way_17: Path) -> f32 {
-        rt::into(self.v_own_slope(way_17))
+    pub(crate) fn own_slope(&self, way_18: Path) -> f32 {
+        rt::into(self.v_own_slope(way_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_own_slope(&self, way_17: Path) -> rt::Scalar<f32> {
+    pub(super) fn v_own_slope(&self, way_18: Path) -> rt::Scalar<f32> {
         let mut level_55: Path;
 
-        let _e1 = self.v_grid_of(way_17);
+        let _e1 = self.v_grid_of(way_18);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_21 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_55 = way_17;
-        level_55.h = <rt::Vec3<f32>>::from_scalars(way_17.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        level_55 = way_18;
+        level_55.h = <rt::Vec3<f32>>::from_scalars(way_18.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
         rt::Scalar(level_55.exit) = end_21;
         let _e18 = level_55;
-        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_17.level));
+        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_18.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_21))));
     }
@@ -16437,9 +16952,9 @@ impl<'g> Resources<'g> {
         at_121: Entered,
         hit_40: Hit,
         light_15: Toward,
-        params_106: impl rt::Into<rt::Vec4<f32>>,
+        params_110: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_121, hit_40, light_15, rt::into(params_106)))
+        rt::into(self.v_shadow_horizon(at_121, hit_40, light_15, rt::into(params_110)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_horizon(
@@ -16447,28 +16962,28 @@ impl<'g> Resources<'g> {
         at_121: Entered,
         hit_40: Hit,
         light_15: Toward,
-        params_106: rt::Vec4<f32>,
+        params_110: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e5 = self.v_climb(at_121, light_15.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_44 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_44);
-        let azimuth_5 = (_e13 * params_106.x());
-        let first_26 = azimuth_5.floor();
-        let count_12 = params_106.x().to_i32();
-        let before_8 = (first_26.to_i32() % count_12);
-        let part_28 = (azimuth_5 - first_26);
-        let _e24 = self.v_shadow_texel_between(hit_40.uv, before_8, rt::Scalar(at_121.level));
-        let low_12 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_40.uv, ((before_8 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_121.level));
-        let sine_1 = (low_12 + ((_e31.x() - low_12) * part_28));
+        let azimuth_6 = (_e13 * params_110.x());
+        let first_27 = azimuth_6.floor();
+        let count_15 = params_110.x().to_i32();
+        let before_9 = (first_27.to_i32() % count_15);
+        let part_29 = (azimuth_6 - first_27);
+        let _e24 = self.v_shadow_texel_between(hit_40.uv, before_9, rt::Scalar(at_121.level));
+        let low_14 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_40.uv, ((before_9 + rt::Scalar(1i32)) % count_15), rt::Scalar(at_121.level));
+        let sine_1 = (low_14 + ((_e31.x() - low_14) * part_29));
         let squared_5 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_19 = (squared_5 * along_44.dot(along_44)).sqrt();
         let _e48 = self.v_from_hit(at_121, hit_40, light_15);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
-        let near_10 = (_e49 * _e52);
-        let horizon = far_19.max(near_10);
+        let near_11 = (_e49 * _e52);
+        let horizon = far_19.max(near_11);
         let up_6 = at_121.normal.dot(light_15.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_15.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
@@ -16485,11 +17000,11 @@ impl<'g> Resources<'g> {
         &self,
         at_122: Entered,
         hit_41: Hit,
-        azimuth_2: impl rt::Into<rt::Scalar<i32>>,
+        azimuth_3: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_122, hit_41, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_122, hit_41, rt::into(azimuth_3), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16497,11 +17012,11 @@ impl<'g> Resources<'g> {
         &self,
         at_122: Entered,
         hit_41: Hit,
-        azimuth_2: rt::Scalar<i32>,
+        azimuth_3: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_41.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_122.level));
+        let _e9 = self.v_shadow_texel_between(hit_41.uv, ((azimuth_3 * elevations) + elevation_2), rt::Scalar(at_122.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
@@ -16509,9 +17024,9 @@ impl<'g> Resources<'g> {
         at_123: Entered,
         hit_42: Hit,
         light_16: Toward,
-        params_107: impl rt::Into<rt::Vec4<f32>>,
+        params_111: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_123, hit_42, light_16, rt::into(params_107)))
+        rt::into(self.v_shadow_visibility(at_123, hit_42, light_16, rt::into(params_111)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_visibility(
@@ -16519,7 +17034,7 @@ impl<'g> Resources<'g> {
         at_123: Entered,
         hit_42: Hit,
         light_16: Toward,
-        params_107: rt::Vec4<f32>,
+        params_111: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e5 = self.v_climb(at_123, light_16.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
@@ -16530,22 +17045,22 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_25 = (_e5.z() * _e21);
         let squared_6 = ((height_25 * height_25) / (along_45.dot(along_45) + (height_25 * height_25)));
-        let azimuths = params_107.x().to_i32();
-        let elevations_1 = params_107.y().to_i32();
+        let azimuths = params_111.x().to_i32();
+        let elevations_1 = params_111.y().to_i32();
         let _e32 = self.v_turn_of(along_45);
-        let azimuth_6 = (_e32 * params_107.x());
-        let elevation_5 = ((squared_6 * params_107.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_107.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_107.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_42 = ((azimuth_6 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_123, hit_42, a_42, (elevation_5 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+        let azimuth_7 = (_e32 * params_111.x());
+        let elevation_6 = ((squared_6 * params_111.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_111.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_111.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_42 = ((azimuth_7 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
+            let _e56 = self.v_open_part(at_123, hit_42, a_42, (elevation_6 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
-        let a0_2 = (azimuth_6.floor().to_i32() % azimuths);
+        let a0_2 = (azimuth_7.floor().to_i32() % azimuths);
         let a1_2 = ((a0_2 + rt::Scalar(1i32)) % azimuths);
-        let e0_1 = elevation_5.floor().to_i32();
+        let e0_1 = elevation_6.floor().to_i32();
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
-        let along_azimuth = (azimuth_6 - azimuth_6.floor());
-        let along_elevation = (elevation_5 - elevation_5.floor());
+        let along_azimuth = (azimuth_7 - azimuth_7.floor());
+        let along_elevation = (elevation_6 - elevation_6.floor());
         let _e74 = self.v_open_part(at_123, hit_42, a1_2, e0_1, elevations_1);
         let _e75 = self.v_open_part(at_123, hit_42, a0_2, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
@@ -16560,9 +17075,9 @@ impl<'g> Resources<'g> {
         at_124: Entered,
         hit_43: Hit,
         light_17: Toward,
-        params_108: impl rt::Into<rt::Vec4<f32>>,
+        params_112: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_124, hit_43, light_17, rt::into(params_108)))
+        rt::into(self.v_shadow_map(at_124, hit_43, light_17, rt::into(params_112)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16571,9 +17086,9 @@ impl<'g> Resources<'g> {
         at_124: Entered,
         hit_43: Hit,
         light_17: Toward,
-        params_108: rt::Vec4<f32>,
+        params_112: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_124, hit_43.uv, rt::Scalar(light_17.number), light_17.direction, params_108.z(), params_108.w());
+        let _e9 = self.v_light_seen(at_124, hit_43.uv, rt::Scalar(light_17.number), light_17.direction, params_112.z(), params_112.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
@@ -16581,9 +17096,9 @@ impl<'g> Resources<'g> {
         at_125: Entered,
         hit_44: Hit,
         light_18: Toward,
-        params_109: impl rt::Into<rt::Vec4<f32>>,
+        params_113: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_125, hit_44, light_18, rt::into(params_109)))
+        rt::into(self.v_shadow_scene(at_125, hit_44, light_18, rt::into(params_113)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16592,7 +17107,7 @@ impl<'g> Resources<'g> {
         at_125: Entered,
         hit_44: Hit,
         light_18: Toward,
-        params_109: rt::Vec4<f32>,
+        params_113: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -16670,18 +17185,18 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normal_of_frames(&self, at_128: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_4: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_39: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e9 = k_38;
+                let _e9 = k_39;
                 if rt::Scalar::into_branch_condition(_e9.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_38;
+                    let _e12 = k_39;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
                     seen_2 = at_128;
@@ -16691,64 +17206,64 @@ impl<'g> Resources<'g> {
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
                     let _e23 = self.v_place_in_image(_e14, at_128.point);
-                    let uv_45 = _e23.xy();
+                    let uv_46 = _e23.xy();
                     let _e25 = sum_4;
                     let _e26 = seen_2;
-                    let _e27 = self.v_finest_normal(_e26, uv_45);
-                    let _e28 = k_38;
+                    let _e27 = self.v_finest_normal(_e26, uv_46);
+                    let _e28 = k_39;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_4 = (_e25 + (_e27 * _e29));
-                    let _e32 = k_38;
-                    k_38 = (_e32 + rt::Scalar(1u32));
+                    let _e32 = k_39;
+                    k_39 = (_e32 + rt::Scalar(1u32));
                 }
             }
         }
         let _e35 = sum_4;
         let _e36 = sum_4;
-        let square_4 = _e35.dot(_e36);
-        if rt::Scalar::into_branch_condition(square_4.elementwise_gt(rt::Scalar(0f32))) {
+        let square_6 = _e35.dot(_e36);
+        if rt::Scalar::into_branch_condition(square_6.elementwise_gt(rt::Scalar(0f32))) {
             let _e40 = sum_4;
-            return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
+            return (_e40 / rt::Vec3::splat_from_scalar(square_6.sqrt()));
         }
         return at_128.normal;
     }
-    pub(crate) fn rise_of_mask(&self, uv_34: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_rise_of_mask(rt::into(uv_34)))
+    pub(crate) fn rise_of_mask(&self, uv_35: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_rise_of_mask(rt::into(uv_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_rise_of_mask(&self, uv_34: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_rise_of_mask(&self, uv_35: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_170 = ((uv_34 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_170);
+        let at_171 = ((uv_35 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_171);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_29 = (at_170 - _e8);
-        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_29.y())) + ((_e11.w() - _e11.z()) * part_29.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_29.x())) + ((_e11.w() - _e11.y()) * part_29.x())));
+        let part_30 = (at_171 - _e8);
+        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_30.y())) + ((_e11.w() - _e11.z()) * part_30.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_30.x())) + ((_e11.w() - _e11.y()) * part_30.x())));
     }
     pub(crate) fn normal_of_mask(
         &self,
         image_12: Image,
-        uv_35: impl rt::Into<rt::Vec2<f32>>,
+        uv_36: impl rt::Into<rt::Vec2<f32>>,
         within: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_35), rt::into(within)))
+        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_36), rt::into(within)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_of_mask(
         &self,
         image_12: Image,
-        uv_35: rt::Vec2<f32>,
+        uv_36: rt::Vec2<f32>,
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_rise_of_mask(uv_35);
-        let place_40 = ((uv_35 - image_12.corner) / image_12.extent);
-        let along_u_5 = (image_12.u.xyz() - (image_12.depth.xyz() * place_40.x())).normalize();
-        let along_v_5 = (image_12.v.xyz() - (image_12.depth.xyz() * place_40.y())).normalize();
+        let _e3 = self.v_rise_of_mask(uv_36);
+        let place_42 = ((uv_36 - image_12.corner) / image_12.extent);
+        let along_u_5 = (image_12.u.xyz() - (image_12.depth.xyz() * place_42.x())).normalize();
+        let along_v_5 = (image_12.v.xyz() - (image_12.depth.xyz() * place_42.y())).normalize();
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_5 * _e3.x())) - (along_v_5 * _e3.y()));
-        let square_5 = outward.dot(outward);
-        if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
-            return (outward / rt::Vec3::splat_from_scalar(square_5.sqrt()));
+        let square_7 = outward.dot(outward);
+        if rt::Scalar::into_branch_condition(square_7.elementwise_gt(rt::Scalar(0f32))) {
+            return (outward / rt::Vec3::splat_from_scalar(square_7.sqrt()));
         }
         return within;
     }
@@ -16757,9 +17272,9 @@ impl<'g> Resources<'g> {
         at_129: Entered,
         hit_47: Hit,
         view_22: impl rt::Into<rt::Vec3<f32>>,
-        params_110: impl rt::Into<rt::Vec4<f32>>,
+        params_114: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_129, hit_47, rt::into(view_22), rt::into(params_110)))
+        rt::into(self.v_object_blend_color(at_129, hit_47, rt::into(view_22), rt::into(params_114)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16768,9 +17283,9 @@ impl<'g> Resources<'g> {
         at_129: Entered,
         hit_47: Hit,
         view_22: rt::Vec3<f32>,
-        params_110: rt::Vec4<f32>,
+        params_114: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_129, view_22, params_110.z());
+        let _e5 = self.v_color_of_object(at_129, view_22, params_114.z());
         return _e5;
     }
     pub(crate) fn object_none_color(
@@ -16778,9 +17293,9 @@ impl<'g> Resources<'g> {
         at_130: Entered,
         hit_48: Hit,
         view_23: impl rt::Into<rt::Vec3<f32>>,
-        params_111: impl rt::Into<rt::Vec4<f32>>,
+        params_115: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_130, hit_48, rt::into(view_23), rt::into(params_111)))
+        rt::into(self.v_object_none_color(at_130, hit_48, rt::into(view_23), rt::into(params_115)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16789,7 +17304,7 @@ impl<'g> Resources<'g> {
         at_130: Entered,
         hit_48: Hit,
         view_23: rt::Vec3<f32>,
-        params_111: rt::Vec4<f32>,
+        params_115: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e6 = self.v_color_or_white(hit_48.uv, rt::Scalar(at_130.footprint));
         return _e6;
@@ -16799,9 +17314,9 @@ impl<'g> Resources<'g> {
         at_131: Entered,
         hit_49: Hit,
         view_24: impl rt::Into<rt::Vec3<f32>>,
-        params_112: impl rt::Into<rt::Vec4<f32>>,
+        params_116: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_131, hit_49, rt::into(view_24), rt::into(params_112)))
+        rt::into(self.v_object_depth_color(at_131, hit_49, rt::into(view_24), rt::into(params_116)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16810,9 +17325,9 @@ impl<'g> Resources<'g> {
         at_131: Entered,
         hit_49: Hit,
         view_24: rt::Vec3<f32>,
-        params_112: rt::Vec4<f32>,
+        params_116: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_131, view_24, params_112.z());
+        let _e5 = self.v_color_of_object(at_131, view_24, params_116.z());
         return _e5;
     }
     pub(crate) fn object_hull_color(
@@ -16820,9 +17335,9 @@ impl<'g> Resources<'g> {
         at_132: Entered,
         hit_50: Hit,
         view_25: impl rt::Into<rt::Vec3<f32>>,
-        params_113: impl rt::Into<rt::Vec4<f32>>,
+        params_117: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_132, hit_50, rt::into(view_25), rt::into(params_113)))
+        rt::into(self.v_object_hull_color(at_132, hit_50, rt::into(view_25), rt::into(params_117)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16831,9 +17346,9 @@ impl<'g> Resources<'g> {
         at_132: Entered,
         hit_50: Hit,
         view_25: rt::Vec3<f32>,
-        params_113: rt::Vec4<f32>,
+        params_117: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_132, view_25, params_113.z());
+        let _e5 = self.v_color_of_object(at_132, view_25, params_117.z());
         return _e5;
     }
     pub(crate) fn object_color_stage(
@@ -16877,23 +17392,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn occlusion_roughness_metalness(
         &self,
-        uv_36: impl rt::Into<rt::Vec2<f32>>,
+        uv_37: impl rt::Into<rt::Vec2<f32>>,
         footprint_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_36), rt::into(footprint_4)))
+        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_37), rt::into(footprint_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_occlusion_roughness_metalness(
         &self,
-        uv_36: rt::Vec2<f32>,
+        uv_37: rt::Vec2<f32>,
         footprint_4: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_material);
         if rt::Scalar::into_branch_condition((_e4 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
-        let _e14 = self.v_material_layer(uv_36, footprint_4, rt::Scalar(0i32));
+        let _e14 = self.v_material_layer(uv_37, footprint_4, rt::Scalar(0i32));
         return _e14;
     }
     pub(crate) fn parts_by_uv(
@@ -17009,15 +17524,15 @@ impl<'g> Resources<'g> {
     pub(super) fn v_placed_over(&self, at_134: Entered, hit_52: Hit) -> Entered {
         let mut placed: Entered;
 
-        let uv_46 = hit_52.uv;
-        let aside_9 = (uv_46 - at_134.uv);
-        let _e7 = self.v_field_height_stage(uv_46, rt::Scalar(hit_52.height), rt::Scalar(at_134.level));
+        let uv_47 = hit_52.uv;
+        let aside_9 = (uv_47 - at_134.uv);
+        let _e7 = self.v_field_height_stage(uv_47, rt::Scalar(hit_52.height), rt::Scalar(at_134.level));
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
         let height_26 = (_e10 + (_e13 * _e7));
         placed = at_134;
         placed.point = (((at_134.point + (at_134.tangent * aside_9.x())) + (at_134.bitangent * aside_9.y())) + (at_134.normal * height_26));
-        placed.uv = uv_46;
+        placed.uv = uv_47;
         let _e31 = placed;
         return _e31;
     }
@@ -17025,11 +17540,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_86: PixelIn,
         at_135: Entered,
-        path_84: Path,
+        path_91: Path,
         hit_53: Hit,
-        params_114: impl rt::Into<rt::Vec4<f32>>,
+        params_118: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_135, path_84, hit_53, rt::into(params_114)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_135, path_91, hit_53, rt::into(params_118)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17037,9 +17552,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_86: PixelIn,
         at_135: Entered,
-        path_84: Path,
+        path_91: Path,
         hit_53: Hit,
-        params_114: rt::Vec4<f32>,
+        params_118: rt::Vec4<f32>,
     ) -> Entered {
         let _e5 = self.v_placed_over(at_135, hit_53);
         return _e5;
@@ -17050,9 +17565,9 @@ impl<'g> Resources<'g> {
         at_136: Entered,
         weights_5: impl rt::Into<rt::Vec3<f32>>,
         point_21: impl rt::Into<rt::Vec3<f32>>,
-        uv_37: impl rt::Into<rt::Vec2<f32>>,
+        uv_38: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_136, rt::into(weights_5), rt::into(point_21), rt::into(uv_37)))
+        rt::into(self.v_placed_at(pixel_87, at_136, rt::into(weights_5), rt::into(point_21), rt::into(uv_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17062,11 +17577,11 @@ impl<'g> Resources<'g> {
         at_136: Entered,
         weights_5: rt::Vec3<f32>,
         point_21: rt::Vec3<f32>,
-        uv_37: rt::Vec2<f32>,
+        uv_38: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_5, point_21, uv_37, at_136.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_5, point_21, uv_38, at_136.facing);
         placed_1 = _e6;
         rt::Scalar(placed_1.level) = rt::Scalar(at_136.level);
         rt::Scalar(placed_1.footprint) = rt::Scalar(at_136.footprint);
@@ -17078,11 +17593,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_88: PixelIn,
         at_137: Entered,
-        path_85: Path,
+        path_92: Path,
         hit_54: Hit,
-        params_115: impl rt::Into<rt::Vec4<f32>>,
+        params_119: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_137, path_85, hit_54, rt::into(params_115)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_137, path_92, hit_54, rt::into(params_119)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17090,17 +17605,17 @@ impl<'g> Resources<'g> {
         &self,
         pixel_88: PixelIn,
         at_137: Entered,
-        path_85: Path,
+        path_92: Path,
         hit_54: Hit,
-        params_115: rt::Vec4<f32>,
+        params_119: rt::Vec4<f32>,
     ) -> Entered {
         let along_46 = pixel_88.direction.normalize();
         let _e7 = self.v_middle_of(pixel_88, along_46);
-        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_115);
-        let s_5 = ((rt::Scalar(path_85.start) + rt::Scalar(hit_54.t)) - _e7);
+        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_119);
+        let s_5 = ((rt::Scalar(path_92.start) + rt::Scalar(hit_54.t)) - _e7);
         let _e15 = self.v_point_of_way(pixel_88, _e8, (along_46 * s_5), rt::Scalar(hit_54.height));
         let weights_8 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_137, weights_8, (pixel_88.origin + (along_46 * (rt::Scalar(path_85.start) + rt::Scalar(hit_54.t)))), hit_54.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_137, weights_8, (pixel_88.origin + (along_46 * (rt::Scalar(path_92.start) + rt::Scalar(hit_54.t)))), hit_54.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
@@ -17117,16 +17632,16 @@ impl<'g> Resources<'g> {
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_109: rt::Scalar<bool>;
+        let mut local_122: rt::Scalar<bool>;
 
         placed_2 = at_138;
         let _e5 = self.v_quadric_slope(at_138.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_109 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_122 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_109 = rt::Scalar(false);
+            local_122 = rt::Scalar(false);
         }
-        let _e15 = local_109;
+        let _e15 = local_122;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
@@ -17155,11 +17670,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_89: PixelIn,
         at_139: Entered,
-        path_86: Path,
+        path_93: Path,
         hit_55: Hit,
-        params_116: impl rt::Into<rt::Vec4<f32>>,
+        params_120: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_139, path_86, hit_55, rt::into(params_116)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_139, path_93, hit_55, rt::into(params_120)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17167,15 +17682,15 @@ impl<'g> Resources<'g> {
         &self,
         pixel_89: PixelIn,
         at_139: Entered,
-        path_86: Path,
+        path_93: Path,
         hit_55: Hit,
-        params_116: rt::Vec4<f32>,
+        params_120: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
         let _e8 = self.v_quadric_frame(at_139, (hit_55.uv - at_139.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_86.start) + rt::Scalar(hit_55.t))));
+        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_93.start) + rt::Scalar(hit_55.t))));
         placed_3.uv = hit_55.uv;
         let _e21 = placed_3;
         return _e21;
@@ -17184,20 +17699,20 @@ impl<'g> Resources<'g> {
         &self,
         pixel_90: PixelIn,
         at_140: Entered,
-        path_87: Path,
+        path_94: Path,
         hit_56: Hit,
-        params_117: impl rt::Into<rt::Vec4<f32>>,
+        params_121: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_140, path_87, hit_56, rt::into(params_117)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_140, path_94, hit_56, rt::into(params_121)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
         at_140: Entered,
-        path_87: Path,
+        path_94: Path,
         hit_56: Hit,
-        params_117: rt::Vec4<f32>,
+        params_121: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
@@ -17221,20 +17736,20 @@ impl<'g> Resources<'g> {
         &self,
         pixel_91: PixelIn,
         at_141: Entered,
-        path_88: Path,
+        path_95: Path,
         hit_57: Hit,
-        params_118: impl rt::Into<rt::Vec4<f32>>,
+        params_122: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_141, path_88, hit_57, rt::into(params_118)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_141, path_95, hit_57, rt::into(params_122)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
         at_141: Entered,
-        path_88: Path,
+        path_95: Path,
         hit_57: Hit,
-        params_118: rt::Vec4<f32>,
+        params_122: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
@@ -17242,12 +17757,12 @@ impl<'g> Resources<'g> {
 
         let along_47 = pixel_91.direction.normalize();
         let _e7 = self.v_middle_of(pixel_91, along_47);
-        let t_54 = ((rt::Scalar(path_88.start) + rt::Scalar(hit_57.t)) - _e7);
+        let t_55 = ((rt::Scalar(path_95.start) + rt::Scalar(hit_57.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_91, along_47, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside_1 = (_e17 - t_54).max((t_54 - _e21));
+        beside_1 = (_e17 - t_55).max((t_55 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_17;
@@ -17258,7 +17773,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e30 = number_17;
                     let _e31 = self.v_tetrahedron(pixel_91, along_47, _e7, _e30);
-                    let aside_11 = (_e31.inside.x() - t_54).max((t_54 - _e31.inside.y()));
+                    let aside_11 = (_e31.inside.x() - t_55).max((t_55 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
                         nearest = _e31;
@@ -17271,8 +17786,8 @@ impl<'g> Resources<'g> {
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_9 = (_e45 + (_e47 * t_54));
-        let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_88.start) + rt::Scalar(hit_57.t))));
+        let weights_9 = (_e45 + (_e47 * t_55));
+        let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_95.start) + rt::Scalar(hit_57.t))));
         let _e58 = self.v_placed_at(pixel_91, at_141, weights_9.xyz(), point_33, hit_57.uv);
         return _e58;
     }
@@ -17280,11 +17795,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_92: PixelIn,
         at_142: Entered,
-        path_89: Path,
+        path_96: Path,
         hit_58: Hit,
-        params_119: impl rt::Into<rt::Vec4<f32>>,
+        params_123: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_142, path_89, hit_58, rt::into(params_119)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_142, path_96, hit_58, rt::into(params_123)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17292,9 +17807,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_92: PixelIn,
         at_142: Entered,
-        path_89: Path,
+        path_96: Path,
         hit_58: Hit,
-        params_119: rt::Vec4<f32>,
+        params_123: rt::Vec4<f32>,
     ) -> Entered {
         return at_142;
     }
@@ -17302,11 +17817,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_93: PixelIn,
         at_143: Entered,
-        path_90: Path,
+        path_97: Path,
         hit_59: Hit,
-        params_120: impl rt::Into<rt::Vec4<f32>>,
+        params_124: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_143, path_90, hit_59, rt::into(params_120)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_143, path_97, hit_59, rt::into(params_124)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17314,23 +17829,23 @@ impl<'g> Resources<'g> {
         &self,
         pixel_93: PixelIn,
         at_143: Entered,
-        path_90: Path,
+        path_97: Path,
         hit_59: Hit,
-        params_120: rt::Vec4<f32>,
+        params_124: rt::Vec4<f32>,
     ) -> Entered {
         let _e5 = self.v_placed_over(at_143, hit_59);
         return _e5;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_144: Entered, path_91: Path, hit_60: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_144, path_91, hit_60))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_144: Entered, path_98: Path, hit_60: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_144, path_98, hit_60))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_placed_in_image(&self, pixel_94: PixelIn, at_144: Entered, path_91: Path, hit_60: Hit) -> Entered {
+    pub(super) fn v_placed_in_image(&self, pixel_94: PixelIn, at_144: Entered, path_98: Path, hit_60: Hit) -> Entered {
         let mut placed_5: Entered;
 
-        let _e6 = self.v_image_of_object(rt::Scalar(path_91.base).to_u32());
+        let _e6 = self.v_image_of_object(rt::Scalar(path_98.base).to_u32());
         placed_5 = at_144;
-        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_91.start) + rt::Scalar(hit_60.t))));
+        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_98.start) + rt::Scalar(hit_60.t))));
         placed_5.uv = hit_60.uv;
         let _e20 = placed_5.point;
         let _e21 = self.v_depth_in_image(_e6, _e20);
@@ -17347,7 +17862,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(rt::Scalar(1u32))) {
             placed_5.normal = _e6.toward;
         }
-        placed_5.metric = path_91.metric;
+        placed_5.metric = path_98.metric;
         placed_5.facing = _e6.toward;
         let _e53 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e53.elementwise_eq(CELLS_MASK)) {
@@ -17363,11 +17878,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_95: PixelIn,
         at_145: Entered,
-        path_92: Path,
+        path_99: Path,
         hit_61: Hit,
-        params_121: impl rt::Into<rt::Vec4<f32>>,
+        params_125: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_145, path_92, hit_61, rt::into(params_121)))
+        rt::into(self.v_surface_object_place(pixel_95, at_145, path_99, hit_61, rt::into(params_125)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17375,45 +17890,45 @@ impl<'g> Resources<'g> {
         &self,
         pixel_95: PixelIn,
         at_145: Entered,
-        path_92: Path,
+        path_99: Path,
         hit_61: Hit,
-        params_121: rt::Vec4<f32>,
+        params_125: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_145, path_92, hit_61);
+        let _e5 = self.v_placed_in_image(pixel_95, at_145, path_99, hit_61);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_96: PixelIn,
         at_146: Entered,
-        path_93: Path,
+        path_100: Path,
         hit_62: Hit,
-        params_122: impl rt::Into<rt::Vec4<f32>>,
+        params_126: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_146, path_93, hit_62, rt::into(params_122)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_146, path_100, hit_62, rt::into(params_126)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
         at_146: Entered,
-        path_93: Path,
+        path_100: Path,
         hit_62: Hit,
-        params_122: rt::Vec4<f32>,
+        params_126: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_110: rt::Scalar<bool>;
+        let mut local_123: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_146, path_93, hit_62);
+        let _e5 = self.v_placed_in_image(pixel_96, at_146, path_100, hit_62);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_110 = _e16.elementwise_ne(CELLS_MASK);
+            local_123 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_110 = rt::Scalar(false);
+            local_123 = rt::Scalar(false);
         }
-        let _e20 = local_110;
+        let _e20 = local_123;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
             let _e26 = self.v_frames_around((-pixel_96.direction.normalize()));
@@ -17427,27 +17942,27 @@ impl<'g> Resources<'g> {
         &self,
         pixel_97: PixelIn,
         at_147: Entered,
-        path_94: Path,
+        path_101: Path,
         hit_63: Hit,
-        params_123: impl rt::Into<rt::Vec4<f32>>,
+        params_127: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_147, path_94, hit_63, rt::into(params_123)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_147, path_101, hit_63, rt::into(params_127)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
         at_147: Entered,
-        path_94: Path,
+        path_101: Path,
         hit_63: Hit,
-        params_123: rt::Vec4<f32>,
+        params_127: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
         let mut placed_7: Entered;
 
         let _e6 = self.v_slice_at(at_147.point);
         let number_26 = rt::Scalar(_e6.number);
-        of_image = path_94;
+        of_image = path_101;
         rt::Scalar(of_image.base) = number_26.to_f32();
         let _e11 = of_image;
         let _e12 = self.v_placed_in_image(pixel_97, at_147, _e11, hit_63);
@@ -17463,76 +17978,76 @@ impl<'g> Resources<'g> {
         let _e27 = placed_7;
         return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_148: Entered, path_95: Path, hit_64: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_148, path_95, hit_64))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_148: Entered, path_102: Path, hit_64: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_148, path_102, hit_64))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_place_stage(&self, pixel_98: PixelIn, at_148: Entered, path_95: Path, hit_64: Hit) -> Entered {
+    pub(super) fn v_surface_place_stage(&self, pixel_98: PixelIn, at_148: Entered, path_102: Path, hit_64: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_148, path_95, hit_64, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_148, path_102, hit_64, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_148, path_95, hit_64, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_148, path_102, hit_64, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_148, path_95, hit_64, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_148, path_102, hit_64, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_148, path_95, hit_64, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_148, path_102, hit_64, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_148, path_95, hit_64, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_148, path_102, hit_64, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_148, path_95, hit_64, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_148, path_102, hit_64, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_148, path_95, hit_64, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_148, path_102, hit_64, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_148, path_95, hit_64, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_148, path_102, hit_64, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_148, path_95, hit_64, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_148, path_102, hit_64, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_148, path_95, hit_64, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_148, path_102, hit_64, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_149: Entered, path_96: Path, hit_65: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_149, path_96, hit_65))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_149: Entered, path_103: Path, hit_65: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_149, path_103, hit_65))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_place_on_segment(&self, pixel_99: PixelIn, at_149: Entered, path_96: Path, hit_65: Hit) -> Entered {
+    pub(super) fn v_place_on_segment(&self, pixel_99: PixelIn, at_149: Entered, path_103: Path, hit_65: Hit) -> Entered {
         let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_149, path_96, hit_65);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_149, path_103, hit_65);
         placed_8 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_99, path_96, hit_65);
+        let _e7 = self.v_depth_on_ray(pixel_99, path_103, hit_65);
         rt::Scalar(placed_8.depth) = _e7;
         let _e8 = placed_8;
         return _e8;
@@ -17588,10 +18103,10 @@ impl<'g> Resources<'g> {
         at_151: Entered,
         hit_67: Hit,
         number_19: impl rt::Into<rt::Scalar<u32>>,
-        k_39: impl rt::Into<rt::Scalar<u32>>,
-        count_8: impl rt::Into<rt::Scalar<u32>>,
+        k_40: impl rt::Into<rt::Scalar<u32>>,
+        count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_151, hit_67, rt::into(number_19), rt::into(k_39), rt::into(count_8)))
+        rt::into(self.v_point_of_light(at_151, hit_67, rt::into(number_19), rt::into(k_40), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17600,96 +18115,96 @@ impl<'g> Resources<'g> {
         at_151: Entered,
         hit_67: Hit,
         number_19: rt::Scalar<u32>,
-        k_39: rt::Scalar<u32>,
-        count_8: rt::Scalar<u32>,
+        k_40: rt::Scalar<u32>,
+        count_10: rt::Scalar<u32>,
     ) -> Toward {
         let _e6 = self.v_toward_light(number_19, at_151.point);
-        if rt::Scalar::into_branch_condition(count_8.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(count_10.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_67);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_39, count_8);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_40, count_10);
             return _e10;
         }
         return _e6;
     }
     pub(crate) fn primary_length(
         &self,
-        start_4: impl rt::Into<rt::Vec3<i32>>,
+        start_5: impl rt::Into<rt::Vec3<i32>>,
         to_2: impl rt::Into<rt::Vec3<i32>>,
         third: impl rt::Into<rt::Vec3<i32>>,
     ) -> i32 {
-        rt::into(self.v_primary_length(rt::into(start_4), rt::into(to_2), rt::into(third)))
+        rt::into(self.v_primary_length(rt::into(start_5), rt::into(to_2), rt::into(third)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_primary_length(
         &self,
-        start_4: rt::Vec3<i32>,
+        start_5: rt::Vec3<i32>,
         to_2: rt::Vec3<i32>,
         third: rt::Vec3<i32>,
     ) -> rt::Scalar<i32> {
-        let mut local_111: rt::Scalar<bool>;
+        let mut local_124: rt::Scalar<bool>;
 
-        let _e3 = self.v_main_axis(start_4, to_2);
-        let _e4 = self.v_axis_of(start_4, _e3);
+        let _e3 = self.v_main_axis(start_5, to_2);
+        let _e4 = self.v_axis_of(start_5, _e3);
         let _e5 = self.v_axis_of(to_2, _e3);
         let _e6 = self.v_axis_of(third, _e3);
         if rt::Scalar::into_branch_condition(_e4.min(_e5).elementwise_le(_e6)) {
-            local_111 = _e6.elementwise_le(_e4.max(_e5));
+            local_124 = _e6.elementwise_le(_e4.max(_e5));
         } else {
-            local_111 = rt::Scalar(false);
+            local_124 = rt::Scalar(false);
         }
-        let is_primary = local_111;
+        let is_primary = local_124;
         return ((_e5 - _e4).abs() + rt::Scalar(0i32).select(rt::Scalar(1048576i32), is_primary));
     }
     pub(crate) fn procedure_bumps(
         &self,
-        place_26: impl rt::Into<rt::Vec2<f32>>,
+        place_27: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
-        params_124: impl rt::Into<rt::Vec4<f32>>,
+        params_128: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_26), rt::into(time), rt::into(seed_5), rt::into(params_124)))
+        rt::into(self.v_procedure_bumps(rt::into(place_27), rt::into(time), rt::into(seed_5), rt::into(params_128)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_bumps(
         &self,
-        place_26: rt::Vec2<f32>,
+        place_27: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
-        params_124: rt::Vec4<f32>,
+        params_128: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_13: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_41: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_171 = (place_26 * params_124.x());
-        let own_1 = at_171.floor();
+        let at_172 = (place_27 * params_128.x());
+        let own_1 = at_172.floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_40;
+                let _e11 = k_41;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(rt::Scalar(9u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e14 = k_40;
-                    let _e18 = k_40;
+                    let _e14 = k_41;
+                    let _e18 = k_41;
                     let cell_45 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_45, params_124.x(), seed_5);
+                    let _e29 = self.v_bits_of_point(cell_45, params_128.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
                     let beside_9 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_18 = ((cell_45 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_9 * (rt::Scalar(0.5f32) * params_124.z())));
-                    let away_2 = ((at_171 - middle_18) / rt::Vec2::splat_from_scalar(params_124.y()));
+                    let middle_18 = ((cell_45 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_9 * (rt::Scalar(0.5f32) * params_128.z())));
+                    let away_2 = ((at_172 - middle_18) / rt::Vec2::splat_from_scalar(params_128.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
                     let _e58 = self.v_sine_of((time + _e56));
                     let wave = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e58));
-                    let high_6 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
+                    let high_8 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
                     let _e67 = height_13;
-                    height_13 = _e67.max((high_6 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
-                    let _e76 = k_40;
-                    k_40 = (_e76 + rt::Scalar(1u32));
+                    height_13 = _e67.max((high_8 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
+                    let _e76 = k_41;
+                    k_41 = (_e76 + rt::Scalar(1u32));
                 }
             }
         }
@@ -17698,32 +18213,32 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_fbm(
         &self,
-        place_27: impl rt::Into<rt::Vec2<f32>>,
+        place_28: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
-        params_125: impl rt::Into<rt::Vec4<f32>>,
+        params_129: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_27), rt::into(time_1), rt::into(seed_6), rt::into(params_125)))
+        rt::into(self.v_procedure_fbm(rt::into(place_28), rt::into(time_1), rt::into(seed_6), rt::into(params_129)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_fbm(
         &self,
-        place_27: rt::Vec2<f32>,
+        place_28: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
-        params_125: rt::Vec4<f32>,
+        params_129: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_14: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut strength: rt::Scalar<f32> = rt::Scalar(1f32);
-        let mut count_9: rt::Scalar<f32>;
+        let mut count_11: rt::Scalar<f32>;
         let mut octave: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        count_9 = params_125.x();
+        count_11 = params_129.x();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = octave;
-                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_125.y())) {
+                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_129.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -17732,18 +18247,18 @@ impl<'g> Resources<'g> {
                     let turns_3 = (time_1 * (_e18 + rt::Scalar(1u32)).to_f32());
                     let _e23 = height_14;
                     let _e24 = strength;
-                    let _e25 = count_9;
-                    let _e27 = count_9;
+                    let _e25 = count_11;
+                    let _e27 = count_11;
                     let _e28 = octave;
-                    let _e30 = self.v_gradient_noise((place_27 * _e25), _e27, turns_3, (seed_6 + _e28));
+                    let _e30 = self.v_gradient_noise((place_28 * _e25), _e27, turns_3, (seed_6 + _e28));
                     height_14 = (_e23 + (_e24 * _e30));
                     let _e33 = sum_5;
                     let _e34 = strength;
                     sum_5 = (_e33 + _e34);
                     let _e36 = strength;
-                    strength = (_e36 * params_125.z());
-                    let _e39 = count_9;
-                    count_9 = (_e39 * rt::Scalar(2f32));
+                    strength = (_e36 * params_129.z());
+                    let _e39 = count_11;
+                    count_11 = (_e39 * rt::Scalar(2f32));
                     let _e42 = octave;
                     octave = (_e42 + rt::Scalar(1u32));
                 }
@@ -17755,53 +18270,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_waves(
         &self,
-        place_28: impl rt::Into<rt::Vec2<f32>>,
+        place_29: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
-        params_126: impl rt::Into<rt::Vec4<f32>>,
+        params_130: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_28), rt::into(time_2), rt::into(seed_7), rt::into(params_126)))
+        rt::into(self.v_procedure_waves(rt::into(place_29), rt::into(time_2), rt::into(seed_7), rt::into(params_130)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_waves(
         &self,
-        place_28: rt::Vec2<f32>,
+        place_29: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
-        params_126: rt::Vec4<f32>,
+        params_130: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_15: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_6: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_41: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_42: rt::Scalar<u32> = rt::Scalar(0u32);
 
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_41;
-                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_126.y())) {
+                let _e10 = k_42;
+                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_130.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_41;
+                    let _e15 = k_42;
                     let _e18 = self.v_mixed((seed_7 + (rt::Scalar(4u32) * _e15)));
-                    let _e19 = k_41;
-                    let part_30 = (_e19.to_f32() / params_126.y());
-                    let size_5 = (params_126.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_30) * part_30)));
-                    let along_48 = (size_5 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let _e19 = k_42;
+                    let part_31 = (_e19.to_f32() / params_130.y());
+                    let size_6 = (params_130.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_31) * part_31)));
+                    let along_48 = (size_6 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e39 = self.v_unit_of(_e18);
-                    let across_12 = ((((rt::Scalar(2f32) * size_5) * params_126.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
+                    let across_12 = ((((rt::Scalar(2f32) * size_6) * params_130.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
                     let length = ((along_48 * along_48) + (across_12 * across_12)).sqrt();
-                    let pace_1 = ((rt::Scalar(2f32) * (length / params_126.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let pace_1 = ((rt::Scalar(2f32) * (length / params_130.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
-                    let _e72 = self.v_sine_of(((((along_48 * place_28.x()) + (across_12 * place_28.y())) - (pace_1 * time_2)) + _e63));
+                    let _e72 = self.v_sine_of(((((along_48 * place_29.x()) + (across_12 * place_29.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
                     let _e77 = height_15;
-                    height_15 = (_e77 + ((crest + (params_126.w() * ((crest * crest) - crest))) / length));
+                    height_15 = (_e77 + ((crest + (params_130.w() * ((crest * crest) - crest))) / length));
                     let _e85 = sum_6;
                     sum_6 = (_e85 + (rt::Scalar(1f32) / length));
-                    let _e89 = k_41;
-                    k_41 = (_e89 + rt::Scalar(1u32));
+                    let _e89 = k_42;
+                    k_42 = (_e89 + rt::Scalar(1u32));
                 }
             }
         }
@@ -17812,34 +18327,34 @@ impl<'g> Resources<'g> {
     pub(crate) fn procedure_height(
         &self,
         number_20: impl rt::Into<rt::Scalar<u32>>,
-        place_29: impl rt::Into<rt::Vec2<f32>>,
+        place_30: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
-        params_127: impl rt::Into<rt::Vec4<f32>>,
+        params_131: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_29), rt::into(time_3), rt::into(seed_8), rt::into(params_127)))
+        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_30), rt::into(time_3), rt::into(seed_8), rt::into(params_131)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_procedure_height(
         &self,
         number_20: rt::Scalar<u32>,
-        place_29: rt::Vec2<f32>,
+        place_30: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
-        params_127: rt::Vec4<f32>,
+        params_131: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         match rt::Scalar::into_inner(number_20) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_29, time_3, seed_8, params_127);
+                let _e5 = self.v_procedure_waves(place_30, time_3, seed_8, params_131);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_29, time_3, seed_8, params_127);
+                let _e6 = self.v_procedure_fbm(place_30, time_3, seed_8, params_131);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_29, time_3, seed_8, params_127);
+                let _e7 = self.v_procedure_bumps(place_30, time_3, seed_8, params_131);
                 return _e7;
             }
         }
@@ -17859,18 +18374,18 @@ impl<'g> Resources<'g> {
         by_2: rt::Scalar<i32>,
     ) -> rt::Scalar<i32> {
         let doubled_1 = ((rt::Scalar(2i32) * dividend_1) + by_2);
-        let whole_2 = (doubled_1 / (rt::Scalar(2i32) * by_2));
-        return whole_2.select((whole_2 - rt::Scalar(1i32)), ((whole_2 * rt::Scalar(2i32)) * by_2).elementwise_gt(doubled_1));
+        let whole_3 = (doubled_1 / (rt::Scalar(2i32) * by_2));
+        return whole_3.select((whole_3 - rt::Scalar(1i32)), ((whole_3 * rt::Scalar(2i32)) * by_2).elementwise_gt(doubled_1));
     }
     pub(crate) fn ray_to_light(
         &self,
         at_152: Entered,
         hit_68: Hit,
         number_21: impl rt::Into<rt::Scalar<u32>>,
-        k_42: impl rt::Into<rt::Scalar<u32>>,
-        count_10: impl rt::Into<rt::Scalar<u32>>,
+        k_43: impl rt::Into<rt::Scalar<u32>>,
+        count_12: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_152, hit_68, rt::into(number_21), rt::into(k_42), rt::into(count_10)))
+        rt::into(self.v_ray_to_light(at_152, hit_68, rt::into(number_21), rt::into(k_43), rt::into(count_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17879,10 +18394,10 @@ impl<'g> Resources<'g> {
         at_152: Entered,
         hit_68: Hit,
         number_21: rt::Scalar<u32>,
-        k_42: rt::Scalar<u32>,
-        count_10: rt::Scalar<u32>,
+        k_43: rt::Scalar<u32>,
+        count_12: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_152, hit_68, number_21, k_42, count_10);
+        let _e5 = self.v_point_of_light(at_152, hit_68, number_21, k_43, count_12);
         let _e6 = self.v_field_light_ray_stage(at_152, hit_68, _e5);
         return _e6;
     }
@@ -17894,9 +18409,9 @@ impl<'g> Resources<'g> {
         mean_3: impl rt::Into<rt::Scalar<f32>>,
         view_27: impl rt::Into<rt::Vec3<f32>>,
         color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_128: impl rt::Into<rt::Vec4<f32>>,
+        params_132: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_blinn_phong_material(at_153, hit_69, rt::into(normal_21), rt::into(mean_3), rt::into(view_27), rt::into(color_1), rt::into(params_128)))
+        rt::into(self.v_shade_blinn_phong_material(at_153, hit_69, rt::into(normal_21), rt::into(mean_3), rt::into(view_27), rt::into(color_1), rt::into(params_132)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17908,7 +18423,7 @@ impl<'g> Resources<'g> {
         mean_3: rt::Scalar<f32>,
         view_27: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
-        params_128: rt::Vec4<f32>,
+        params_132: rt::Vec4<f32>,
     ) -> Material {
         let transmission = rt::Scalar(self.surface_settings.transmission);
         let _e12 = self.surface_settings.diffuse;
@@ -17927,9 +18442,9 @@ impl<'g> Resources<'g> {
         mean_4: impl rt::Into<rt::Scalar<f32>>,
         view_28: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
-        params_129: impl rt::Into<rt::Vec4<f32>>,
+        params_133: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_metallic_roughness_material(at_154, hit_70, rt::into(normal_22), rt::into(mean_4), rt::into(view_28), rt::into(color_2), rt::into(params_129)))
+        rt::into(self.v_shade_metallic_roughness_material(at_154, hit_70, rt::into(normal_22), rt::into(mean_4), rt::into(view_28), rt::into(color_2), rt::into(params_133)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_material(
@@ -17940,7 +18455,7 @@ impl<'g> Resources<'g> {
         mean_4: rt::Scalar<f32>,
         view_28: rt::Vec3<f32>,
         color_2: rt::Vec3<f32>,
-        params_129: rt::Vec4<f32>,
+        params_133: rt::Vec4<f32>,
     ) -> Material {
         let mut roughness_1: rt::Scalar<f32>;
         let mut alpha_1: rt::Scalar<f32>;
@@ -17973,13 +18488,13 @@ impl<'g> Resources<'g> {
             let _e74 = alpha_1;
             roughness_1 = _e74.sqrt();
         }
-        let upright_4 = normal_22.dot(view_28).max(rt::Scalar(0.0001f32));
-        let aside_12 = (rt::Scalar(1f32) - (upright_4 * upright_4)).max(rt::Scalar(0f32));
+        let upright_5 = normal_22.dot(view_28).max(rt::Scalar(0.0001f32));
+        let aside_12 = (rt::Scalar(1f32) - (upright_5 * upright_5)).max(rt::Scalar(0f32));
         let _e85 = squared_alpha;
-        let masking = ((upright_4 * upright_4) + (_e85 * aside_12)).sqrt();
+        let masking = ((upright_5 * upright_5) + (_e85 * aside_12)).sqrt();
         let _e89 = alpha_1;
         let _e90 = roughness_1;
-        let _e91 = self.v_facet_reflection(upright_4, _e89, _e90);
+        let _e91 = self.v_facet_reflection(upright_5, _e89, _e90);
         let again = ((rt::Scalar(1f32) / _e91.x()) - rt::Scalar(1f32)).max(rt::Scalar(0f32));
         let white_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let _e103 = self.v_reflected_by(_e91, specular_2);
@@ -17988,7 +18503,7 @@ impl<'g> Resources<'g> {
         let _e119 = roughness_1;
         let _e120 = alpha_1;
         let _e121 = squared_alpha;
-        return <Material>::new(diffuse_1, transmitted_1, specular_2, (reflected_1 + (diffuse_1 * (white_1 - reflected_1).max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32))))), _e117, _e9.x(), _e119, _e120, _e121, upright_4, masking, again);
+        return <Material>::new(diffuse_1, transmitted_1, specular_2, (reflected_1 + (diffuse_1 * (white_1 - reflected_1).max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32))))), _e117, _e9.x(), _e119, _e120, _e121, upright_5, masking, again);
     }
     pub(crate) fn shade_material_stage(
         &self,
@@ -18110,10 +18625,10 @@ impl<'g> Resources<'g> {
         exponent_1: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let mut result: rt::Scalar<f32> = rt::Scalar(1f32);
-        let mut square: rt::Scalar<f32>;
+        let mut square_2: rt::Scalar<f32>;
         let mut rest_2: rt::Scalar<u32>;
 
-        square = base;
+        square_2 = base;
         rest_2 = exponent_1;
         'naga_break: loop {
             'naga_continue: {
@@ -18126,12 +18641,12 @@ impl<'g> Resources<'g> {
                     let _e9 = rest_2;
                     if rt::Scalar::into_branch_condition((_e9 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(1u32))) {
                         let _e14 = result;
-                        let _e15 = square;
+                        let _e15 = square_2;
                         result = (_e14 * _e15);
                     }
-                    let _e17 = square;
-                    let _e18 = square;
-                    square = (_e17 * _e18);
+                    let _e17 = square_2;
+                    let _e18 = square_2;
+                    square_2 = (_e17 * _e18);
                     let _e20 = rest_2;
                     rest_2 = (_e20 >> rt::Scalar(1u32));
                 }
@@ -18148,9 +18663,9 @@ impl<'g> Resources<'g> {
         cosine_7: impl rt::Into<rt::Scalar<f32>>,
         view_30: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
-        params_130: impl rt::Into<rt::Vec4<f32>>,
+        params_134: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_24), rt::into(mean_6), rt::into(cosine_7), rt::into(view_30), rt::into(toward_4), rt::into(params_130)))
+        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_24), rt::into(mean_6), rt::into(cosine_7), rt::into(view_30), rt::into(toward_4), rt::into(params_134)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_blinn_phong_light(
@@ -18161,7 +18676,7 @@ impl<'g> Resources<'g> {
         cosine_7: rt::Scalar<f32>,
         view_30: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
-        params_130: rt::Vec4<f32>,
+        params_134: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -18193,9 +18708,9 @@ impl<'g> Resources<'g> {
         cosine_8: impl rt::Into<rt::Scalar<f32>>,
         view_31: impl rt::Into<rt::Vec3<f32>>,
         toward_5: impl rt::Into<rt::Vec3<f32>>,
-        params_131: impl rt::Into<rt::Vec4<f32>>,
+        params_135: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_25), rt::into(mean_7), rt::into(cosine_8), rt::into(view_31), rt::into(toward_5), rt::into(params_131)))
+        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_25), rt::into(mean_7), rt::into(cosine_8), rt::into(view_31), rt::into(toward_5), rt::into(params_135)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_light(
@@ -18206,7 +18721,7 @@ impl<'g> Resources<'g> {
         cosine_8: rt::Scalar<f32>,
         view_31: rt::Vec3<f32>,
         toward_5: rt::Vec3<f32>,
-        params_131: rt::Vec4<f32>,
+        params_135: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         if rt::Scalar::into_branch_condition(cosine_8.elementwise_gt(rt::Scalar(0f32))) {
             let sum_13 = (toward_5 + view_31);
@@ -18286,31 +18801,31 @@ impl<'g> Resources<'g> {
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_20: rt::Vec3<f32>;
-        let mut k_43: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_44: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.v_shade_material_stage(at_157, hit_72, seen_4.normal, rt::Scalar(seen_4.length), view_33, color_4);
         let _e12 = self.v_ambient_stage(at_157, hit_72, (seen_4.normal * rt::Scalar(seen_4.length)), view_33, _e8);
         light_20 = ((_e12 * rt::Scalar(_e8.occlusion)) + _e8.emission);
         'naga_break: loop {
             'naga_continue: {
-                let _e20 = k_43;
+                let _e20 = k_44;
                 let _e23 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e20.elementwise_lt(_e23)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e25 = k_43;
+                    let _e25 = k_44;
                     let _e27 = self.v_toward_light(_e25, at_157.point);
                     let _e29 = self.v_seen_cosine(at_157, seen_4, _e27.direction);
                     let _e33 = self.v_shade_light_stage(_e8, seen_4.normal, rt::Scalar(seen_4.length), _e29, view_33, _e27.direction);
                     let _e34 = light_20;
-                    let _e37 = k_43;
+                    let _e37 = k_44;
                     let _e40 = self.frame.lights[rt::Scalar::into_array_index(_e37)].color;
-                    let _e44 = k_43;
+                    let _e44 = k_44;
                     light_20 = (_e34 + ((_e33 * _e40.xyz()) * (rt::Scalar(_e27.falloff) * visible[rt::Scalar::into_array_index(_e44)].x())));
-                    let _e50 = k_43;
-                    k_43 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_44;
+                    k_44 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
@@ -18347,21 +18862,21 @@ impl<'g> Resources<'g> {
         }
         return <rt::Vec3<i32>>::from_scalars(at_158.z(), at_158.x(), at_158.y());
     }
-    pub(crate) fn z_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_z_of(rt::into(depth_8)))
+    pub(crate) fn z_of(&self, depth_9: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_z_of(rt::into(depth_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_z_of(&self, depth_8: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_z_of(&self, depth_9: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let _e4 = self.frame.clip.y();
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0f32))) {
             let _e10 = self.frame.clip.x();
             let _e14 = self.frame.clip.z();
-            return (_e10 + (_e14 * depth_8)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+            return (_e10 + (_e14 * depth_9)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         }
         let _e23 = self.frame.clip.x();
         let _e27 = self.frame.clip.y();
-        return (_e23 + (_e27 / depth_8.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        return (_e23 + (_e27 / depth_9.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn shade_hit(
         &self,
@@ -18389,12 +18904,12 @@ impl<'g> Resources<'g> {
         let _e50 = self.v_object_color_stage(at_159, hit_73, view_36);
         let _e51 = self.v_reflected_light(at_159, hit_73, _e49, view_36, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_11 = (at_159.point - origin_2).dot(_e56.xyz());
+        let depth_12 = (at_159.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
         let _e67 = self.v_cell_of(((hit_73.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let _e87 = self.v_z_of(rt::Scalar(at_159.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_73.exhausted), hit_73.uv, _e45, at_159.point, _e49.normal, depth_11, rt::Scalar(hit_73.t), _e67.to_i32(), hit_73.cost.x(), hit_73.cost.y(), hit_73.cost.z(), visible_1[0usize].x(), rt::Scalar(at_159.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_73.exhausted), hit_73.uv, _e45, at_159.point, _e49.normal, depth_12, rt::Scalar(hit_73.t), _e67.to_i32(), hit_73.cost.x(), hit_73.cost.y(), hit_73.cost.z(), visible_1[0usize].x(), rt::Scalar(at_159.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
@@ -18422,7 +18937,7 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_visible_lights(&self, at_161: Entered, hit_75: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_44: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_45: rt::Scalar<u32> = rt::Scalar(0u32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_75.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
@@ -18430,19 +18945,19 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_44;
+                let _e10 = k_45;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_44;
-                    let _e17 = k_44;
+                    let _e15 = k_45;
+                    let _e17 = k_45;
                     let _e18 = self.v_visible_light(at_161, hit_75, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e23 = k_44;
-                    k_44 = (_e23 + rt::Scalar(1u32));
+                    let _e23 = k_45;
+                    k_45 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
@@ -18566,7 +19081,7 @@ impl<'g> Resources<'g> {
         b_25: rt::Vec3<i32>,
         c_17: rt::Vec3<i32>,
     ) -> Sweep {
-        let mut first_7: rt::Vec3<i32>;
+        let mut first_8: rt::Vec3<i32>;
         let mut end_2: rt::Vec3<i32>;
         let mut corners_2: rt::Vec3<u32>;
 
@@ -18574,13 +19089,13 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_axis_of(b_25, _e4);
         let _e6 = self.v_axis_of(a_25, _e4);
         let is_back = _e5.elementwise_lt(_e6);
-        first_7 = a_25;
+        first_8 = a_25;
         end_2 = b_25;
         let _e11 = self.v_around_three(primary, rt::Scalar(1u32));
         let _e13 = self.v_around_three(primary, rt::Scalar(2u32));
         corners_2 = <rt::Vec3<u32>>::from_scalars(primary, _e11, _e13);
         if rt::Scalar::into_branch_condition(is_back) {
-            first_7 = b_25;
+            first_8 = b_25;
             end_2 = a_25;
             let _e17 = corners_2.y();
             let _e19 = corners_2.x();
@@ -18588,16 +19103,16 @@ impl<'g> Resources<'g> {
             corners_2 = <rt::Vec3<u32>>::from_scalars(_e17, _e19, _e21);
         }
         let _e23 = end_2;
-        let _e24 = first_7;
+        let _e24 = first_8;
         let _e26 = self.v_seen_along((_e23 - _e24), _e4);
-        let _e27 = first_7;
+        let _e27 = first_8;
         let _e29 = self.v_seen_along((c_17 - _e27), _e4);
         let in_first = ((_e26.x() * _e29.y()) - (_e26.y() * _e29.x()));
         let in_second = ((_e26.x() * _e29.z()) - (_e26.z() * _e29.x()));
         let is_first_3 = in_first.abs().elementwise_ge(in_second.abs());
         let upward_1 = rt::Scalar(1i32).select(rt::Scalar(-1i32), in_second.select(in_first, is_first_3).elementwise_lt(rt::Scalar(0i32)));
         let _e53 = corners_2;
-        let _e66 = first_7;
+        let _e66 = first_8;
         let _e68 = self.v_longest_of((c_17 - _e66));
         let _e71 = end_2;
         let _e73 = self.v_longest_of((c_17 - _e71));
@@ -18618,17 +19133,17 @@ impl<'g> Resources<'g> {
         b_26: rt::Vec3<i32>,
         c_18: rt::Vec3<i32>,
     ) -> Sweep {
-        let mut local_112: rt::Scalar<bool>;
+        let mut local_125: rt::Scalar<bool>;
 
         let _e3 = self.v_primary_length(a_26, b_26, c_18);
         let _e4 = self.v_primary_length(b_26, c_18, a_26);
         let _e5 = self.v_primary_length(c_18, a_26, b_26);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ge(_e4)) {
-            local_112 = _e3.elementwise_ge(_e5);
+            local_125 = _e3.elementwise_ge(_e5);
         } else {
-            local_112 = rt::Scalar(false);
+            local_125 = rt::Scalar(false);
         }
-        let _e11 = local_112;
+        let _e11 = local_125;
         if rt::Scalar::into_branch_condition(_e11) {
             let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_26, b_26, c_18);
             return _e13;
@@ -18668,9 +19183,9 @@ impl<'g> Resources<'g> {
         &self,
         sweep_7: Sweep,
         column_4: SweptColumn,
-        way_18: impl rt::Into<rt::Scalar<u32>>,
+        way_19: impl rt::Into<rt::Scalar<u32>>,
     ) -> SweptChain {
-        rt::into(self.v_swept_chain(sweep_7, column_4, rt::into(way_18)))
+        rt::into(self.v_swept_chain(sweep_7, column_4, rt::into(way_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -18678,35 +19193,35 @@ impl<'g> Resources<'g> {
         &self,
         sweep_7: Sweep,
         column_4: SweptColumn,
-        way_18: rt::Scalar<u32>,
+        way_19: rt::Scalar<u32>,
     ) -> SweptChain {
-        if rt::Scalar::into_branch_condition(way_18.elementwise_eq(ROOF_UP)) {
+        if rt::Scalar::into_branch_condition(way_19.elementwise_eq(ROOF_UP)) {
             let _e5 = self.v_roof_left(sweep_7, column_4);
-            return <SweptChain>::new(column_4, way_18, (rt::Scalar(1i32) + _e5));
+            return <SweptChain>::new(column_4, way_19, (rt::Scalar(1i32) + _e5));
         }
-        if rt::Scalar::into_branch_condition(way_18.elementwise_eq(ROOF_DOWN)) {
+        if rt::Scalar::into_branch_condition(way_19.elementwise_eq(ROOF_DOWN)) {
             let _e12 = self.v_roof_left(sweep_7, column_4);
-            return <SweptChain>::new(column_4, way_18, (rt::Scalar(column_4.of_top) - _e12));
+            return <SweptChain>::new(column_4, way_19, (rt::Scalar(column_4.of_top) - _e12));
         }
-        let of_top = rt::Scalar(column_4.of_top).min(rt::Scalar(1i32)).select(rt::Scalar(column_4.of_top), rt::Scalar(column_4.top).elementwise_eq(way_18));
-        return <SweptChain>::new(column_4, way_18, ((rt::Scalar(1i32) + rt::Scalar(column_4.inner)) + of_top));
+        let of_top = rt::Scalar(column_4.of_top).min(rt::Scalar(1i32)).select(rt::Scalar(column_4.of_top), rt::Scalar(column_4.top).elementwise_eq(way_19));
+        return <SweptChain>::new(column_4, way_19, ((rt::Scalar(1i32) + rt::Scalar(column_4.inner)) + of_top));
     }
     pub(crate) fn swept_column(
         &self,
         sweep_8: Sweep,
         column_5: impl rt::Into<rt::Scalar<i32>>,
-        first_8: impl rt::Into<rt::Scalar<u32>>,
+        first_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> SweptColumn {
-        rt::into(self.v_swept_column(sweep_8, rt::into(column_5), rt::into(first_8)))
+        rt::into(self.v_swept_column(sweep_8, rt::into(column_5), rt::into(first_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_swept_column(
         &self,
         sweep_8: Sweep,
         column_5: rt::Scalar<i32>,
-        first_8: rt::Scalar<u32>,
+        first_9: rt::Scalar<u32>,
     ) -> SweptColumn {
-        let mut local_113: rt::Scalar<bool>;
+        let mut local_126: rt::Scalar<bool>;
 
         let n_19 = sweep_8.parts.x();
         let m_8 = sweep_8.parts.y();
@@ -18717,22 +19232,22 @@ impl<'g> Resources<'g> {
         let from_top = _e7.max(rt::Scalar(1i32));
         let of_top_1 = (_e10.min((n_19 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
-            local_113 = column_5.elementwise_ge(sweep_8.end.x());
+            local_126 = column_5.elementwise_ge(sweep_8.end.x());
         } else {
-            local_113 = rt::Scalar(true);
+            local_126 = rt::Scalar(true);
         }
-        let _e34 = local_113;
+        let _e34 = local_126;
         if rt::Scalar::into_branch_condition(_e34) {
-            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_8, from_top, of_top_1, top_12);
+            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_9, from_top, of_top_1, top_12);
         }
         let _e43 = self.v_quotient_near((sweep_8.end.y() * column_5), sweep_8.end.x());
-        let inside_8 = (_e43 + rt::Scalar(1i32));
+        let inside_9 = (_e43 + rt::Scalar(1i32));
         let _e46 = self.v_top_point(sweep_8, from_top);
         let _e50 = self.v_top_point(sweep_8, ((from_top + of_top_1) - rt::Scalar(1i32)));
         let _e53 = self.v_quotient_near(rt::Scalar(_e46.y), rt::Scalar(_e46.w));
         let _e56 = self.v_quotient_near(rt::Scalar(_e50.y), rt::Scalar(_e50.w));
-        let above_11 = _e53.min(_e56);
-        return <SweptColumn>::new(column_5, inside_8, (above_11 - inside_8).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_12);
+        let above_12 = _e53.min(_e56);
+        return <SweptColumn>::new(column_5, inside_9, (above_12 - inside_9).max(rt::Scalar(0i32)), first_9, from_top, of_top_1, top_12);
     }
     pub(crate) fn swept_points_of(&self, sweep_9: Sweep) -> u32 {
         rt::into(self.v_swept_points_of(sweep_9))
@@ -18829,9 +19344,9 @@ impl<'g> Resources<'g> {
         let mut away: rt::Scalar<f32>;
 
         let from_eye = (position_2 - grid_14.eye.xyz());
-        let depth_12 = grid_14.forward.xyz().dot(from_eye);
-        let seen_8 = depth_12.max(rt::Scalar(grid_14.near_m));
-        away = (depth_12 * rt::Scalar(grid_14.per_m));
+        let depth_13 = grid_14.forward.xyz().dot(from_eye);
+        let seen_8 = depth_13.max(rt::Scalar(grid_14.near_m));
+        away = (depth_13 * rt::Scalar(grid_14.per_m));
         if rt::Scalar::into_branch_condition(rt::Scalar(grid_14.is_parallel).elementwise_eq(rt::Scalar(0u32))) {
             share = (rt::Scalar(1f32) / seen_8);
             let _e22 = self.v_log2_of((seen_8 / rt::Scalar(grid_14.near_m)));
@@ -18843,20 +19358,20 @@ impl<'g> Resources<'g> {
         let down_4 = (grid_14.middle.y() - ((grid_14.up.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e42));
         let far_20 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_172 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_20), far_20);
+        let at_173 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_20), far_20);
         let _e60 = share;
-        return <Voxel>::new((at_172 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
+        return <Voxel>::new((at_173 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
     }
     pub(crate) fn zip_goes_left(&self, zip: Zip) -> bool {
         rt::into(self.v_zip_goes_left(zip))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_zip_goes_left(&self, zip: Zip) -> rt::Scalar<bool> {
-        let mut local_114: rt::Scalar<bool>;
-        let mut local_115: rt::Scalar<bool>;
-        let mut local_116: rt::Scalar<bool>;
-        let mut local_117: rt::Scalar<bool>;
-        let mut local_118: rt::Scalar<bool>;
+        let mut local_127: rt::Scalar<bool>;
+        let mut local_128: rt::Scalar<bool>;
+        let mut local_129: rt::Scalar<bool>;
+        let mut local_130: rt::Scalar<bool>;
+        let mut local_131: rt::Scalar<bool>;
 
         let on_left = ((rt::Scalar(zip.left.count) - rt::Scalar(1i32)) - rt::Scalar(zip.i));
         let on_right = ((rt::Scalar(zip.right.count) - rt::Scalar(1i32)) - rt::Scalar(zip.j));
@@ -18867,29 +19382,29 @@ impl<'g> Resources<'g> {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.left.way).elementwise_eq(ROOF_UP)) {
-            local_114 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
+            local_127 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
         } else {
-            local_114 = rt::Scalar(false);
+            local_127 = rt::Scalar(false);
         }
-        let _e29 = local_114;
+        let _e29 = local_127;
         if rt::Scalar::into_branch_condition(_e29) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_right).elementwise_eq(rt::Scalar(1u32))) {
-            local_115 = on_right.elementwise_eq(rt::Scalar(1i32));
+            local_128 = on_right.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_115 = rt::Scalar(false);
+            local_128 = rt::Scalar(false);
         }
-        let _e39 = local_115;
+        let _e39 = local_128;
         if rt::Scalar::into_branch_condition(_e39) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_left).elementwise_eq(rt::Scalar(1u32))) {
-            local_116 = on_left.elementwise_eq(rt::Scalar(1i32));
+            local_129 = on_left.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_116 = rt::Scalar(false);
+            local_129 = rt::Scalar(false);
         }
-        let _e49 = local_116;
+        let _e49 = local_129;
         if rt::Scalar::into_branch_condition(_e49) {
             return rt::Scalar(false);
         }
@@ -18901,16 +19416,16 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0i32))) {
             if rt::Scalar::into_branch_condition((!_e58.elementwise_le(rt::Scalar(0i32)))) {
-                local_118 = _e63;
+                local_131 = _e63;
             } else {
-                local_118 = rt::Scalar(true);
+                local_131 = rt::Scalar(true);
             }
-            let _e75 = local_118;
-            local_117 = _e75;
+            let _e75 = local_131;
+            local_130 = _e75;
         } else {
-            local_117 = rt::Scalar(false);
+            local_130 = rt::Scalar(false);
         }
-        let _e77 = local_117;
+        let _e77 = local_130;
         return _e77;
     }
     pub(crate) fn zip_next(
@@ -18964,9 +19479,9 @@ impl<'g> Resources<'g> {
     ) -> Zip {
         let mut left_1: SweptChain;
         let mut right: SweptChain;
-        let mut local_119: rt::Scalar<bool>;
-        let mut local_120: rt::Scalar<bool>;
-        let mut local_121: rt::Scalar<bool>;
+        let mut local_132: rt::Scalar<bool>;
+        let mut local_133: rt::Scalar<bool>;
+        let mut local_134: rt::Scalar<bool>;
 
         let _e5 = self.v_swept_chain(sweep_12, column_7, TOP_NEXT);
         left_1 = _e5;
@@ -18975,11 +19490,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(which.elementwise_ne(rt::Scalar(1u32))) {
             let under_3 = which.elementwise_eq(rt::Scalar(0u32));
             if rt::Scalar::into_branch_condition((!rt::Scalar(column_7.top).elementwise_ne(TOP_ROOF))) {
-                local_119 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
+                local_132 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
             } else {
-                local_119 = rt::Scalar(true);
+                local_132 = rt::Scalar(true);
             }
-            let _e27 = local_119;
+            let _e27 = local_132;
             let has_none = rt::Scalar(next_9.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
             if rt::Scalar::into_branch_condition(under_3) {
                 let _e30 = self.v_swept_chain(sweep_12, column_7, ROOF_UP);
@@ -19002,21 +19517,21 @@ impl<'g> Resources<'g> {
             let _e47 = left_1;
             let _e48 = right;
             let _e49 = self.v_ends_on(sweep_12, _e47, _e48);
-            local_120 = _e49;
+            local_133 = _e49;
         } else {
-            local_120 = rt::Scalar(false);
+            local_133 = rt::Scalar(false);
         }
-        let keeps_left = local_120;
+        let keeps_left = local_133;
         let _e53 = rt::Scalar(right.count);
         if rt::Scalar::into_branch_condition(_e53.elementwise_gt(rt::Scalar(1i32))) {
             let _e58 = right;
             let _e59 = left_1;
             let _e60 = self.v_ends_on(sweep_12, _e58, _e59);
-            local_121 = _e60;
+            local_134 = _e60;
         } else {
-            local_121 = rt::Scalar(false);
+            local_134 = rt::Scalar(false);
         }
-        let keeps_right = local_121;
+        let keeps_right = local_134;
         let _e63 = left_1;
         let _e64 = right;
         let _e65 = left_1;

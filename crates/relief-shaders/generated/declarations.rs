@@ -142,6 +142,11 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/path", head: r#"// Points of a path, and the hit at one of them.
 "# },
+    Module { path: "shared/path_axes", head: r#"// Axes of view-dependent maps: azimuth, elevation and bend of a path, from where it comes in at the top.
+//
+// A path that comes in at height 1 has the height 1 - F + β F² at the part F of the way after which a straight path of
+// the same slope is at height 0. relief-bake's module `view_dependent` has the same axes.
+"# },
     Module { path: "shared/pixel", head: r#"// A pixel as one pure function: surface, search, refinement and shading in a row.
 "# },
     Module { path: "shared/quadric", head: r#"// Quadrics that a base surface follows around a point of a triangle, and rays above and under them.
@@ -461,6 +466,21 @@ pub const MODULES: &[Module] = &[
 // the distance to the surface. Where a step ends within the cell, the cell's patch is tested, as
 // `cells` does. `params.x` caps the reads, `params.z` is the number of slices. With `params.y` 0 it
 // is as published: the search ends where the field allows no further step.
+"# },
+    Module { path: "search/view_dependent", head: r#"// The first hit by place, azimuth, elevation and bend, baked: a view-dependent displacement map.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 6.3, after Wang and others 2003. One look-up gives the hit of a ray that
+// comes in at the top. A path that begins lower is looked up where it would have come in. The map is relief-bake's kind
+// `view-dependent`, a layer a direction. `params.x`, `params.y` and `params.z` are its azimuths, elevations and bends,
+// and `params.w` is its depth.
+"# },
+    Module { path: "search/view_dependent_free", head: r#"// Over the way on which all rays are free that come in over the same texel in nearly the same direction, by one read.
+//
+// Published here first. The map is relief-bake's kind `view-dependent-free`, whose head has the proof; a layer is a
+// direction. Its ways are shorter than the free ones by more than rounding may add. Paths that do not come in at the
+// top, that bend where the map holds straight paths alone, or that come in so near to the side of a texel's square that
+// rounding may take the other one, do not use the map. `params.x`, `params.y` and `params.z` are its azimuths,
+// elevations and bends, and `params.w` is its depth.
 "# },
     Module { path: "search/voxels", head: r#"// The dual cells of a volume along the path, in order, but for the empty ones that the baked distances skip.
 //
@@ -5494,6 +5514,126 @@ fn starting_point(path: Path, found: SearchResult) -> f32 {
 }"#,
     },
     Declaration {
+        module: "shared/path_axes",
+        name: "TOUCHING_BEND",
+        sampling: None,
+        uses: &[],
+        text: r#"// The bend β at which a path just touches height 0. Paths of a greater bend come back to height 1.
+const TOUCHING_BEND = 0.25;"#,
+    },
+    Declaration {
+        module: "shared/path_axes",
+        name: "PathAxes",
+        sampling: None,
+        uses: &[],
+        text: r#"// A path's axes, each from 0 to 1.
+struct PathAxes {
+    // 1 if the path comes in at the top, or would have come in there before it begins.
+    comes_in: u32,
+    // Azimuth in turns, elevation from upright to level, and the place of the bend: ½ for a straight path.
+    turn: f32,
+    elevation: f32,
+    bend: f32,
+    // The parameter at height 1, not above 0, and its change on the whole way to height 0, or back to height 1.
+    start: f32,
+    whole: f32,
+    // The part F of the way per unit of t: the height's fall at the top.
+    fall: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/path_axes",
+        name: "path_axes",
+        sampling: None,
+        uses: &["Path", "PathAxes", "TOUCHING_BEND", "turn_of", "upright"],
+        text: r#"// The axes of a path, of a map for that depth of a relief as a part of a tile's side. Where the place at the top lies in
+// a mirrored image of the map, the azimuth is the mirrored path's.
+fn path_axes(path: Path, depth: f32) -> PathAxes {
+    let below = path.h.x - 1.0;
+    var start = 0.0;
+    var fall = 0.0 - path.h.y;
+    if (below < 0.0) {
+        let discriminant = path.h.y * path.h.y - 4.0 * path.h.z * below;
+        fall = sqrt(max(discriminant, 0.0));
+        start = 2.0 * below / (fall - path.h.y);
+    }
+    let bend = path.h.z / (fall * fall);
+    let speed = length(path.duv);
+    var way = 1.0 / bend;
+    if (bend < TOUCHING_BEND) {
+        way = 2.0 / (1.0 + sqrt(1.0 - 4.0 * bend));
+    }
+    let whole = way / fall;
+    // No path has been inside for longer than the whole way.
+    let comes_in = fall > 0.0 && whole > 0.0 && start >= whole * -1.001;
+    return PathAxes(
+        select(0u, 1u, comes_in),
+        turn_of(path.duv * upright(path.uv + path.duv * start)),
+        speed / (speed + depth * fall),
+        0.5 + 0.5 * (bend / (TOUCHING_BEND + abs(bend))),
+        start,
+        whole,
+        fall,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/path_axes",
+        name: "upright",
+        sampling: None,
+        uses: &["WRAP_MIRROR", "surface_settings"],
+        text: r#"// -1 along each axis on which a place lies in a mirrored image of the map; otherwise 1.
+fn upright(uv: vec2f) -> vec2f {
+    let tile = floor(uv);
+    let is_odd = tile - 2.0 * floor(tile * 0.5) > vec2f(0.5, 0.5);
+    if (surface_settings.wrap != WRAP_MIRROR) {
+        return vec2f(1.0, 1.0);
+    }
+    return select(vec2f(1.0, 1.0), vec2f(-1.0, -1.0), is_odd);
+}"#,
+    },
+    Declaration {
+        module: "shared/path_axes",
+        name: "step_of_axis",
+        sampling: None,
+        uses: &[],
+        text: r#"// The number of a step of an axis of `count` steps, counted from 0, that a place from 0 to 1 lies in.
+fn step_of_axis(place: f32, count: f32) -> f32 {
+    return clamp(floor(place * count), 0.0, count - 1.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/path_axes",
+        name: "longest_of_step",
+        sampling: None,
+        uses: &[],
+        text: r#"// The longest whole way F of paths whose bend lies in a step of that axis of `count` steps, as the map of free ways
+// has it.
+fn longest_of_step(bend: f32, count: f32) -> f32 {
+    if (count == 1.0) {
+        return 1.0;
+    }
+    let low = 2.0 * bend / count - 1.0;
+    let high = low + 2.0 / count;
+    // Up to ½ paths reach height 0, the last of them after twice the way of a straight one.
+    if (high < 0.500001) {
+        return 2.0 / (1.0 + sqrt(max(1.0 - high / (1.0 - abs(high)), 0.0)));
+    }
+    let least = max(low, 0.5);
+    return 4.0 * (1.0 - least) / least;
+}"#,
+    },
+    Declaration {
+        module: "shared/path_axes",
+        name: "row_of_bend",
+        sampling: None,
+        uses: &[],
+        text: r#"// The row of a texel of the map in the block of a bend.
+fn row_of_bend(row: i32, bend: f32, rows: i32) -> i32 {
+    return row + i32(bend) * rows;
+}"#,
+    },
+    Declaration {
         module: "shared/pixel",
         name: "pixel_eye",
         sampling: None,
@@ -6468,7 +6608,7 @@ struct Normals {
         module: "shared/seen_normals",
         name: "SeenNormals",
         sampling: None,
-        uses: &["SeenTable", "table_part"],
+        uses: &["SeenTable", "table_part", "upright"],
         text: r#"// The normals within a footprint as an eye sees them.
 struct SeenNormals {
     // The direction of the mean normal, in the world.
@@ -6525,7 +6665,7 @@ fn one_seen(normal: vec3f) -> SeenNormals {
         module: "shared/seen_normals",
         name: "means_of_one",
         sampling: None,
-        uses: &["LEAST_UPRIGHT", "Normals"],
+        uses: &["LEAST_UPRIGHT", "Normals", "upright"],
         text: r#"// The means of one normal.
 fn means_of_one(n: vec3f) -> Normals {
     let upright = max(n.z, LEAST_UPRIGHT);
@@ -6600,7 +6740,7 @@ fn mean_of_five(middle: f32, four: f32) -> f32 {
         module: "shared/seen_normals",
         name: "seen_normals",
         sampling: None,
-        uses: &["APART", "Entered", "LEAST_DEVIATION", "LEAST_SEEN", "LEAST_UPRIGHT", "Normals", "OUTER", "SeenNormals", "facing_four", "from_tangent_space", "mean_of_five", "no_table", "sum_of_four", "to_tangent_space"],
+        uses: &["APART", "Entered", "LEAST_DEVIATION", "LEAST_SEEN", "LEAST_UPRIGHT", "Normals", "OUTER", "SeenNormals", "facing_four", "from_tangent_space", "mean_of_five", "no_table", "sum_of_four", "to_tangent_space", "upright"],
         text: r#"// The normals of an area as an eye in direction `view` sees them. A part of the area with slope s
 // covers as much of its view as v - s, that is vz - (vx sx + vy sy). It covers nothing where that
 // is below 0.
@@ -6719,7 +6859,7 @@ fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
         module: "shared/seen_normals",
         name: "mesostructure_normals",
         sampling: None,
-        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "has_table", "levels_of", "means_of_one", "normals_of_level", "one_seen", "seen_normals", "surface_settings", "table_of", "table_part", "to_tangent_space", "with_table"],
+        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "has_table", "levels_of", "means_of_one", "normals_of_level", "one_seen", "seen_normals", "surface_settings", "table_of", "table_part", "to_tangent_space", "upright", "with_table"],
         text: r#"// The normals within the footprint of a point that an eye in direction `view` sees.
 fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
     if (surface_settings.has_vertex_normals == 1u) {
@@ -6881,7 +7021,7 @@ fn has_table(levels: Levels) -> bool {
         module: "shared/seen_table",
         name: "table_of",
         sampling: None,
-        uses: &["Entered", "Levels", "SEEN_AZIMUTHS", "SEEN_ELEVATIONS", "SLOT_DETAIL", "SeenPlace", "SeenTable", "climb", "height_texels", "seen_between", "seen_in_levels", "surface_settings", "texels_around", "turn_of"],
+        uses: &["Entered", "Levels", "SEEN_AZIMUTHS", "SEEN_ELEVATIONS", "SLOT_DETAIL", "SeenPlace", "SeenTable", "climb", "height_texels", "seen_between", "seen_in_levels", "surface_settings", "texels_around", "turn_of", "upright"],
         text: r#"// The visible normals around a place for an eye in direction `view`, between the four directions of
 // the table around it.
 fn table_of(at: Entered, uv: vec2f, view: vec3f, levels: Levels) -> SeenTable {
@@ -9371,7 +9511,7 @@ struct Toward {
         module: "shared/types",
         name: "Material",
         sampling: None,
-        uses: &[],
+        uses: &["upright"],
         text: r#"// The material at a hit, read once for all lights. All colours are linear RGB.
 struct Material {
     // The part of the light that is scattered in all directions, and the part that passes through the
@@ -12906,6 +13046,178 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
 }"#,
     },
     Declaration {
+        module: "search/view_dependent",
+        name: "NOTHING_HIT",
+        sampling: None,
+        uses: &[],
+        text: r#"// Ways from here on, as parts of the whole way, say that nothing is hit.
+const NOTHING_HIT = 0.998;"#,
+    },
+    Declaration {
+        module: "search/view_dependent",
+        name: "LookedUp",
+        sampling: None,
+        uses: &[],
+        text: r#"// What a look-up tells: the part of the whole way to the hit, if there is one.
+struct LookedUp {
+    is_hit: u32,
+    part: f32,
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent",
+        name: "search_view_dependent",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_MISS", "Path", "STEP", "SearchResult", "looked_up", "map_read", "path_axes"],
+        text: r#"fn search_view_dependent(path: Path, params: vec4f) -> SearchResult {
+    let axes = path_axes(path, params.w);
+    let texels = select(32u, 16u, params.z == 1.0);
+    let cost = STEP + map_read(path, texels);
+    if (axes.comes_in == 0u) {
+        return SearchResult(FOUND_MISS, path.exit, path.exit, 1.0, 1.0, STEP);
+    }
+    let found = looked_up(path, axes, params);
+    let t = axes.start + found.part * axes.whole;
+    if (found.is_hit == 0u || t < 0.0 || t > path.exit) {
+        return SearchResult(FOUND_MISS, path.exit, path.exit, 1.0, 1.0, cost);
+    }
+    return SearchResult(FOUND_ABOVE, t, path.exit, 0.0, 1.0, cost);
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent",
+        name: "looked_up",
+        sampling: None,
+        uses: &["LookedUp", "Path", "PathAxes", "height_texels", "mixed", "path_uv", "texels_around", "ways_of_bend"],
+        text: r#"// The way to the hit, between the four texels around the place at the top and the steps around the direction. A way that
+// ends nowhere is no number to be mixed with others: the greater part of the weights decides whether there is a hit.
+fn looked_up(path: Path, axes: PathAxes, params: vec4f) -> LookedUp {
+    let around = texels_around(path_uv(path, axes.start), height_texels(path.level));
+    let elevation = clamp(axes.elevation * params.y - 0.5, 0.0, params.y - 1.0);
+    let below = min(floor(elevation), params.y - 2.0);
+    let bend = clamp(axes.bend * params.z - 0.5, 0.0, params.z - 1.0);
+    let lower = min(floor(bend), max(params.z - 2.0, 0.0));
+    // The first step's middle is half a step from 0.
+    let turn = axes.turn * params.x - 0.5;
+    let before = floor(turn);
+    let count = select(4u, 2u, params.z == 1.0);
+    var first = vec2f(0.0, 0.0);
+    var low = vec2f(0.0, 0.0);
+    var high = vec2f(0.0, 0.0);
+    var k = 0u;
+    while (k < count) {
+        let is_next = (k & 1u) == 1u;
+        var azimuth = before + select(0.0, 1.0, is_next);
+        azimuth = select(azimuth, azimuth + params.x, azimuth < 0.0);
+        azimuth = select(azimuth, azimuth - params.x, azimuth >= params.x);
+        let layer = i32(azimuth * params.y + below);
+        let ways = ways_of_bend(path, around, layer, lower + select(0.0, 1.0, k > 1u));
+        let of_below = vec2f(ways.x, ways.y);
+        let mixed = of_below + (vec2f(ways.z, ways.w) - of_below) * (elevation - below);
+        let joined = first + (mixed - first) * (turn - before);
+        first = mixed;
+        if (k == 1u) {
+            low = joined;
+        }
+        high = joined;
+        k = k + 1u;
+    }
+    let way = low + (high - low) * (bend - lower);
+    if (way.y >= 0.5) {
+        return LookedUp(1u, way.x / way.y);
+    }
+    return LookedUp(0u, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent",
+        name: "ways_of_bend",
+        sampling: None,
+        uses: &["Around", "Path", "bilinear", "height_texels", "row_of_bend", "ways_of_texel"],
+        text: r#"// Ways at a place for a layer and the next, each with the weight of its texels that are hits. Where nothing is hit both
+// are 0.
+fn ways_of_bend(path: Path, around: Around, layer: i32, bend: f32) -> vec4f {
+    let rows = height_texels(path.level).y;
+    let first = row_of_bend(around.rows.x, bend, rows);
+    let second = row_of_bend(around.rows.y, bend, rows);
+    return bilinear(
+        ways_of_texel(path, vec2i(around.columns.x, first), layer),
+        ways_of_texel(path, vec2i(around.columns.y, first), layer),
+        ways_of_texel(path, vec2i(around.columns.x, second), layer),
+        ways_of_texel(path, vec2i(around.columns.y, second), layer),
+        around.part,
+    );
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent",
+        name: "ways_of_texel",
+        sampling: None,
+        uses: &["NOTHING_HIT", "Path", "search_texel"],
+        text: r#"fn ways_of_texel(path: Path, texel: vec2i, layer: i32) -> vec4f {
+    let level = i32(path.level);
+    let below = search_texel(path, texel, layer, level).x;
+    let above = search_texel(path, texel, layer + 1, level).x;
+    let is_below = below < NOTHING_HIT;
+    let is_above = above < NOTHING_HIT;
+    return vec4f(
+        select(0.0, below, is_below),
+        select(0.0, 1.0, is_below),
+        select(0.0, above, is_above),
+        select(0.0, 1.0, is_above),
+    );
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent_free",
+        name: "search_view_dependent_free",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "Path", "ROUNDING", "STEP", "SearchResult", "cell_of", "free_way_of_step", "height_size", "is_in_footprint", "map_read", "path_axes", "whole_cell"],
+        text: r#"fn search_view_dependent_free(path: Path, params: vec4f) -> SearchResult {
+    let axes = path_axes(path, params.w);
+    let place = path.uv * height_size(path.level);
+    let square = cell_of(place);
+    let inside = place - square;
+    let near = min(min(inside.x, 1.0 - inside.x), min(inside.y, 1.0 - inside.y));
+    let rounded = ROUNDING * (max(abs(place.x), abs(place.y)) + 1.0);
+    let is_in_map = is_in_footprint(square, height_size(path.level));
+    let is_known = path.h.x == 1.0 && axes.comes_in == 1u && near > rounded && is_in_map;
+    if (!is_known || (params.z == 1.0 && path.h.z != 0.0)) {
+        return SearchResult(FOUND_ABOVE, 0.0, path.exit, 0.0, 1.0, STEP);
+    }
+    let free = free_way_of_step(path, axes, whole_cell(square), params) / axes.fall;
+    return SearchResult(FOUND_ABOVE, min(free, path.exit), path.exit, 0.0, 1.0, STEP + map_read(path, 1u));
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent_free",
+        name: "is_in_footprint",
+        sampling: None,
+        uses: &["WRAP_CLAMP", "is_inside", "surface_settings"],
+        text: r#"// Whether a square has an image in the map that the wrap takes to it.
+fn is_in_footprint(square: vec2f, size: vec2f) -> bool {
+    let is_inside = square.x >= 0.0 && square.y >= 0.0 && square.x < size.x && square.y < size.y;
+    return is_inside || surface_settings.wrap != WRAP_CLAMP;
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent_free",
+        name: "free_way_of_step",
+        sampling: None,
+        uses: &["Path", "PathAxes", "height_texels", "longest_of_step", "row_of_bend", "search_texel", "step_of_axis", "wrap_index"],
+        text: r#"// The free way F of all paths that come in over a texel's square, by the steps of their axes.
+fn free_way_of_step(path: Path, axes: PathAxes, square: vec2i, params: vec4f) -> f32 {
+    let n = height_texels(path.level);
+    let azimuth = step_of_axis(axes.turn, params.x);
+    let elevation = step_of_axis(axes.elevation, params.y);
+    let bend = step_of_axis(axes.bend, params.z);
+    let row = row_of_bend(wrap_index(square.y, n.y), bend, n.y);
+    let at = vec2i(wrap_index(square.x, n.x), row);
+    let part = search_texel(path, at, i32(azimuth * params.y + elevation), i32(path.level)).x;
+    return part * longest_of_step(bend, params.z);
+}"#,
+    },
+    Declaration {
         module: "search/voxels",
         name: "search_voxels",
         sampling: None,
@@ -13468,7 +13780,7 @@ fn reflected_by(once: vec2f, specular: vec3f) -> vec3f {
         module: "shade/metallic_roughness",
         name: "shade_metallic_roughness_material",
         sampling: None,
-        uses: &["Entered", "Hit", "LEAST_COSINE", "LEAST_ROUGHNESS", "Material", "emission_at", "facet_reflection", "occlusion_roughness_metalness", "reflected_by", "surface_settings"],
+        uses: &["Entered", "Hit", "LEAST_COSINE", "LEAST_ROUGHNESS", "Material", "emission_at", "facet_reflection", "occlusion_roughness_metalness", "reflected_by", "surface_settings", "upright"],
         text: r#"fn shade_metallic_roughness_material(
     at: Entered,
     hit: Hit,

@@ -80,20 +80,20 @@ impl Marked<'_> {
     }
     pub(super) fn v_refine_binary(
         &self,
-        path_25: Path,
+        path_30: Path,
         found_3: SearchResult,
-        params_15: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_5: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut local_23: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_4: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_3);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_25, found_3, params_15);
+            let _e5 = self.v_refine_none(path_30, found_3, params_17);
             return _e5;
         }
         near_5 = rt::Scalar(found_3.near);
@@ -101,17 +101,17 @@ impl Marked<'_> {
         cost_6 = found_3.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_5;
-            let _e19 = self.v_path_height(path_25, _e18);
-            local_23 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_30, _e18);
+            local_30 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_23 = rt::Scalar(true);
+            local_30 = rt::Scalar(true);
         }
-        let _e23 = local_23;
+        let _e23 = local_30;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_3;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_15.x())) {
+                let _e27 = k_4;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_17.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -127,17 +127,17 @@ impl Marked<'_> {
                     self.v_mark_bracket(_e38, _e39);
                     self.v_mark_sample(middle_4);
                     let _e40 = cost_6;
-                    let _e42 = self.v_field_cost_stage(rt::Scalar(path_25.level));
+                    let _e42 = self.v_field_cost_stage(rt::Scalar(path_30.level));
                     cost_6 = (_e40 + _e42);
-                    let _e44 = self.v_path_gap(path_25, middle_4);
+                    let _e44 = self.v_path_gap(path_30, middle_4);
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
                         far_5 = middle_4;
                         crossed = rt::Scalar(true);
                     } else {
                         near_5 = middle_4;
                     }
-                    let _e48 = k_3;
-                    k_3 = (_e48 + rt::Scalar(1f32));
+                    let _e48 = k_4;
+                    k_4 = (_e48 + rt::Scalar(1f32));
                 }
             }
         }
@@ -150,49 +150,49 @@ impl Marked<'_> {
         let _e55 = near_5;
         let _e56 = far_5;
         let _e61 = cost_6;
-        let _e62 = self.v_hit_on_path(path_25, (rt::Scalar(0.5f32) * (_e55 + _e56)), rt::Scalar(0u32), _e61);
+        let _e62 = self.v_hit_on_path(path_30, (rt::Scalar(0.5f32) * (_e55 + _e56)), rt::Scalar(0u32), _e61);
         return _e62;
     }
     pub(super) fn v_refine_half_texel(
         &self,
-        path_26: Path,
+        path_31: Path,
         found_4: SearchResult,
-        params_16: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_2: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_26, found_4, params_16);
+            let _e6 = self.v_refine_none(path_31, found_4, params_18);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_26.level));
-        let speed_1 = (path_26.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_26.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_26, found_4, params_16);
+        let _e9 = self.v_height_size(rt::Scalar(path_31.level));
+        let speed_2 = (path_31.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_31.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_31, found_4, params_18);
             return _e17;
         }
-        let half = (rt::Scalar(0.5f32) / speed_1);
+        let half = (rt::Scalar(0.5f32) / speed_2);
         let backward = (rt::Scalar(found_4.far) - half).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_26.exit));
-        let _e28 = self.v_path_gap(path_26, backward);
-        let before_1 = _e28.abs();
-        let _e30 = self.v_path_gap(path_26, forward_2);
+        let forward_2 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_31.exit));
+        let _e28 = self.v_path_gap(path_31, backward);
+        let before_2 = _e28.abs();
+        let _e30 = self.v_path_gap(path_31, forward_2);
         let behind_1 = _e30.abs();
-        if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
-            part_2 = (before_1 / (before_1 + behind_1));
+        if rt::Scalar::into_branch_condition((before_2 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
+            part_2 = (before_2 / (before_2 + behind_1));
         }
         self.v_mark_bracket(backward, forward_2);
-        self.v_mark_chord(backward, before_1, forward_2, (rt::Scalar(0f32) - behind_1));
+        self.v_mark_chord(backward, before_2, forward_2, (rt::Scalar(0f32) - behind_1));
         let cost_24 = ((found_4.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e47 = part_2;
-        let _e51 = self.v_hit_on_path(path_26, (backward + ((forward_2 - backward) * _e47)), rt::Scalar(0u32), cost_24);
+        let _e51 = self.v_hit_on_path(path_31, (backward + ((forward_2 - backward) * _e47)), rt::Scalar(0u32), cost_24);
         return _e51;
     }
     pub(super) fn v_refine_offset(
         &self,
-        path_27: Path,
+        path_32: Path,
         found_5: SearchResult,
-        params_17: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_23: rt::Scalar<f32>;
 
@@ -200,25 +200,25 @@ impl Marked<'_> {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_27, found_5);
-        let _e9 = self.v_path_uv(path_27, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_27.level));
+        let _e8 = self.v_starting_point(path_32, found_5);
+        let _e9 = self.v_path_uv(path_32, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_32.level));
         self.v_mark_plane(_e8, _e11, rt::Scalar(0f32));
-        let _e13 = self.v_path_slope(path_27, _e8);
+        let _e13 = self.v_path_slope(path_32, _e8);
         t_23 = _e8;
         if rt::Scalar::into_branch_condition(_e13.elementwise_ne(rt::Scalar(0f32))) {
-            let _e17 = self.v_path_height(path_27, _e8);
+            let _e17 = self.v_path_height(path_32, _e8);
             t_23 = (_e8 + ((_e11 - _e17) / _e13));
         }
         let _e21 = t_23;
-        let _e31 = self.v_hit_on_path(path_27, _e21, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e31 = self.v_hit_on_path(path_32, _e21, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e31;
     }
     pub(super) fn v_refine_offset_limited(
         &self,
-        path_28: Path,
+        path_33: Path,
         found_6: SearchResult,
-        params_18: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit: Hit;
 
@@ -226,14 +226,14 @@ impl Marked<'_> {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_28, found_6);
-        let _e9 = self.v_path_uv(path_28, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_28.level));
+        let _e8 = self.v_starting_point(path_33, found_6);
+        let _e9 = self.v_path_uv(path_33, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_33.level));
         self.v_mark_plane(_e8, _e11, rt::Scalar(0f32));
-        let _e13 = self.v_path_height(path_28, _e8);
-        let rise_m = ((_e11 - _e13) * path_28.metric.w());
+        let _e13 = self.v_path_height(path_33, _e8);
+        let rise_m = ((_e11 - _e13) * path_33.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e28 = self.v_hit_on_path(path_28, (_e8 - rise_m), exhausted_2, (found_6.cost + HEIGHTS_READ));
+        let _e28 = self.v_hit_on_path(path_33, (_e8 - rise_m), exhausted_2, (found_6.cost + HEIGHTS_READ));
         hit = _e28;
         let _e31 = rt::Scalar(hit.found);
         if rt::Scalar::into_branch_condition(_e31.elementwise_eq(rt::Scalar(1u32))) {
@@ -244,35 +244,35 @@ impl Marked<'_> {
     }
     pub(super) fn v_refine_patch(
         &self,
-        path_29: Path,
+        path_34: Path,
         found_7: SearchResult,
-        params_19: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_24: rt::Scalar<f32>;
         let mut cell_30: rt::Vec2<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut local_24: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_7.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_29, rt::Scalar(found_7.near), rt::Scalar(1u32), found_7.cost);
+            let _e14 = self.v_hit_on_path(path_34, rt::Scalar(found_7.near), rt::Scalar(1u32), found_7.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_29, rt::Scalar(found_7.near), rt::Scalar(0u32), found_7.cost);
+            let _e21 = self.v_hit_on_path(path_34, rt::Scalar(found_7.near), rt::Scalar(0u32), found_7.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_29);
+        let _e22 = self.v_grid_of(path_34);
         t_24 = rt::Scalar(found_7.near);
         let _e27 = t_24;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_30 = _e30;
         cost_7 = found_7.cost;
         let _e35 = cost_7.x();
-        let limit_1 = (_e35 + params_19.x().to_u32());
+        let limit_1 = (_e35 + params_21.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_7.x();
@@ -295,32 +295,32 @@ impl Marked<'_> {
                     self.v_mark_patch(_e57, _e58, end_3);
                     let _e59 = cell_30;
                     let _e60 = t_24;
-                    let _e61 = self.v_cell_gap(path_29, _e22, _e59, _e60);
+                    let _e61 = self.v_cell_gap(path_34, _e22, _e59, _e60);
                     let _e62 = cost_7;
                     cost_7 = (_e62 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e61.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e68 = t_24;
                         let _e70 = cost_7;
-                        let _e71 = self.v_hit_on_path(path_29, _e68, rt::Scalar(0u32), _e70);
+                        let _e71 = self.v_hit_on_path(path_34, _e68, rt::Scalar(0u32), _e70);
                         return _e71;
                     }
                     let _e72 = self.v_first_root(_e61, span_7);
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e75 = t_24;
                         let _e78 = cost_7;
-                        let _e79 = self.v_hit_on_path(path_29, (_e75 + _e72), rt::Scalar(0u32), _e78);
+                        let _e79 = self.v_hit_on_path(path_34, (_e75 + _e72), rt::Scalar(0u32), _e78);
                         return _e79;
                     }
                     if rt::Scalar::into_branch_condition(end_3.elementwise_ge(rt::Scalar(found_7.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_24 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
+                            local_31 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_24 = rt::Scalar(true);
+                            local_31 = rt::Scalar(true);
                         }
-                        let _e92 = local_24;
+                        let _e92 = local_31;
                         if rt::Scalar::into_branch_condition(_e92) {
                             let _e95 = cost_7;
-                            let _e96 = self.v_hit_on_path(path_29, rt::Scalar(found_7.far), rt::Scalar(0u32), _e95);
+                            let _e96 = self.v_hit_on_path(path_34, rt::Scalar(found_7.far), rt::Scalar(0u32), _e95);
                             return _e96;
                         }
                         let _e97 = cost_7;
@@ -337,14 +337,14 @@ impl Marked<'_> {
         }
         let _e103 = t_24;
         let _e105 = cost_7;
-        let _e106 = self.v_hit_on_path(path_29, _e103, rt::Scalar(1u32), _e105);
+        let _e106 = self.v_hit_on_path(path_34, _e103, rt::Scalar(1u32), _e105);
         return _e106;
     }
     pub(super) fn v_refine_secant(
         &self,
-        path_30: Path,
+        path_35: Path,
         found_8: SearchResult,
-        params_20: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_6: rt::Scalar<f32>;
         let mut far_6: rt::Scalar<f32>;
@@ -352,11 +352,11 @@ impl Marked<'_> {
         let mut far_gap_2: rt::Scalar<f32>;
         let mut cost_8: rt::Vec3<u32>;
         let mut t_25: rt::Scalar<f32>;
-        let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_30, found_8, params_20);
+            let _e5 = self.v_refine_none(path_35, found_8, params_22);
             return _e5;
         }
         near_6 = rt::Scalar(found_8.near);
@@ -366,14 +366,14 @@ impl Marked<'_> {
         cost_8 = found_8.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_6;
-            let _e20 = self.v_path_gap(path_30, _e19);
+            let _e20 = self.v_path_gap(path_35, _e19);
             near_gap_2 = _e20;
             let _e21 = far_6;
-            let _e22 = self.v_path_gap(path_30, _e21);
+            let _e22 = self.v_path_gap(path_35, _e21);
             far_gap_2 = _e22;
             let _e23 = cost_8;
-            let _e25 = self.v_field_cost_stage(rt::Scalar(path_30.level));
-            let _e28 = self.v_field_cost_stage(rt::Scalar(path_30.level));
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_35.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_35.level));
             cost_8 = ((_e23 + _e25) + _e28);
             let _e30 = far_gap_2;
             if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
@@ -386,8 +386,8 @@ impl Marked<'_> {
         t_25 = _e35;
         'naga_break: loop {
             'naga_continue: {
-                let _e39 = k_4;
-                if rt::Scalar::into_branch_condition(_e39.elementwise_le(params_20.x())) {
+                let _e39 = k_5;
+                if rt::Scalar::into_branch_condition(_e39.elementwise_le(params_22.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -415,14 +415,14 @@ impl Marked<'_> {
                     let _e60 = near_6;
                     let _e62 = near_gap_2;
                     t_25 = (_e58 + ((_e59 - _e60) * (_e62 / drop)));
-                    let _e66 = k_4;
-                    if rt::Scalar::into_branch_condition(_e66.elementwise_lt(params_20.x())) {
+                    let _e66 = k_5;
+                    if rt::Scalar::into_branch_condition(_e66.elementwise_lt(params_22.x())) {
                         let _e69 = t_25;
                         self.v_mark_sample(_e69);
                         let _e70 = t_25;
-                        let _e71 = self.v_path_gap(path_30, _e70);
+                        let _e71 = self.v_path_gap(path_35, _e70);
                         let _e72 = cost_8;
-                        let _e74 = self.v_field_cost_stage(rt::Scalar(path_30.level));
+                        let _e74 = self.v_field_cost_stage(rt::Scalar(path_35.level));
                         cost_8 = (_e72 + _e74);
                         if rt::Scalar::into_branch_condition(_e71.elementwise_le(rt::Scalar(0f32))) {
                             let _e78 = t_25;
@@ -434,21 +434,21 @@ impl Marked<'_> {
                             near_gap_2 = _e71;
                         }
                     }
-                    let _e80 = k_4;
-                    k_4 = (_e80 + rt::Scalar(1f32));
+                    let _e80 = k_5;
+                    k_5 = (_e80 + rt::Scalar(1f32));
                 }
             }
         }
         let _e83 = t_25;
         let _e85 = cost_8;
-        let _e86 = self.v_hit_on_path(path_30, _e83, rt::Scalar(0u32), _e85);
+        let _e86 = self.v_hit_on_path(path_35, _e83, rt::Scalar(0u32), _e85);
         return _e86;
     }
     pub(super) fn v_refine_slope(
         &self,
-        path_31: Path,
+        path_36: Path,
         found_9: SearchResult,
-        params_21: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_26: rt::Scalar<f32>;
 
@@ -456,48 +456,48 @@ impl Marked<'_> {
             let _e7 = self.v_miss(found_9.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_31, found_9);
-        let _e9 = self.v_path_uv(path_31, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_31.level));
-        self.v_mark_plane(_e8, _e11.x(), <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()).dot(path_31.duv));
-        let _e19 = self.v_path_height(path_31, _e8);
+        let _e8 = self.v_starting_point(path_36, found_9);
+        let _e9 = self.v_path_uv(path_36, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_36.level));
+        self.v_mark_plane(_e8, _e11.x(), <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()).dot(path_36.duv));
+        let _e19 = self.v_path_height(path_36, _e8);
         let rise_2 = (_e11.x() - _e19);
         t_26 = _e8;
-        if rt::Scalar::into_branch_condition(params_21.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e25 = self.v_path_slope(path_31, _e8);
-            let closing = (_e25 - ((_e11.y() * path_31.duv.x()) + (_e11.z() * path_31.duv.y())));
+        if rt::Scalar::into_branch_condition(params_23.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e25 = self.v_path_slope(path_36, _e8);
+            let closing = (_e25 - ((_e11.y() * path_36.duv.x()) + (_e11.z() * path_36.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
                 t_26 = (_e8 + (rise_2 / closing));
             }
         } else {
-            let _e46 = self.v_normal_z(path_31, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_26 = (_e8 - ((rise_2 * path_31.metric.w()) * _e46));
+            let _e46 = self.v_normal_z(path_36, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_26 = (_e8 - ((rise_2 * path_36.metric.w()) * _e46));
         }
         let _e49 = t_26;
-        let _e59 = self.v_hit_on_path(path_31, _e49, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (found_9.cost + HEIGHTS_READ));
+        let _e59 = self.v_hit_on_path(path_36, _e49, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (found_9.cost + HEIGHTS_READ));
         return _e59;
     }
     pub(super) fn v_refine_slope_iterative(
         &self,
-        path_32: Path,
+        path_37: Path,
         found_10: SearchResult,
-        params_22: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_27: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32>;
-        let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_6: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_32, found_10);
+        let _e8 = self.v_starting_point(path_37, found_10);
         t_27 = _e8;
         cost_9 = found_10.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_5;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_22.x())) {
+                let _e14 = k_6;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_24.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -507,116 +507,116 @@ impl Marked<'_> {
                     let _e20 = t_27;
                     self.v_mark_turn(_e20);
                     let _e21 = t_27;
-                    let _e22 = self.v_path_uv(path_32, _e21);
-                    let _e24 = self.v_height_and_slope(_e22, rt::Scalar(path_32.level));
+                    let _e22 = self.v_path_uv(path_37, _e21);
+                    let _e24 = self.v_height_and_slope(_e22, rt::Scalar(path_37.level));
                     let _e25 = cost_9;
                     cost_9 = (_e25 + HEIGHTS_READ);
                     let _e28 = t_27;
-                    self.v_mark_plane(_e28, _e24.x(), <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()).dot(path_32.duv));
+                    self.v_mark_plane(_e28, _e24.x(), <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()).dot(path_37.duv));
                     let _e36 = t_27;
-                    let _e37 = self.v_path_height(path_32, _e36);
+                    let _e37 = self.v_path_height(path_37, _e36);
                     let rise_3 = (_e24.x() - _e37);
-                    if rt::Scalar::into_branch_condition(params_22.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_24.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e42 = t_27;
-                        let _e43 = self.v_path_slope(path_32, _e42);
-                        let closing_1 = (_e43 - ((_e24.y() * path_32.duv.x()) + (_e24.z() * path_32.duv.y())));
+                        let _e43 = self.v_path_slope(path_37, _e42);
+                        let closing_1 = (_e43 - ((_e24.y() * path_37.duv.x()) + (_e24.z() * path_37.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e56 = t_27;
                             t_27 = (_e56 + (rise_3 / closing_1));
                         }
                     } else {
                         let _e59 = t_27;
-                        let _e66 = self.v_normal_z(path_32, <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()));
-                        t_27 = (_e59 - ((rise_3 * path_32.metric.w()) * _e66));
+                        let _e66 = self.v_normal_z(path_37, <rt::Vec2<f32>>::from_scalars(_e24.y(), _e24.z()));
+                        t_27 = (_e59 - ((rise_3 * path_37.metric.w()) * _e66));
                     }
                     let _e69 = t_27;
-                    t_27 = _e69.clamp(rt::Scalar(0f32), rt::Scalar(path_32.exit));
-                    let _e73 = k_5;
-                    k_5 = (_e73 + rt::Scalar(1f32));
+                    t_27 = _e69.clamp(rt::Scalar(0f32), rt::Scalar(path_37.exit));
+                    let _e73 = k_6;
+                    k_6 = (_e73 + rt::Scalar(1f32));
                 }
             }
         }
         let _e76 = t_27;
         let _e83 = cost_9;
-        let _e84 = self.v_hit_on_path(path_32, _e76, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e83);
+        let _e84 = self.v_hit_on_path(path_37, _e76, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e83);
         return _e84;
     }
-    pub(super) fn v_refine_stage(&self, path_35: Path, found_13: SearchResult) -> Hit {
+    pub(super) fn v_refine_stage(&self, path_40: Path, found_13: SearchResult) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[7usize].params;
-                let _e12 = self.v_refine_none(path_35, found_13, _e11);
+                let _e12 = self.v_refine_none(path_40, found_13, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[7usize].params;
-                let _e18 = self.v_refine_offset(path_35, found_13, _e17);
+                let _e18 = self.v_refine_offset(path_40, found_13, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[7usize].params;
-                let _e24 = self.v_refine_offset_limited(path_35, found_13, _e23);
+                let _e24 = self.v_refine_offset_limited(path_40, found_13, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[7usize].params;
-                let _e30 = self.v_refine_slope(path_35, found_13, _e29);
+                let _e30 = self.v_refine_slope(path_40, found_13, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[7usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_35, found_13, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_40, found_13, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[7usize].params;
-                let _e42 = self.v_refine_binary(path_35, found_13, _e41);
+                let _e42 = self.v_refine_binary(path_40, found_13, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[7usize].params;
-                let _e48 = self.v_refine_secant(path_35, found_13, _e47);
+                let _e48 = self.v_refine_secant(path_40, found_13, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[7usize].params;
-                let _e54 = self.v_refine_true_secant(path_35, found_13, _e53);
+                let _e54 = self.v_refine_true_secant(path_40, found_13, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[7usize].params;
-                let _e60 = self.v_refine_patch(path_35, found_13, _e59);
+                let _e60 = self.v_refine_patch(path_40, found_13, _e59);
                 return _e60;
             }
             9u32 => {
                 let _e65 = self.surface_settings.choices[7usize].params;
-                let _e66 = self.v_refine_half_texel(path_35, found_13, _e65);
+                let _e66 = self.v_refine_half_texel(path_40, found_13, _e65);
                 return _e66;
             }
             _ => {
                 let _e71 = self.surface_settings.choices[7usize].params;
-                let _e72 = self.v_refine_trilinear(path_35, found_13, _e71);
+                let _e72 = self.v_refine_trilinear(path_40, found_13, _e71);
                 return _e72;
             }
         }
     }
     pub(super) fn v_refine_true_secant(
         &self,
-        path_33: Path,
+        path_38: Path,
         found_11: SearchResult,
-        params_23: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_10: rt::Vec3<u32>;
-        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_7: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_11);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_33, found_11, params_23);
+            let _e5 = self.v_refine_none(path_38, found_11, params_25);
             return _e5;
         }
         before = rt::Scalar(found_11.near);
@@ -626,14 +626,14 @@ impl Marked<'_> {
         cost_10 = found_11.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_33, _e19);
+            let _e20 = self.v_path_gap(path_38, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_33, _e21);
+            let _e22 = self.v_path_gap(path_38, _e21);
             last_gap = _e22;
             let _e23 = cost_10;
-            let _e25 = self.v_field_cost_stage(rt::Scalar(path_33.level));
-            let _e28 = self.v_field_cost_stage(rt::Scalar(path_33.level));
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_38.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_38.level));
             cost_10 = ((_e23 + _e25) + _e28);
             let _e30 = last_gap;
             if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
@@ -644,8 +644,8 @@ impl Marked<'_> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_6;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_23.x())) {
+                let _e37 = k_7;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_25.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -675,38 +675,38 @@ impl Marked<'_> {
                     let _e65 = last_gap;
                     before_gap = _e65;
                     last = t_42;
-                    let _e66 = k_6;
-                    if rt::Scalar::into_branch_condition(_e66.elementwise_lt(params_23.x())) {
+                    let _e66 = k_7;
+                    if rt::Scalar::into_branch_condition(_e66.elementwise_lt(params_25.x())) {
                         self.v_mark_sample(t_42);
-                        let _e69 = self.v_path_gap(path_33, t_42);
+                        let _e69 = self.v_path_gap(path_38, t_42);
                         last_gap = _e69;
                         let _e70 = cost_10;
-                        let _e72 = self.v_field_cost_stage(rt::Scalar(path_33.level));
+                        let _e72 = self.v_field_cost_stage(rt::Scalar(path_38.level));
                         cost_10 = (_e70 + _e72);
                     }
-                    let _e74 = k_6;
-                    k_6 = (_e74 + rt::Scalar(1f32));
+                    let _e74 = k_7;
+                    k_7 = (_e74 + rt::Scalar(1f32));
                 }
             }
         }
         let _e77 = last;
         let _e79 = cost_10;
-        let _e80 = self.v_hit_on_path(path_33, _e77, rt::Scalar(0u32), _e79);
+        let _e80 = self.v_hit_on_path(path_38, _e77, rt::Scalar(0u32), _e79);
         return _e80;
     }
     pub(super) fn v_search_cells(
         &self,
-        path_36: Path,
-        params_25: rt::Vec4<f32>,
+        path_41: Path,
+        params_27: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_31: rt::Vec2<f32>;
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_36);
+        let _e2 = self.v_grid_of(path_41);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_31 = _e4;
-        let limit_2 = params_25.x().to_u32();
+        let limit_2 = params_27.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -721,12 +721,12 @@ impl Marked<'_> {
                     self.v_mark_turn(_e18);
                     let _e19 = cell_31;
                     let _e20 = t_28;
-                    let _e21 = self.v_cell_gap(path_36, _e2, _e19, _e20);
+                    let _e21 = self.v_cell_gap(path_41, _e2, _e19, _e20);
                     let _e22 = cost_11;
                     cost_11 = (_e22 + HEIGHTS_READ);
                     let _e25 = cell_31;
                     let _e26 = self.v_cell_leave(_e2, _e25);
-                    let end_4 = _e26.x().min(_e26.y()).min(rt::Scalar(path_36.exit));
+                    let end_4 = _e26.x().min(_e26.y()).min(rt::Scalar(path_41.exit));
                     let _e32 = t_28;
                     let span_8 = (end_4 - _e32).max(rt::Scalar(0f32));
                     let _e36 = cell_31;
@@ -740,11 +740,11 @@ impl Marked<'_> {
                         let _e45 = self.v_found_in_cell(_e21, _e39, span_8, _e41.elementwise_eq(rt::Scalar(1u32)), _e44);
                         return _e45;
                     }
-                    if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(path_36.exit))) {
+                    if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(path_41.exit))) {
                         let _e49 = t_28;
                         let _e52 = self.v_quadratic(_e21, span_8);
                         let _e53 = cost_11;
-                        return <SearchResult>::new(FOUND_MISS, _e49, rt::Scalar(path_36.exit), _e21.x(), _e52, _e53);
+                        return <SearchResult>::new(FOUND_MISS, _e49, rt::Scalar(path_41.exit), _e21.x(), _e52, _e53);
                     }
                     let _e55 = cell_31;
                     let _e56 = self.v_cell_next(_e2, _e55, _e26);
@@ -756,23 +756,23 @@ impl Marked<'_> {
         }
         let _e60 = t_28;
         let _e62 = cost_11;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e60, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e62);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e60, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e62);
     }
     pub(super) fn v_search_cone(
         &self,
-        path_38: Path,
-        params_26: rt::Vec4<f32>,
+        path_43: Path,
+        params_28: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_32: rt::Vec2<f32>;
         let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_38);
+        let _e2 = self.v_grid_of(path_43);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_32 = _e9;
-        let limit_3 = params_26.x().to_u32();
+        let limit_3 = params_28.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -786,39 +786,39 @@ impl Marked<'_> {
                     let _e23 = t_30;
                     self.v_mark_turn(_e23);
                     let _e25 = cost_12.x();
-                    let first_6 = _e25.elementwise_eq(rt::Scalar(0u32));
+                    let first_7 = _e25.elementwise_eq(rt::Scalar(0u32));
                     let _e28 = cell_32;
                     let _e29 = self.v_whole_cell(_e28);
-                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_38.level));
+                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_43.level));
                     let _e32 = cost_12;
                     cost_12 = (_e32 + HEIGHTS_READ);
                     let _e35 = cell_32;
                     let _e36 = self.v_cell_leave(_e2, _e35);
-                    let end_6 = _e36.x().min(_e36.y()).min(rt::Scalar(path_38.exit));
+                    let end_6 = _e36.x().min(_e36.y()).min(rt::Scalar(path_43.exit));
                     let _e42 = t_30;
                     let span_9 = (end_6 - _e42).max(rt::Scalar(0f32));
                     let _e47 = cell_32;
                     let _e50 = t_30;
-                    let at_7 = ((_e2.origin - _e47) + (_e2.step * _e50));
-                    let _e53 = self.v_nearest_corner(at_7);
+                    let at_8 = ((_e2.origin - _e47) + (_e2.step * _e50));
+                    let _e53 = self.v_nearest_corner(at_8);
                     let _e54 = self.v_corner_height(_e31, _e53);
                     let _e55 = t_30;
                     next_2 = _e55;
                     let _e57 = t_30;
-                    let _e58 = self.v_path_height(path_38, _e57);
+                    let _e58 = self.v_path_height(path_43, _e57);
                     if rt::Scalar::into_branch_condition(_e58.elementwise_gt(_e54)) {
                         let _e60 = cell_32;
-                        let texel_5 = (_e60 + _e53);
-                        let _e62 = self.v_cone_slope(path_38, texel_5);
+                        let texel_6 = (_e60 + _e53);
+                        let _e62 = self.v_cone_slope(path_43, texel_6);
                         let _e63 = cost_12;
-                        let _e65 = self.v_map_read(path_38, rt::Scalar(1u32));
+                        let _e65 = self.v_map_read(path_43, rt::Scalar(1u32));
                         cost_12 = (_e63 + _e65);
                         if rt::Scalar::into_branch_condition(_e62.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e73 = self.v_height_size(rt::Scalar(path_38.level));
-                            self.v_mark_cone(((texel_5 + rt::Vec2::splat_from_scalar(rt::Scalar(0.5f32))) / _e73), _e54, _e62);
+                            let _e73 = self.v_height_size(rt::Scalar(path_43.level));
+                            self.v_mark_cone(((texel_6 + rt::Vec2::splat_from_scalar(rt::Scalar(0.5f32))) / _e73), _e54, _e62);
                             let _e75 = t_30;
                             let _e76 = t_30;
-                            let _e77 = self.v_stays_inside(path_38, _e2, texel_5, _e54, _e62, _e76);
+                            let _e77 = self.v_stays_inside(path_43, _e2, texel_6, _e54, _e62, _e76);
                             next_2 = (_e75 + _e77);
                         }
                     }
@@ -829,22 +829,22 @@ impl Marked<'_> {
                         self.v_mark_patch(_e81, _e82, end_6);
                         let _e83 = cell_32;
                         let _e84 = t_30;
-                        let _e85 = self.v_gap_to(path_38, _e2, _e83, _e31, _e84);
+                        let _e85 = self.v_gap_to(path_43, _e2, _e83, _e31, _e84);
                         let _e86 = self.v_falls_in_cell(_e85, span_9);
                         if rt::Scalar::into_branch_condition(_e86) {
                             let _e87 = t_30;
                             let _e88 = cost_12;
-                            let _e89 = self.v_found_in_cell(_e85, _e87, span_9, first_6, _e88);
+                            let _e89 = self.v_found_in_cell(_e85, _e87, span_9, first_7, _e88);
                             return _e89;
                         }
                         let _e90 = t_30;
                         next_2 = _e90.max(end_6);
                     }
                     let _e92 = next_2;
-                    if rt::Scalar::into_branch_condition(_e92.elementwise_ge(rt::Scalar(path_38.exit))) {
+                    if rt::Scalar::into_branch_condition(_e92.elementwise_ge(rt::Scalar(path_43.exit))) {
                         let _e96 = t_30;
                         let _e98 = cost_12;
-                        return <SearchResult>::new(FOUND_MISS, _e96, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e98);
+                        return <SearchResult>::new(FOUND_MISS, _e96, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e98);
                     }
                     let _e102 = cell_32;
                     let _e103 = next_2;
@@ -857,25 +857,25 @@ impl Marked<'_> {
         }
         let _e107 = t_30;
         let _e109 = cost_12;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e107, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e107, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
     }
     pub(super) fn v_search_cone_moved(
         &self,
-        path_39: Path,
-        params_27: rt::Vec4<f32>,
+        path_44: Path,
+        params_29: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
-        let mut k_7: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_26: rt::Scalar<bool>;
+        let mut k_8: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_33: rt::Scalar<bool>;
 
-        let aside_1 = path_39.duv.length();
+        let aside_1 = path_44.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_7;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_27.x())) {
+                let _e14 = k_8;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_29.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -887,17 +887,17 @@ impl Marked<'_> {
                     let _e21 = t_31;
                     self.v_mark_sample(_e21);
                     let _e22 = t_31;
-                    let _e23 = self.v_path_gap(path_39, _e22);
+                    let _e23 = self.v_path_gap(path_44, _e22);
                     let _e24 = cost_13;
                     cost_13 = (_e24 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e23.elementwise_le(rt::Scalar(0f32))) {
                         let _e29 = t_31;
                         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(0f32))) {
-                            local_26 = _e23.elementwise_lt(rt::Scalar(0f32));
+                            local_33 = _e23.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_26 = rt::Scalar(false);
+                            local_33 = rt::Scalar(false);
                         }
-                        let _e37 = local_26;
+                        let _e37 = local_33;
                         if rt::Scalar::into_branch_condition(_e37) {
                             let _e39 = cost_13;
                             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e23, _e23, _e39);
@@ -912,58 +912,58 @@ impl Marked<'_> {
                     near_7 = _e49;
                     near_gap_3 = _e23;
                     let _e50 = t_31;
-                    let _e51 = self.v_path_uv(path_39, _e50);
-                    let _e53 = self.v_search_texel_between(path_39, _e51, rt::Scalar(0i32));
+                    let _e51 = self.v_path_uv(path_44, _e50);
+                    let _e53 = self.v_search_texel_between(path_44, _e51, rt::Scalar(0i32));
                     let _e55 = self.v_slope_of(_e53.x());
                     let _e56 = cost_13;
-                    let _e58 = self.v_map_read(path_39, rt::Scalar(4u32));
+                    let _e58 = self.v_map_read(path_44, rt::Scalar(4u32));
                     cost_13 = (_e56 + _e58);
                     if rt::Scalar::into_branch_condition(_e55.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e62 = t_31;
-                    let _e63 = self.v_path_uv(path_39, _e62);
+                    let _e63 = self.v_path_uv(path_44, _e62);
                     let _e64 = t_31;
-                    let _e65 = self.v_path_height(path_39, _e64);
+                    let _e65 = self.v_path_height(path_44, _e64);
                     self.v_mark_cone(_e63, (_e65 - _e23), _e55);
                     let _e68 = t_31;
-                    let rest_3 = (rt::Scalar(path_39.exit) - _e68);
+                    let rest_3 = (rt::Scalar(path_44.exit) - _e68);
                     let _e70 = t_31;
-                    let _e71 = self.v_path_slope(path_39, _e70);
-                    let rise_5 = (_e71 + (path_39.h.z().min(rt::Scalar(0f32)) * rest_3));
-                    let terms_1 = (path_39.h.x().abs() + (rt::Scalar(path_39.exit) * (path_39.h.y().abs() + (rt::Scalar(path_39.exit) * path_39.h.z().abs()))));
-                    let far_10 = (((path_39.uv.abs() + (path_39.duv.abs() * rt::Scalar(path_39.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e55);
+                    let _e71 = self.v_path_slope(path_44, _e70);
+                    let rise_5 = (_e71 + (path_44.h.z().min(rt::Scalar(0f32)) * rest_3));
+                    let terms_1 = (path_44.h.x().abs() + (rt::Scalar(path_44.exit) * (path_44.h.y().abs() + (rt::Scalar(path_44.exit) * path_44.h.z().abs()))));
+                    let far_10 = (((path_44.uv.abs() + (path_44.duv.abs() * rt::Scalar(path_44.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e55);
                     let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_10.x()) + far_10.y()));
                     let nearing = ((_e55 * aside_1) - rise_5);
                     let closing_2 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_2.elementwise_le(rt::Scalar(0f32))) {
                         let _e119 = t_31;
                         let _e121 = cost_13;
-                        return <SearchResult>::new(FOUND_MISS, _e119, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e121);
+                        return <SearchResult>::new(FOUND_MISS, _e119, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e121);
                     }
                     let _e125 = t_31;
                     t_31 = (_e125 + ((_e23 - lost_2).max(rt::Scalar(0f32)) / closing_2));
                     let _e131 = t_31;
-                    if rt::Scalar::into_branch_condition(_e131.elementwise_ge(rt::Scalar(path_39.exit))) {
+                    if rt::Scalar::into_branch_condition(_e131.elementwise_ge(rt::Scalar(path_44.exit))) {
                         let _e135 = near_7;
                         let _e137 = cost_13;
-                        return <SearchResult>::new(FOUND_MISS, _e135, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
+                        return <SearchResult>::new(FOUND_MISS, _e135, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
                     }
-                    let _e141 = k_7;
-                    k_7 = (_e141 + rt::Scalar(1f32));
+                    let _e141 = k_8;
+                    k_8 = (_e141 + rt::Scalar(1f32));
                 }
             }
         }
         let _e145 = t_31;
         let _e147 = t_31;
-        let _e148 = self.v_path_height(path_39, _e147);
+        let _e148 = self.v_path_height(path_44, _e147);
         let _e149 = cost_13;
-        return <SearchResult>::new(FOUND_ABOVE, _e145, rt::Scalar(path_39.exit), _e148, rt::Scalar(0f32), _e149);
+        return <SearchResult>::new(FOUND_ABOVE, _e145, rt::Scalar(path_44.exit), _e148, rt::Scalar(0f32), _e149);
     }
     pub(super) fn v_search_dilation_erosion(
         &self,
-        path_40: Path,
-        params_28: rt::Vec4<f32>,
+        path_45: Path,
+        params_30: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_33: rt::Vec2<f32>;
         let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -971,17 +971,17 @@ impl Marked<'_> {
         let mut cost_14: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_27: rt::Scalar<bool>;
-        let mut local_28: rt::Scalar<bool>;
-        let mut local_29: rt::Scalar<bool>;
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_40);
-        let _e4 = self.v_height_texels(rt::Scalar(path_40.level));
+        let _e2 = self.v_grid_of(path_45);
+        let _e4 = self.v_height_texels(rt::Scalar(path_45.level));
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_33 = _e11;
-        let limit_4 = params_28.x().to_u32();
+        let limit_4 = params_30.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_14.x();
@@ -996,44 +996,44 @@ impl Marked<'_> {
                     self.v_mark_turn(_e27);
                     let _e28 = cell_33;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_7 = _e29.x().min(_e29.y()).min(rt::Scalar(path_40.exit));
+                    let end_7 = _e29.x().min(_e29.y()).min(rt::Scalar(path_45.exit));
                     let _e35 = t_32;
                     let span_10 = (end_7 - _e35).max(rt::Scalar(0f32));
                     let _e39 = t_32;
                     next_3 = _e39;
-                    looks = params_28.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_30.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_33;
                     let _e46 = self.v_whole_cell(_e45);
                     let _e49 = self.v_image_of(_e46.x(), _e4.x());
                     let _e52 = self.v_image_of(_e46.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e49.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_27 = _e52.y().elementwise_eq(rt::Scalar(2i32));
+                        local_34 = _e52.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_27 = rt::Scalar(true);
+                        local_34 = rt::Scalar(true);
                     }
-                    let _e63 = local_27;
+                    let _e63 = local_34;
                     if rt::Scalar::into_branch_condition(_e63) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e71 = self.v_search_texel(path_40, <rt::Vec2<i32>>::from_scalars(_e49.x(), _e52.x()), rt::Scalar(0i32), rt::Scalar(path_40.level).to_i32());
+                        let _e71 = self.v_search_texel(path_45, <rt::Vec2<i32>>::from_scalars(_e49.x(), _e52.x()), rt::Scalar(0i32), rt::Scalar(path_45.level).to_i32());
                         let _e72 = cost_14;
-                        let _e74 = self.v_map_read(path_40, rt::Scalar(1u32));
+                        let _e74 = self.v_map_read(path_45, rt::Scalar(1u32));
                         cost_14 = (_e72 + _e74);
                         let _e76 = cell_33;
                         let _e80 = cell_33;
-                        self.v_mark_box((_e76 - rt::Vec2::splat_from_scalar(params_28.z())), ((_e80 + rt::Vec2::splat_from_scalar(params_28.z())) + rt::Vec2::splat_from_scalar(rt::Scalar(1f32))), _e71.y());
+                        self.v_mark_box((_e76 - rt::Vec2::splat_from_scalar(params_30.z())), ((_e80 + rt::Vec2::splat_from_scalar(params_30.z())) + rt::Vec2::splat_from_scalar(rt::Scalar(1f32))), _e71.y());
                         let _e88 = cell_33;
-                        let _e90 = self.v_leaves_window(_e2, _e88, params_28.z());
+                        let _e90 = self.v_leaves_window(_e2, _e88, params_30.z());
                         let _e93 = t_32;
-                        let reach_3 = (_e90.min(rt::Scalar(path_40.exit)) - _e93).max(rt::Scalar(0f32));
+                        let reach_3 = (_e90.min(rt::Scalar(path_45.exit)) - _e93).max(rt::Scalar(0f32));
                         let _e97 = t_32;
                         let furthest = (_e97 + reach_3);
-                        let rounded = (path_40.h.x().abs() + (furthest * (path_40.h.y().abs() + (furthest * path_40.h.z().abs()))));
+                        let rounded = (path_45.h.x().abs() + (furthest * (path_45.h.y().abs() + (furthest * path_45.h.z().abs()))));
                         let _e112 = t_32;
-                        let _e113 = self.v_path_height(path_40, _e112);
+                        let _e113 = self.v_path_height(path_45, _e112);
                         let _e119 = t_32;
-                        let _e120 = self.v_path_slope(path_40, _e119);
-                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e113 - _e71.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e120, path_40.h.z());
+                        let _e120 = self.v_path_slope(path_45, _e119);
+                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e113 - _e71.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e120, path_45.h.z());
                         if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                             let _e127 = t_32;
                             safe_ = _e127;
@@ -1050,33 +1050,33 @@ impl Marked<'_> {
                         let _e138 = looks;
                         if rt::Scalar::into_branch_condition((!_e138)) {
                             let _e142 = next_3;
-                            local_28 = _e142.elementwise_lt(end_7);
+                            local_35 = _e142.elementwise_lt(end_7);
                         } else {
-                            local_28 = rt::Scalar(false);
+                            local_35 = rt::Scalar(false);
                         }
-                        let _e145 = local_28;
+                        let _e145 = local_35;
                         if rt::Scalar::into_branch_condition(_e145) {
-                            let _e148 = self.v_path_height(path_40, end_7);
-                            local_29 = _e148.elementwise_lt(_e71.x());
+                            let _e148 = self.v_path_height(path_45, end_7);
+                            local_36 = _e148.elementwise_lt(_e71.x());
                         } else {
-                            local_29 = rt::Scalar(false);
+                            local_36 = rt::Scalar(false);
                         }
-                        let _e152 = local_29;
+                        let _e152 = local_36;
                         if rt::Scalar::into_branch_condition(_e152) {
                             let _e153 = safe_;
                             let _e154 = cost_14;
-                            let _e155 = self.v_bracket_between(path_40, _e153, end_7, _e154);
+                            let _e155 = self.v_bracket_between(path_45, _e153, end_7, _e154);
                             return _e155;
                         }
                     }
                     let _e156 = next_3;
                     if rt::Scalar::into_branch_condition((!_e156.elementwise_lt(end_7))) {
                         let _e161 = t_32;
-                        local_30 = (!end_7.elementwise_gt(_e161));
+                        local_37 = (!end_7.elementwise_gt(_e161));
                     } else {
-                        local_30 = rt::Scalar(true);
+                        local_37 = rt::Scalar(true);
                     }
-                    let _e165 = local_30;
+                    let _e165 = local_37;
                     if rt::Scalar::into_branch_condition(_e165) {
                         let _e166 = looks;
                         if rt::Scalar::into_branch_condition(_e166) {
@@ -1085,10 +1085,10 @@ impl Marked<'_> {
                             let _e170 = cell_33;
                             let _e171 = t_32;
                             self.v_mark_patch(_e170, _e171, end_7);
-                            let _e173 = self.v_height_cell(_e46, rt::Scalar(path_40.level));
+                            let _e173 = self.v_height_cell(_e46, rt::Scalar(path_45.level));
                             let _e174 = cell_33;
                             let _e175 = t_32;
-                            let _e176 = self.v_gap_to(path_40, _e2, _e174, _e173, _e175);
+                            let _e176 = self.v_gap_to(path_45, _e2, _e174, _e173, _e175);
                             let _e177 = self.v_falls_in_cell(_e176, span_10);
                             if rt::Scalar::into_branch_condition(_e177) {
                                 let _e178 = t_32;
@@ -1102,10 +1102,10 @@ impl Marked<'_> {
                         next_3 = _e184.max(end_7);
                     }
                     let _e186 = next_3;
-                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_40.exit))) {
+                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_45.exit))) {
                         let _e190 = t_32;
                         let _e192 = cost_14;
-                        return <SearchResult>::new(FOUND_MISS, _e190, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e192);
+                        return <SearchResult>::new(FOUND_MISS, _e190, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e192);
                     }
                     let _e196 = cell_33;
                     let _e197 = next_3;
@@ -1118,25 +1118,25 @@ impl Marked<'_> {
         }
         let _e201 = t_32;
         let _e203 = cost_14;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e201, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e203);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e201, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e203);
     }
     pub(super) fn v_search_frustum(
         &self,
-        path_41: Path,
-        params_29: rt::Vec4<f32>,
+        path_46: Path,
+        params_31: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_34: rt::Vec2<f32>;
         let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
         let mut slope_5: rt::Scalar<f32>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_41);
+        let _e2 = self.v_grid_of(path_46);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_34 = _e9;
-        let limit_5 = params_29.x().to_u32();
+        let limit_5 = params_31.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_15.x();
@@ -1150,47 +1150,47 @@ impl Marked<'_> {
                     let _e23 = t_33;
                     self.v_mark_turn(_e23);
                     let _e25 = cost_15.x();
-                    let first_7 = _e25.elementwise_eq(rt::Scalar(0u32));
+                    let first_8 = _e25.elementwise_eq(rt::Scalar(0u32));
                     let _e28 = cell_34;
                     let _e29 = self.v_whole_cell(_e28);
-                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_41.level));
+                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_46.level));
                     let _e32 = cost_15;
                     cost_15 = (_e32 + HEIGHTS_READ);
                     let _e35 = cell_34;
                     let _e36 = self.v_cell_leave(_e2, _e35);
-                    let end_8 = _e36.x().min(_e36.y()).min(rt::Scalar(path_41.exit));
+                    let end_8 = _e36.x().min(_e36.y()).min(rt::Scalar(path_46.exit));
                     let _e42 = t_33;
                     let span_11 = (end_8 - _e42).max(rt::Scalar(0f32));
                     let top_9 = _e31.x().max(_e31.y()).max(_e31.z().max(_e31.w()));
                     let _e53 = t_33;
-                    let _e54 = self.v_path_height(path_41, _e53);
+                    let _e54 = self.v_path_height(path_46, _e53);
                     let _e56 = t_33;
-                    let _e57 = self.v_path_slope(path_41, _e56);
-                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e54 - top_9), _e57, path_41.h.z());
+                    let _e57 = self.v_path_slope(path_46, _e56);
+                    let above_5 = <rt::Vec3<f32>>::from_scalars((_e54 - top_9), _e57, path_46.h.z());
                     let _e64 = t_33;
                     let _e68 = t_33;
-                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_41.h.x().abs() + (_e64 * (path_41.h.y().abs() + (_e68 * path_41.h.z().abs())))));
+                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_46.h.x().abs() + (_e64 * (path_46.h.y().abs() + (_e68 * path_46.h.z().abs())))));
                     let _e78 = t_33;
                     next_4 = _e78.max(end_8);
                     slope_5 = rt::Scalar(-1f32);
-                    let _e83 = self.v_least_at(above_4, span_11);
-                    let _e84 = self.v_quadratic(above_4, _e83);
+                    let _e83 = self.v_least_at(above_5, span_11);
+                    let _e84 = self.v_quadratic(above_5, _e83);
                     if rt::Scalar::into_branch_condition(_e84.elementwise_gt(of_heights_1)) {
-                        local_31 = above_4.x().elementwise_gt(of_heights_1);
+                        local_38 = above_5.x().elementwise_gt(of_heights_1);
                     } else {
-                        local_31 = rt::Scalar(false);
+                        local_38 = rt::Scalar(false);
                     }
-                    let _e91 = local_31;
+                    let _e91 = local_38;
                     if rt::Scalar::into_branch_condition(_e91) {
-                        if rt::Scalar::into_branch_condition(end_8.elementwise_lt(rt::Scalar(path_41.exit))) {
+                        if rt::Scalar::into_branch_condition(end_8.elementwise_lt(rt::Scalar(path_46.exit))) {
                             let _e94 = cell_34;
                             let _e95 = self.v_whole_cell(_e94);
-                            let _e96 = self.v_frustum_slope(path_41, _e95, forward_5);
+                            let _e96 = self.v_frustum_slope(path_46, _e95, forward_5);
                             slope_5 = _e96;
                             let _e97 = slope_5;
                             if rt::Scalar::into_branch_condition(_e97.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e100 = cost_15;
-                                let _e102 = self.v_map_read(path_41, rt::Scalar(1u32));
+                                let _e102 = self.v_map_read(path_46, rt::Scalar(1u32));
                                 cost_15 = (_e100 + _e102);
                             }
                         }
@@ -1200,12 +1200,12 @@ impl Marked<'_> {
                         self.v_mark_patch(_e104, _e105, end_8);
                         let _e106 = cell_34;
                         let _e107 = t_33;
-                        let _e108 = self.v_gap_to(path_41, _e2, _e106, _e31, _e107);
+                        let _e108 = self.v_gap_to(path_46, _e2, _e106, _e31, _e107);
                         let _e109 = self.v_falls_in_cell(_e108, span_11);
                         if rt::Scalar::into_branch_condition(_e109) {
                             let _e110 = t_33;
                             let _e111 = cost_15;
-                            let _e112 = self.v_found_in_cell(_e108, _e110, span_11, first_7, _e111);
+                            let _e112 = self.v_found_in_cell(_e108, _e110, span_11, first_8, _e111);
                             return _e112;
                         }
                     }
@@ -1216,27 +1216,27 @@ impl Marked<'_> {
                         self.v_mark_frustum(_e116, top_9, _e117);
                         let _e119 = cell_34;
                         let _e122 = t_33;
-                        let at_8 = ((_e2.origin - _e119) + (_e2.step * _e122));
-                        let left_3 = at_8.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_8), forward_5);
+                        let at_9 = ((_e2.origin - _e119) + (_e2.step * _e122));
+                        let left_3 = at_9.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_9), forward_5);
                         let _e134 = t_33;
                         let far_11 = ((_e2.origin.abs() + (_e2.step.abs() * _e134)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e142 = slope_5;
                         let lost_3 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e142) * far_11));
                         let _e148 = t_33;
-                        let rest_4 = (rt::Scalar(path_41.exit) - _e148);
+                        let rest_4 = (rt::Scalar(path_46.exit) - _e148);
                         let _e150 = slope_5;
-                        let _e155 = self.v_stays_above(above_4, _e150, left_3.x(), _e2.step.x(), lost_3.x(), rest_4);
+                        let _e155 = self.v_stays_above(above_5, _e150, left_3.x(), _e2.step.x(), lost_3.x(), rest_4);
                         let _e156 = slope_5;
-                        let _e161 = self.v_stays_above(above_4, _e156, left_3.y(), _e2.step.y(), lost_3.y(), rest_4);
+                        let _e161 = self.v_stays_above(above_5, _e156, left_3.y(), _e2.step.y(), lost_3.y(), rest_4);
                         let _e162 = next_4;
                         let _e163 = t_33;
                         next_4 = _e162.max((_e163 + _e155.min(_e161)));
                     }
                     let _e167 = next_4;
-                    if rt::Scalar::into_branch_condition(_e167.elementwise_ge(rt::Scalar(path_41.exit))) {
+                    if rt::Scalar::into_branch_condition(_e167.elementwise_ge(rt::Scalar(path_46.exit))) {
                         let _e171 = t_33;
                         let _e173 = cost_15;
-                        return <SearchResult>::new(FOUND_MISS, _e171, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e173);
+                        return <SearchResult>::new(FOUND_MISS, _e171, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e173);
                     }
                     let _e177 = slope_5;
                     if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(0f32))) {
@@ -1256,23 +1256,23 @@ impl Marked<'_> {
         }
         let _e187 = t_33;
         let _e189 = cost_15;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e187, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e189);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e187, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e189);
     }
     pub(super) fn v_search_linear(
         &self,
-        path_44: Path,
-        params_32: rt::Vec4<f32>,
+        path_49: Path,
+        params_34: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut near_8: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32>;
         let mut cost_17: rt::Vec3<u32>;
-        let mut k_9: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_10: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine = (path_44.h.y().abs() * path_44.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max(((params_32.x() * params_32.y().mix_scalar(rt::Scalar(1f32), cosine)) * rt::Scalar(path_44.share)).ceil());
-        let _e24 = self.v_path_gap(path_44, rt::Scalar(0f32));
+        let cosine = (path_49.h.y().abs() * path_49.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max(((params_34.x() * params_34.y().mix_scalar(rt::Scalar(1f32), cosine)) * rt::Scalar(path_49.share)).ceil());
+        let _e24 = self.v_path_gap(path_49, rt::Scalar(0f32));
         near_gap_4 = _e24;
-        let _e27 = self.v_field_cost_stage(rt::Scalar(path_44.level));
+        let _e27 = self.v_field_cost_stage(rt::Scalar(path_49.level));
         cost_17 = _e27;
         let _e29 = near_gap_4;
         if rt::Scalar::into_branch_condition(_e29.elementwise_lt(rt::Scalar(0f32))) {
@@ -1283,7 +1283,7 @@ impl Marked<'_> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e41 = k_9;
+                let _e41 = k_10;
                 if rt::Scalar::into_branch_condition(_e41.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
@@ -1291,13 +1291,13 @@ impl Marked<'_> {
                 {
                     let _e43 = cost_17;
                     cost_17 = (_e43 + STEP);
-                    let _e47 = k_9;
-                    let t_43 = (rt::Scalar(path_44.exit) * (_e47 / steps));
+                    let _e47 = k_10;
+                    let t_43 = (rt::Scalar(path_49.exit) * (_e47 / steps));
                     self.v_mark_turn(t_43);
                     self.v_mark_sample(t_43);
-                    let _e50 = self.v_path_gap(path_44, t_43);
+                    let _e50 = self.v_path_gap(path_49, t_43);
                     let _e51 = cost_17;
-                    let _e53 = self.v_field_cost_stage(rt::Scalar(path_44.level));
+                    let _e53 = self.v_field_cost_stage(rt::Scalar(path_49.level));
                     cost_17 = (_e51 + _e53);
                     if rt::Scalar::into_branch_condition(_e50.elementwise_le(rt::Scalar(0f32))) {
                         let _e58 = near_8;
@@ -1307,8 +1307,8 @@ impl Marked<'_> {
                     }
                     near_8 = t_43;
                     near_gap_4 = _e50;
-                    let _e62 = k_9;
-                    k_9 = (_e62 + rt::Scalar(1f32));
+                    let _e62 = k_10;
+                    k_10 = (_e62 + rt::Scalar(1f32));
                 }
             }
         }
@@ -1321,8 +1321,8 @@ impl Marked<'_> {
     }
     pub(super) fn v_search_pyramid(
         &self,
-        path_46: Path,
-        params_34: rt::Vec4<f32>,
+        path_51: Path,
+        params_36: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut top_3: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_27: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -1330,13 +1330,13 @@ impl Marked<'_> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut local_32: rt::Scalar<bool>;
-        let mut local_33: rt::Scalar<bool>;
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_46);
-        let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
-        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_46.exit));
+        let _e2 = self.v_grid_of(path_51);
+        let _e4 = self.v_height_texels(rt::Scalar(path_51.level));
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_51.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top_3;
@@ -1357,7 +1357,7 @@ impl Marked<'_> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_35 = _e37.to_i32();
-        let limit_8 = params_34.x().to_u32();
+        let limit_8 = params_36.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_18.x();
@@ -1374,33 +1374,33 @@ impl Marked<'_> {
                     let _e60 = self.v_image_of(_e58, _e4.x());
                     let _e62 = cell_35.y();
                     let _e64 = self.v_image_of(_e62, _e4.y());
-                    let place_4 = <rt::Vec2<i32>>::from_scalars(_e60.x(), _e64.x());
+                    let place_5 = <rt::Vec2<i32>>::from_scalars(_e60.x(), _e64.x());
                     let _e68 = level_27;
                     let above_level = (_e68 + rt::Scalar(1u32));
-                    let over = <rt::Vec2<i32>>::from_scalars((place_4.x() >> above_level), (place_4.y() >> above_level));
+                    let over = <rt::Vec2<i32>>::from_scalars((place_5.x() >> above_level), (place_5.y() >> above_level));
                     let _e77 = parent.x();
                     if rt::Scalar::into_branch_condition(_e77.elementwise_ge(rt::Scalar(0i32))) {
                         let _e83 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e83.elementwise_ne(over.x()))) {
                             let _e90 = parent.y();
-                            local_33 = _e90.elementwise_ne(over.y());
+                            local_40 = _e90.elementwise_ne(over.y());
                         } else {
-                            local_33 = rt::Scalar(true);
+                            local_40 = rt::Scalar(true);
                         }
-                        let _e94 = local_33;
-                        local_32 = _e94;
+                        let _e94 = local_40;
+                        local_39 = _e94;
                     } else {
-                        local_32 = rt::Scalar(false);
+                        local_39 = rt::Scalar(false);
                     }
-                    let left_4 = local_32;
+                    let left_4 = local_39;
                     if rt::Scalar::into_branch_condition(left_4) {
                         let _e99 = level_27;
                         let _e100 = top_3;
-                        local_34 = _e99.elementwise_lt(_e100);
+                        local_41 = _e99.elementwise_lt(_e100);
                     } else {
-                        local_34 = rt::Scalar(false);
+                        local_41 = rt::Scalar(false);
                     }
-                    let _e103 = local_34;
+                    let _e103 = local_41;
                     if rt::Scalar::into_branch_condition(_e103) {
                         level_27 = above_level;
                     }
@@ -1412,10 +1412,10 @@ impl Marked<'_> {
                     let _e113 = self.v_node_extent(_e110, _e64, _e4.y(), _e112);
                     let _e118 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e108);
                     let _e123 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e113);
-                    let end_9 = _e118.min(_e123).min(rt::Scalar(path_46.exit));
+                    let end_9 = _e118.min(_e123).min(rt::Scalar(path_51.exit));
                     let _e127 = t_35;
                     let span_12 = (end_9 - _e127).max(rt::Scalar(0f32));
-                    let low_4 = <rt::Vec2<i32>>::from_scalars(_e108.x(), _e113.x());
+                    let low_6 = <rt::Vec2<i32>>::from_scalars(_e108.x(), _e113.x());
                     let last_4 = <rt::Vec2<i32>>::from_scalars((_e108.y() - rt::Scalar(1i32)), (_e113.y() - rt::Scalar(1i32)));
                     let _e141 = level_27;
                     if rt::Scalar::into_branch_condition(_e141.elementwise_eq(rt::Scalar(0u32))) {
@@ -1426,9 +1426,9 @@ impl Marked<'_> {
                         self.v_mark_patch(_e147.to_f32(), _e149, end_9);
                         let _e150 = cell_35;
                         let _e152 = cell_35;
-                        let _e154 = self.v_object_cell_stage(_e152, rt::Scalar(path_46.level));
+                        let _e154 = self.v_object_cell_stage(_e152, rt::Scalar(path_51.level));
                         let _e155 = t_35;
-                        let _e156 = self.v_gap_to(path_46, _e2, _e150.to_f32(), _e154, _e155);
+                        let _e156 = self.v_gap_to(path_51, _e2, _e150.to_f32(), _e154, _e155);
                         let _e157 = self.v_falls_in_cell(_e156, span_12);
                         if rt::Scalar::into_branch_condition(_e157) {
                             let _e158 = t_35;
@@ -1439,23 +1439,23 @@ impl Marked<'_> {
                         }
                     } else {
                         let _e164 = cost_18;
-                        let _e166 = self.v_map_read(path_46, rt::Scalar(1u32));
+                        let _e166 = self.v_map_read(path_51, rt::Scalar(1u32));
                         cost_18 = (_e164 + _e166);
                         let _e169 = level_27;
                         let _e172 = level_27;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e169), (place_4.y() >> _e172));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_5.x() >> _e169), (place_5.y() >> _e172));
                         let _e176 = level_27;
-                        let _e182 = self.v_search_texel(path_46, node, rt::Scalar(0i32), ((_e176 + rt::Scalar(path_46.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e182 = self.v_search_texel(path_51, node, rt::Scalar(0i32), ((_e176 + rt::Scalar(path_51.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e182.y();
-                        self.v_mark_box(low_4.to_f32(), (last_4 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), highest_1);
+                        self.v_mark_box(low_6.to_f32(), (last_4 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), highest_1);
                         let _e189 = t_35;
                         let furthest_1 = (_e189 + span_12);
-                        let rounded_1 = (path_46.h.x().abs() + (furthest_1 * (path_46.h.y().abs() + (furthest_1 * path_46.h.z().abs()))));
+                        let rounded_1 = (path_51.h.x().abs() + (furthest_1 * (path_51.h.y().abs() + (furthest_1 * path_51.h.z().abs()))));
                         let _e204 = t_35;
-                        let _e205 = self.v_path_height(path_46, _e204);
+                        let _e205 = self.v_path_height(path_51, _e204);
                         let _e210 = t_35;
-                        let _e211 = self.v_path_slope(path_46, _e210);
-                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e205 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e211, path_46.h.z());
+                        let _e211 = self.v_path_slope(path_51, _e210);
+                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e205 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e211, path_51.h.z());
                         let _e215 = self.v_falls_in_cell(gap_5, span_12);
                         if rt::Scalar::into_branch_condition(_e215) {
                             if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
@@ -1465,29 +1465,29 @@ impl Marked<'_> {
                             }
                             let _e225 = t_35;
                             let _e228 = self.v_cell_of((_e2.origin + (_e2.step * _e225)));
-                            cell_35 = _e228.to_i32().clamp(low_4, last_4);
+                            cell_35 = _e228.to_i32().clamp(low_6, last_4);
                             let _e231 = level_27;
                             level_27 = (_e231 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_46.exit))) {
+                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_51.exit))) {
                         let _e240 = t_35;
                         let _e242 = cost_18;
-                        return <SearchResult>::new(FOUND_MISS, _e240, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e242);
+                        return <SearchResult>::new(FOUND_MISS, _e240, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e242);
                     }
                     let _e250 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
-                    cell_35 = _e250.to_i32().clamp(low_4, last_4);
+                    cell_35 = _e250.to_i32().clamp(low_6, last_4);
                     if rt::Scalar::into_branch_condition(_e118.elementwise_le(end_9)) {
-                        cell_35.set_x((low_4.x() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_35.set_x((low_6.x() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e123.elementwise_le(end_9)) {
-                        cell_35.set_y((low_4.y() - rt::Scalar(1i32)).select(_e113.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_35.set_y((low_6.y() - rt::Scalar(1i32)).select(_e113.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
                     let _e276 = level_27;
                     let _e281 = level_27;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_4.x() >> (_e276 + rt::Scalar(1u32))), (place_4.y() >> (_e281 + rt::Scalar(1u32))));
+                    parent = <rt::Vec2<i32>>::from_scalars((place_5.x() >> (_e276 + rt::Scalar(1u32))), (place_5.y() >> (_e281 + rt::Scalar(1u32))));
                     let _e286 = t_35;
                     t_35 = _e286.max(end_9);
                 }
@@ -1495,26 +1495,26 @@ impl Marked<'_> {
         }
         let _e289 = t_35;
         let _e291 = cost_18;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e289, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e291);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e289, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e291);
     }
     pub(super) fn v_search_pyramid_texels(
         &self,
-        path_47: Path,
-        params_35: rt::Vec4<f32>,
+        path_52: Path,
+        params_37: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut level_29: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut texel_3: rt::Vec2<i32>;
+        let mut texel_4: rt::Vec2<i32>;
         let mut t_36: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_47.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_47.level));
-        let origin_1 = (path_47.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_47.level));
-        let step_1 = (path_47.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_52.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_52.level));
+        let origin_1 = (path_52.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_52.level));
+        let step_1 = (path_52.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_29;
@@ -1529,11 +1529,11 @@ impl Marked<'_> {
             }
         }
         let _e24 = self.v_cell_of(origin_1);
-        texel_3 = _e24.to_i32();
-        let limit_9 = params_35.x().to_u32();
+        texel_4 = _e24.to_i32();
+        let limit_9 = params_37.x().to_u32();
         let _e35 = level_29;
-        finest_1 = params_35.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_47.ray).elementwise_eq(RAY_SHADOW)) {
+        finest_1 = params_37.y().to_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_52.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -1548,56 +1548,56 @@ impl Marked<'_> {
                     cost_19 = (_e45 + STEP);
                     let _e48 = t_36;
                     self.v_mark_turn(_e48);
-                    let _e50 = texel_3.x();
+                    let _e50 = texel_4.x();
                     let _e52 = self.v_wrap_index(_e50, _e3.x());
-                    let _e54 = texel_3.y();
+                    let _e54 = texel_4.y();
                     let _e56 = self.v_wrap_index(_e54, _e3.y());
-                    let place_5 = <rt::Vec2<i32>>::from_scalars(_e52, _e56);
+                    let place_6 = <rt::Vec2<i32>>::from_scalars(_e52, _e56);
                     highest = rt::Scalar(0f32);
                     let _e60 = level_29;
                     if rt::Scalar::into_branch_condition(_e60.elementwise_eq(rt::Scalar(0u32))) {
                         let _e63 = cost_19;
                         cost_19 = (_e63 + HEIGHT_READ);
-                        let _e68 = rt::texture::Read::read_texel((&self.height_map), place_5, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e68 = rt::texture::Read::read_texel((&self.height_map), place_6, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e68.x();
                     } else {
                         let _e71 = level_29;
                         let _e74 = level_29;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_5.x() >> _e71), (place_5.y() >> _e74));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_6.x() >> _e71), (place_6.y() >> _e74));
                         let _e77 = cost_19;
-                        let _e79 = self.v_map_read(path_47, rt::Scalar(1u32));
+                        let _e79 = self.v_map_read(path_52, rt::Scalar(1u32));
                         cost_19 = (_e77 + _e79);
                         let _e82 = level_29;
-                        let _e86 = self.v_search_texel(path_47, node_1, rt::Scalar(0i32), (_e82.to_i32() - rt::Scalar(1i32)));
+                        let _e86 = self.v_search_texel(path_52, node_1, rt::Scalar(0i32), (_e82.to_i32() - rt::Scalar(1i32)));
                         highest = _e86.y();
                     }
-                    let _e89 = texel_3.x();
+                    let _e89 = texel_4.x();
                     let _e91 = level_29;
                     let _e92 = self.v_texel_extent(_e89, _e3.x(), _e91);
-                    let _e94 = texel_3.y();
+                    let _e94 = texel_4.y();
                     let _e96 = level_29;
                     let _e97 = self.v_texel_extent(_e94, _e3.y(), _e96);
                     let _e100 = self.v_leaves_extent(origin_1.x(), step_1.x(), _e92);
                     let _e103 = self.v_leaves_extent(origin_1.y(), step_1.y(), _e97);
                     let leave_6 = <rt::Vec2<f32>>::from_scalars(_e100, _e103);
                     let _e110 = t_36;
-                    let end_10 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_47.exit)).max(_e110);
+                    let end_10 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_52.exit)).max(_e110);
                     let _e112 = t_36;
-                    let _e113 = self.v_path_height(path_47, _e112);
+                    let _e113 = self.v_path_height(path_52, _e112);
                     let _e114 = highest;
                     let _e116 = t_36;
-                    let _e117 = self.v_path_slope(path_47, _e116);
-                    let gap_6 = <rt::Vec3<f32>>::from_scalars((_e113 - _e114), _e117, path_47.h.z());
+                    let _e117 = self.v_path_slope(path_52, _e116);
+                    let gap_6 = <rt::Vec3<f32>>::from_scalars((_e113 - _e114), _e117, path_52.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
                         let _e126 = t_36;
                         let _e128 = self.v_first_root(gap_6, (end_10 - _e126));
                         sinks = _e128;
                     }
-                    let low_5 = <rt::Vec2<i32>>::from_scalars(_e92.x(), _e97.x());
+                    let low_7 = <rt::Vec2<i32>>::from_scalars(_e92.x(), _e97.x());
                     let last_6 = <rt::Vec2<i32>>::from_scalars((_e92.y() - rt::Scalar(1i32)), (_e97.y() - rt::Scalar(1i32)));
                     let _e144 = highest;
-                    self.v_mark_columns(low_5.to_f32(), (last_6 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), _e144);
+                    self.v_mark_columns(low_7.to_f32(), (last_6 + rt::Vec2::splat_from_scalar(rt::Scalar(1i32))).to_f32(), _e144);
                     let _e145 = sinks;
                     if rt::Scalar::into_branch_condition(_e145.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e148 = t_36;
@@ -1614,20 +1614,20 @@ impl Marked<'_> {
                         level_29 = (_e161 - rt::Scalar(1u32));
                         let _e164 = t_36;
                         let _e167 = self.v_cell_of((origin_1 + (step_1 * _e164)));
-                        texel_3 = _e167.to_i32().clamp(low_5, last_6);
+                        texel_4 = _e167.to_i32().clamp(low_7, last_6);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_47.exit))) {
+                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_52.exit))) {
                             let _e173 = t_36;
                             let _e175 = cost_19;
-                            return <SearchResult>::new(FOUND_MISS, _e173, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e175);
+                            return <SearchResult>::new(FOUND_MISS, _e173, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e175);
                         }
                         let _e181 = self.v_cell_of((origin_1 + (step_1 * end_10)));
-                        texel_3 = _e181.to_i32().clamp(low_5, last_6);
+                        texel_4 = _e181.to_i32().clamp(low_7, last_6);
                         if rt::Scalar::into_branch_condition(leave_6.x().elementwise_le(end_10)) {
-                            texel_3.set_x((low_5.x() - rt::Scalar(1i32)).select(_e92.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_4.set_x((low_7.x() - rt::Scalar(1i32)).select(_e92.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_6.y().elementwise_le(end_10)) {
-                            texel_3.set_y((low_5.y() - rt::Scalar(1i32)).select(_e97.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_4.set_y((low_7.y() - rt::Scalar(1i32)).select(_e97.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
                         }
                         t_36 = end_10;
                     }
@@ -1636,34 +1636,34 @@ impl Marked<'_> {
         }
         let _e207 = t_36;
         let _e209 = cost_19;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e207, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e209);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e207, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e209);
     }
     pub(super) fn v_search_relaxed_cone(
         &self,
-        path_48: Path,
-        params_36: rt::Vec4<f32>,
+        path_53: Path,
+        params_38: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_36: rt::Vec2<f32>;
         let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_9: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_36: rt::Scalar<bool>;
-        let mut start: rt::Scalar<f32>;
+        let mut local_43: rt::Scalar<bool>;
+        let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_48);
+        let _e2 = self.v_grid_of(path_53);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_2 = path_48.duv.length();
-        let _e11 = self.v_path_slope(path_48, rt::Scalar(0f32));
-        let terms_2 = (path_48.h.x().abs() + (rt::Scalar(path_48.exit) * path_48.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_48.level));
-        let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_48.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_2 = path_53.duv.length();
+        let _e11 = self.v_path_slope(path_53, rt::Scalar(0f32));
+        let terms_2 = (path_53.h.x().abs() + (rt::Scalar(path_53.exit) * path_53.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_53.level));
+        let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_53.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_36 = _e36;
-        let limit_10 = params_36.x().to_u32();
+        let limit_10 = params_38.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_20.x();
@@ -1678,15 +1678,15 @@ impl Marked<'_> {
                     self.v_mark_turn(_e54);
                     let _e55 = cell_36;
                     let _e56 = self.v_cell_leave(_e2, _e55);
-                    let end_11 = _e56.x().min(_e56.y()).min(rt::Scalar(path_48.exit));
+                    let end_11 = _e56.x().min(_e56.y()).min(rt::Scalar(path_53.exit));
                     let _e62 = t_37;
                     let span_13 = (end_11 - _e62).max(rt::Scalar(0f32));
                     let _e66 = cell_36;
                     let _e67 = cell_36;
                     let _e68 = self.v_whole_cell(_e67);
-                    let _e70 = self.v_height_cell(_e68, rt::Scalar(path_48.level));
+                    let _e70 = self.v_height_cell(_e68, rt::Scalar(path_53.level));
                     let _e71 = t_37;
-                    let _e72 = self.v_gap_to(path_48, _e2, _e66, _e70, _e71);
+                    let _e72 = self.v_gap_to(path_53, _e2, _e66, _e70, _e71);
                     let _e73 = cost_20;
                     cost_20 = (_e73 + HEIGHTS_READ);
                     let _e76 = t_37;
@@ -1696,17 +1696,17 @@ impl Marked<'_> {
                         let _e81 = t_37;
                         if rt::Scalar::into_branch_condition(_e80.elementwise_lt(_e81)) {
                             let _e85 = near_gap_5;
-                            local_36 = _e85.elementwise_gt(rt::Scalar(0f32));
+                            local_43 = _e85.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_36 = rt::Scalar(false);
+                            local_43 = rt::Scalar(false);
                         }
-                        let _e89 = local_36;
+                        let _e89 = local_43;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e90 = near_9;
                             let _e91 = t_37;
                             let _e92 = near_gap_5;
                             let _e94 = cost_20;
-                            let _e95 = self.v_entered_once(path_48, _e2, _e90, _e91, _e92, _e72.x(), _e94);
+                            let _e95 = self.v_entered_once(path_53, _e2, _e90, _e91, _e92, _e72.x(), _e94);
                             return _e95;
                         }
                         let _e96 = t_37;
@@ -1716,9 +1716,9 @@ impl Marked<'_> {
                         return _e101;
                     }
                     let _e102 = t_37;
-                    start = _e102;
+                    start_1 = _e102;
                     gap = _e72.x();
-                    if rt::Scalar::into_branch_condition(params_36.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_38.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e109 = cell_36;
                         let _e110 = t_37;
                         self.v_mark_patch(_e109, _e110, end_11);
@@ -1731,35 +1731,35 @@ impl Marked<'_> {
                             return _e117;
                         }
                         let _e118 = t_37;
-                        start = _e118.max(end_11);
+                        start_1 = _e118.max(end_11);
                         let _e120 = self.v_quadratic(_e72, span_13);
                         gap = _e120;
                     }
-                    let _e121 = start;
-                    if rt::Scalar::into_branch_condition(_e121.elementwise_ge(rt::Scalar(path_48.exit))) {
+                    let _e121 = start_1;
+                    if rt::Scalar::into_branch_condition(_e121.elementwise_ge(rt::Scalar(path_53.exit))) {
                         let _e125 = t_37;
                         let _e127 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, _e125, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e127);
+                        return <SearchResult>::new(FOUND_MISS, _e125, rt::Scalar(path_53.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e127);
                     }
-                    let _e131 = start;
+                    let _e131 = start_1;
                     near_9 = _e131;
                     let _e132 = gap;
                     near_gap_5 = _e132;
                     let _e133 = cell_36;
                     let _e135 = cell_36;
-                    let _e138 = start;
+                    let _e138 = start_1;
                     let _e141 = self.v_nearest_corner(((_e2.origin - _e135) + (_e2.step * _e138)));
-                    let _e143 = self.v_cone_slope(path_48, (_e133 + _e141));
+                    let _e143 = self.v_cone_slope(path_53, (_e133 + _e141));
                     let _e144 = cost_20;
-                    let _e146 = self.v_map_read(path_48, rt::Scalar(1u32));
+                    let _e146 = self.v_map_read(path_53, rt::Scalar(1u32));
                     cost_20 = (_e144 + _e146);
-                    let _e148 = start;
+                    let _e148 = start_1;
                     next_5 = _e148;
                     if rt::Scalar::into_branch_condition(_e143.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e152 = start;
-                        let _e153 = self.v_path_uv(path_48, _e152);
-                        let _e154 = start;
-                        let _e155 = self.v_path_height(path_48, _e154);
+                        let _e152 = start_1;
+                        let _e153 = self.v_path_uv(path_53, _e152);
+                        let _e154 = start_1;
+                        let _e155 = self.v_path_height(path_53, _e154);
                         let _e156 = gap;
                         self.v_mark_cone(_e153, (_e155 - _e156), _e143);
                         let nearing_1 = ((_e143 * aside_2) - _e11);
@@ -1768,39 +1768,39 @@ impl Marked<'_> {
                         let room = (_e163 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e143 * (far_13.x() + far_13.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
-                            let _e175 = start;
+                            let _e175 = start_1;
                             next_5 = (_e175 + (room.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_36.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_38.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e185 = next_5;
                         let _e186 = t_37;
-                        local_37 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_48.exit))));
+                        local_44 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_53.exit))));
                     } else {
-                        local_37 = rt::Scalar(false);
+                        local_44 = rt::Scalar(false);
                     }
-                    let _e194 = local_37;
+                    let _e194 = local_44;
                     if rt::Scalar::into_branch_condition(_e194) {
                         let _e196 = t_37;
                         let _e198 = gap;
                         let _e199 = cost_20;
-                        return <SearchResult>::new(FOUND_ABOVE, _e196, rt::Scalar(path_48.exit), _e198, rt::Scalar(0f32), _e199);
+                        return <SearchResult>::new(FOUND_ABOVE, _e196, rt::Scalar(path_53.exit), _e198, rt::Scalar(0f32), _e199);
                     }
                     let _e202 = next_5;
-                    if rt::Scalar::into_branch_condition(_e202.elementwise_ge(rt::Scalar(path_48.exit))) {
-                        let _e206 = self.v_path_gap(path_48, rt::Scalar(path_48.exit));
+                    if rt::Scalar::into_branch_condition(_e202.elementwise_ge(rt::Scalar(path_53.exit))) {
+                        let _e206 = self.v_path_gap(path_53, rt::Scalar(path_53.exit));
                         let _e207 = cost_20;
                         cost_20 = (_e207 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e206.elementwise_le(rt::Scalar(0f32))) {
-                            let _e212 = start;
+                            let _e212 = start_1;
                             let _e214 = gap;
                             let _e215 = cost_20;
-                            let _e216 = self.v_entered_once(path_48, _e2, _e212, rt::Scalar(path_48.exit), _e214, _e206, _e215);
+                            let _e216 = self.v_entered_once(path_53, _e2, _e212, rt::Scalar(path_53.exit), _e214, _e206, _e215);
                             return _e216;
                         }
-                        let _e218 = start;
+                        let _e218 = start_1;
                         let _e220 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, _e218, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e220);
+                        return <SearchResult>::new(FOUND_MISS, _e218, rt::Scalar(path_53.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e220);
                     }
                     let _e224 = cell_36;
                     let _e225 = next_5;
@@ -1813,26 +1813,26 @@ impl Marked<'_> {
         }
         let _e229 = t_37;
         let _e231 = cost_20;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e229, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e231);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e229, rt::Scalar(path_53.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e231);
     }
     pub(super) fn v_search_relaxed_cone_resting(
         &self,
-        path_49: Path,
-        params_37: rt::Vec4<f32>,
+        path_54: Path,
+        params_39: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_37: rt::Vec2<f32>;
         let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_21: rt::Vec3<u32> = NO_COST;
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_49);
+        let _e2 = self.v_grid_of(path_54);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_37 = _e9;
-        let limit_11 = params_37.x().to_u32();
+        let limit_11 = params_39.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_21.x();
@@ -1847,17 +1847,17 @@ impl Marked<'_> {
                     self.v_mark_turn(_e27);
                     let _e28 = cell_37;
                     let _e29 = self.v_whole_cell(_e28);
-                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_49.level));
+                    let _e31 = self.v_height_cell(_e29, rt::Scalar(path_54.level));
                     let _e32 = cost_21;
                     cost_21 = (_e32 + HEIGHTS_READ);
                     let _e35 = cell_37;
                     let _e36 = self.v_cell_leave(_e2, _e35);
-                    let end_12 = _e36.x().min(_e36.y()).min(rt::Scalar(path_49.exit));
+                    let end_12 = _e36.x().min(_e36.y()).min(rt::Scalar(path_54.exit));
                     let _e42 = t_38;
                     let span_14 = (end_12 - _e42).max(rt::Scalar(0f32));
                     let _e46 = cell_37;
                     let _e47 = t_38;
-                    let _e48 = self.v_gap_to(path_49, _e2, _e46, _e31, _e47);
+                    let _e48 = self.v_gap_to(path_54, _e2, _e46, _e31, _e47);
                     let _e49 = t_38;
                     self.v_mark_sample(_e49);
                     if rt::Scalar::into_branch_condition(_e48.x().elementwise_le(rt::Scalar(0f32))) {
@@ -1865,17 +1865,17 @@ impl Marked<'_> {
                         let _e54 = t_38;
                         if rt::Scalar::into_branch_condition(_e53.elementwise_lt(_e54)) {
                             let _e58 = near_gap_6;
-                            local_38 = _e58.elementwise_gt(rt::Scalar(0f32));
+                            local_45 = _e58.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_38 = rt::Scalar(false);
+                            local_45 = rt::Scalar(false);
                         }
-                        let _e62 = local_38;
+                        let _e62 = local_45;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = near_10;
                             let _e64 = t_38;
                             let _e65 = near_gap_6;
                             let _e67 = cost_21;
-                            let _e68 = self.v_entered_once(path_49, _e2, _e63, _e64, _e65, _e48.x(), _e67);
+                            let _e68 = self.v_entered_once(path_54, _e2, _e63, _e64, _e65, _e48.x(), _e67);
                             return _e68;
                         }
                         let _e69 = t_38;
@@ -1896,47 +1896,47 @@ impl Marked<'_> {
                         return _e83;
                     }
                     let _e84 = t_38;
-                    let start_1 = _e84.max(end_12);
-                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_49.exit))) {
+                    let start_2 = _e84.max(end_12);
+                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_54.exit))) {
                         let _e89 = t_38;
                         let _e91 = cost_21;
-                        return <SearchResult>::new(FOUND_MISS, _e89, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <SearchResult>::new(FOUND_MISS, _e89, rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
-                    near_10 = start_1;
+                    near_10 = start_2;
                     let _e95 = self.v_quadratic(_e48, span_14);
                     near_gap_6 = _e95;
                     let _e97 = cell_37;
-                    let _e102 = self.v_nearest_corner(((_e2.origin - _e97) + (_e2.step * start_1)));
+                    let _e102 = self.v_nearest_corner(((_e2.origin - _e97) + (_e2.step * start_2)));
                     let _e103 = self.v_corner_height(_e31, _e102);
-                    next_6 = start_1;
-                    let _e105 = self.v_path_height(path_49, start_1);
+                    next_6 = start_2;
+                    let _e105 = self.v_path_height(path_54, start_2);
                     if rt::Scalar::into_branch_condition(_e105.elementwise_gt(_e103)) {
                         let _e107 = cell_37;
-                        let texel_6 = (_e107 + _e102);
-                        let _e109 = self.v_cone_slope(path_49, texel_6);
+                        let texel_7 = (_e107 + _e102);
+                        let _e109 = self.v_cone_slope(path_54, texel_7);
                         let _e110 = cost_21;
-                        let _e112 = self.v_map_read(path_49, rt::Scalar(1u32));
+                        let _e112 = self.v_map_read(path_54, rt::Scalar(1u32));
                         cost_21 = (_e110 + _e112);
                         if rt::Scalar::into_branch_condition(_e109.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e120 = self.v_height_size(rt::Scalar(path_49.level));
-                            self.v_mark_cone(((texel_6 + rt::Vec2::splat_from_scalar(rt::Scalar(0.5f32))) / _e120), _e103, _e109);
-                            let _e122 = self.v_stays_inside(path_49, _e2, texel_6, _e103, _e109, start_1);
-                            next_6 = (start_1 + _e122);
+                            let _e120 = self.v_height_size(rt::Scalar(path_54.level));
+                            self.v_mark_cone(((texel_7 + rt::Vec2::splat_from_scalar(rt::Scalar(0.5f32))) / _e120), _e103, _e109);
+                            let _e122 = self.v_stays_inside(path_54, _e2, texel_7, _e103, _e109, start_2);
+                            next_6 = (start_2 + _e122);
                         }
                     }
                     let _e124 = next_6;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_49.exit))) {
-                        let _e128 = self.v_path_gap(path_49, rt::Scalar(path_49.exit));
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_54.exit))) {
+                        let _e128 = self.v_path_gap(path_54, rt::Scalar(path_54.exit));
                         let _e129 = cost_21;
                         cost_21 = (_e129 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e128.elementwise_le(rt::Scalar(0f32))) {
                             let _e135 = near_gap_6;
                             let _e136 = cost_21;
-                            let _e137 = self.v_entered_once(path_49, _e2, start_1, rt::Scalar(path_49.exit), _e135, _e128, _e136);
+                            let _e137 = self.v_entered_once(path_54, _e2, start_2, rt::Scalar(path_54.exit), _e135, _e128, _e136);
                             return _e137;
                         }
                         let _e140 = cost_21;
-                        return <SearchResult>::new(FOUND_MISS, start_1, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e140);
+                        return <SearchResult>::new(FOUND_MISS, start_2, rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e140);
                     }
                     let _e144 = cell_37;
                     let _e145 = next_6;
@@ -1949,32 +1949,32 @@ impl Marked<'_> {
         }
         let _e149 = t_38;
         let _e151 = cost_21;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e149, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e149, rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
     }
     pub(super) fn v_search_sphere(
         &self,
-        path_50: Path,
-        params_38: rt::Vec4<f32>,
+        path_55: Path,
+        params_40: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_38: rt::Vec2<f32>;
         let mut t_39: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut next_7: rt::Scalar<f32>;
-        let mut local_39: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_50);
+        let _e2 = self.v_grid_of(path_55);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_50, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_50, rt::Scalar(path_50.exit));
+        let _e9 = self.v_path_slope(path_55, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_55, rt::Scalar(path_55.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_50.duv, climb_1).length();
-        let speed_3 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_14 = (path_50.uv.abs() + (path_50.duv.abs() * rt::Scalar(path_50.exit)));
-        let height_terms = (path_50.h.x().abs() + (rt::Scalar(path_50.exit) * (path_50.h.y().abs() + (rt::Scalar(path_50.exit) * path_50.h.z().abs()))));
+        let fastest = <rt::Vec3<f32>>::new_21(path_55.duv, climb_1).length();
+        let speed_4 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
+        let far_14 = (path_55.uv.abs() + (path_55.duv.abs() * rt::Scalar(path_55.exit)));
+        let height_terms = (path_55.h.x().abs() + (rt::Scalar(path_55.exit) * (path_55.h.y().abs() + (rt::Scalar(path_55.exit) * path_55.h.z().abs()))));
         let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_14.x() + far_14.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_38 = _e52;
-        let limit_12 = params_38.x().to_u32();
+        let limit_12 = params_40.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_22.x();
@@ -1989,18 +1989,18 @@ impl Marked<'_> {
                     self.v_mark_turn(_e66);
                     let _e67 = cell_38;
                     let _e68 = self.v_cell_leave(_e2, _e67);
-                    let end_13 = _e68.x().min(_e68.y()).min(rt::Scalar(path_50.exit));
+                    let end_13 = _e68.x().min(_e68.y()).min(rt::Scalar(path_55.exit));
                     let _e74 = t_39;
                     let span_15 = (end_13 - _e74).max(rt::Scalar(0f32));
                     let _e78 = t_39;
-                    let _e79 = self.v_path_uv(path_50, _e78);
+                    let _e79 = self.v_path_uv(path_55, _e78);
                     let _e80 = t_39;
-                    let _e81 = self.v_path_height(path_50, _e80);
-                    let _e83 = self.v_distance_at(path_50, _e79, _e81, params_38.z());
+                    let _e81 = self.v_path_height(path_55, _e80);
+                    let _e83 = self.v_distance_at(path_55, _e79, _e81, params_40.z());
                     let free = (_e83 - lost_4);
                     let _e85 = cost_22;
-                    let _e87 = self.v_map_read(path_50, rt::Scalar(4u32));
-                    let _e90 = self.v_map_read(path_50, rt::Scalar(4u32));
+                    let _e87 = self.v_map_read(path_55, rt::Scalar(4u32));
+                    let _e90 = self.v_map_read(path_55, rt::Scalar(4u32));
                     cost_22 = ((_e85 + _e87) + _e90);
                     let _e92 = t_39;
                     next_7 = _e92;
@@ -2008,25 +2008,25 @@ impl Marked<'_> {
                         let _e96 = t_39;
                         self.v_mark_ball(_e96, free);
                         let _e97 = t_39;
-                        next_7 = (_e97 + (free / speed_3));
+                        next_7 = (_e97 + (free / speed_4));
                     }
-                    if rt::Scalar::into_branch_condition(params_38.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_40.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e103 = next_7;
                         let _e104 = t_39;
-                        if rt::Scalar::into_branch_condition((!(_e103 - _e104).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_50.exit))))) {
+                        if rt::Scalar::into_branch_condition((!(_e103 - _e104).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_55.exit))))) {
                             let _e112 = t_39;
                             let _e114 = cost_22;
-                            return <SearchResult>::new(FOUND_ABOVE, _e112, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                            return <SearchResult>::new(FOUND_ABOVE, _e112, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                         }
                     } else {
                         let _e118 = next_7;
                         if rt::Scalar::into_branch_condition((!_e118.elementwise_lt(end_13))) {
                             let _e123 = t_39;
-                            local_39 = (!end_13.elementwise_gt(_e123));
+                            local_46 = (!end_13.elementwise_gt(_e123));
                         } else {
-                            local_39 = rt::Scalar(true);
+                            local_46 = rt::Scalar(true);
                         }
-                        let _e127 = local_39;
+                        let _e127 = local_46;
                         if rt::Scalar::into_branch_condition(_e127) {
                             let _e128 = cost_22;
                             cost_22 = (_e128 + HEIGHTS_READ);
@@ -2036,9 +2036,9 @@ impl Marked<'_> {
                             let _e133 = cell_38;
                             let _e134 = cell_38;
                             let _e135 = self.v_whole_cell(_e134);
-                            let _e137 = self.v_height_cell(_e135, rt::Scalar(path_50.level));
+                            let _e137 = self.v_height_cell(_e135, rt::Scalar(path_55.level));
                             let _e138 = t_39;
-                            let _e139 = self.v_gap_to(path_50, _e2, _e133, _e137, _e138);
+                            let _e139 = self.v_gap_to(path_55, _e2, _e133, _e137, _e138);
                             let _e140 = self.v_falls_in_cell(_e139, span_15);
                             if rt::Scalar::into_branch_condition(_e140) {
                                 let _e141 = t_39;
@@ -2052,10 +2052,10 @@ impl Marked<'_> {
                         }
                     }
                     let _e149 = next_7;
-                    if rt::Scalar::into_branch_condition(_e149.elementwise_ge(rt::Scalar(path_50.exit))) {
+                    if rt::Scalar::into_branch_condition(_e149.elementwise_ge(rt::Scalar(path_55.exit))) {
                         let _e153 = t_39;
                         let _e155 = cost_22;
-                        return <SearchResult>::new(FOUND_MISS, _e153, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e155);
+                        return <SearchResult>::new(FOUND_MISS, _e153, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e155);
                     }
                     let _e159 = cell_38;
                     let _e160 = next_7;
@@ -2068,81 +2068,186 @@ impl Marked<'_> {
         }
         let _e164 = t_39;
         let _e166 = cost_22;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e164, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e166);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e164, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e166);
     }
-    pub(super) fn v_search_stage(&self, path_52: Path) -> SearchResult {
+    pub(super) fn v_search_stage(&self, path_59: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_52, _e10);
+                let _e11 = self.v_search_none(path_59, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_52, _e16);
+                let _e17 = self.v_search_linear(path_59, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_52, _e22);
+                let _e23 = self.v_search_cells(path_59, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_52, _e28);
+                let _e29 = self.v_search_frustum(path_59, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_52, _e34);
+                let _e35 = self.v_search_cone(path_59, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_52, _e40);
+                let _e41 = self.v_search_pyramid(path_59, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_52, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_59, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_52, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_59, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_52, _e58);
+                let _e59 = self.v_search_sphere(path_59, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_52, _e64);
+                let _e65 = self.v_search_cone_moved(path_59, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_52, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_59, _e70);
                 return _e71;
             }
             11u32 => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_52, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_59, _e76);
                 return _e77;
             }
             12u32 => {
                 let _e82 = self.surface_settings.choices[6usize].params;
-                let _e83 = self.v_search_voxels(path_52, _e82);
+                let _e83 = self.v_search_voxels(path_59, _e82);
                 return _e83;
             }
-            _ => {
+            13u32 => {
                 let _e88 = self.surface_settings.choices[6usize].params;
-                let _e89 = self.v_search_generalised(path_52, _e88);
+                let _e89 = self.v_search_generalised(path_59, _e88);
                 return _e89;
             }
+            14u32 => {
+                let _e94 = self.surface_settings.choices[6usize].params;
+                let _e95 = self.v_search_view_dependent(path_59, _e94);
+                return _e95;
+            }
+            _ => {
+                let _e100 = self.surface_settings.choices[6usize].params;
+                let _e101 = self.v_search_view_dependent_free(path_59, _e100);
+                return _e101;
+            }
         }
+    }
+    pub(super) fn v_search_view_dependent(
+        &self,
+        path_57: Path,
+        params_42: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let mut local_48: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
+
+        self.v_mark_turn(rt::Scalar(0f32));
+        let _e4 = self.v_path_axes(path_57, params_42.w());
+        let texels_1 = rt::Scalar(32u32).select(rt::Scalar(16u32), params_42.z().elementwise_eq(rt::Scalar(1f32)));
+        let _e12 = self.v_map_read(path_57, texels_1);
+        let cost_26 = (STEP + _e12);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e4.comes_in).elementwise_eq(rt::Scalar(0u32))) {
+            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_57.exit), rt::Scalar(path_57.exit), rt::Scalar(1f32), rt::Scalar(1f32), STEP);
+        }
+        let _e24 = self.v_looked_up(path_57, _e4, params_42);
+        let t_44 = (rt::Scalar(_e4.start) + (rt::Scalar(_e24.part) * rt::Scalar(_e4.whole)));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(_e24.is_hit).elementwise_eq(rt::Scalar(0u32)))) {
+            local_48 = t_44.elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_48 = rt::Scalar(true);
+        }
+        let _e39 = local_48;
+        if rt::Scalar::into_branch_condition((!_e39)) {
+            local_49 = t_44.elementwise_gt(rt::Scalar(path_57.exit));
+        } else {
+            local_49 = rt::Scalar(true);
+        }
+        let _e46 = local_49;
+        if rt::Scalar::into_branch_condition(_e46) {
+            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_57.exit), rt::Scalar(path_57.exit), rt::Scalar(1f32), rt::Scalar(1f32), cost_26);
+        }
+        return <SearchResult>::new(FOUND_ABOVE, t_44, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(1f32), cost_26);
+    }
+    pub(super) fn v_search_view_dependent_free(
+        &self,
+        path_58: Path,
+        params_43: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let mut local_50: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
+
+        self.v_mark_turn(rt::Scalar(0f32));
+        let _e4 = self.v_path_axes(path_58, params_43.w());
+        let _e7 = self.v_height_size(rt::Scalar(path_58.level));
+        let place_7 = (path_58.uv * _e7);
+        let _e9 = self.v_cell_of(place_7);
+        let inside_2 = (place_7 - _e9);
+        let near_11 = inside_2.x().min((rt::Scalar(1f32) - inside_2.x())).min(inside_2.y().min((rt::Scalar(1f32) - inside_2.y())));
+        let rounded_2 = (rt::Scalar(0.0000009536743f32) * (place_7.x().abs().max(place_7.y().abs()) + rt::Scalar(1f32)));
+        let _e32 = self.v_height_size(rt::Scalar(path_58.level));
+        let _e33 = self.v_is_in_footprint(_e9, _e32);
+        if rt::Scalar::into_branch_condition(path_58.h.x().elementwise_eq(rt::Scalar(1f32))) {
+            local_50 = rt::Scalar(_e4.comes_in).elementwise_eq(rt::Scalar(1u32));
+        } else {
+            local_50 = rt::Scalar(false);
+        }
+        let _e44 = local_50;
+        if rt::Scalar::into_branch_condition(_e44) {
+            local_51 = near_11.elementwise_gt(rounded_2);
+        } else {
+            local_51 = rt::Scalar(false);
+        }
+        let _e49 = local_51;
+        if rt::Scalar::into_branch_condition(_e49) {
+            local_52 = _e33;
+        } else {
+            local_52 = rt::Scalar(false);
+        }
+        let is_known = local_52;
+        if rt::Scalar::into_branch_condition((!(!is_known))) {
+            if rt::Scalar::into_branch_condition(params_43.z().elementwise_eq(rt::Scalar(1f32))) {
+                local_54 = path_58.h.z().elementwise_ne(rt::Scalar(0f32));
+            } else {
+                local_54 = rt::Scalar(false);
+            }
+            let _e68 = local_54;
+            local_53 = _e68;
+        } else {
+            local_53 = rt::Scalar(true);
+        }
+        let _e70 = local_53;
+        if rt::Scalar::into_branch_condition(_e70) {
+            return <SearchResult>::new(FOUND_ABOVE, rt::Scalar(0f32), rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(1f32), STEP);
+        }
+        let _e78 = self.v_whole_cell(_e9);
+        let _e79 = self.v_free_way_of_step(path_58, _e4, _e78, params_43);
+        let free_1 = (_e79 / rt::Scalar(_e4.fall));
+        let _e88 = self.v_map_read(path_58, rt::Scalar(1u32));
+        return <SearchResult>::new(FOUND_ABOVE, free_1.min(rt::Scalar(path_58.exit)), rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(1f32), (STEP + _e88));
     }
 }

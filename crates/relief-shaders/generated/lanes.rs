@@ -117,6 +117,57 @@ lanes! { fn zero_path() -> Path {
 } }
 
 #[derive(Clone, Copy)]
+pub struct LookedUp {
+    pub is_hit: U,
+    pub part: F,
+}
+lanes! { fn sel_looked_up(m: M, a: &LookedUp, b: &LookedUp) -> LookedUp {
+    LookedUp {
+        is_hit: sel_u(m, a.is_hit, b.is_hit),
+        part: sel(m, a.part, b.part),
+    }
+} }
+lanes! { fn zero_looked_up() -> LookedUp {
+    LookedUp {
+        is_hit: splat_u(0u32),
+        part: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct PathAxes {
+    pub comes_in: U,
+    pub turn: F,
+    pub elevation: F,
+    pub bend: F,
+    pub start: F,
+    pub whole: F,
+    pub fall: F,
+}
+lanes! { fn sel_path_axes(m: M, a: &PathAxes, b: &PathAxes) -> PathAxes {
+    PathAxes {
+        comes_in: sel_u(m, a.comes_in, b.comes_in),
+        turn: sel(m, a.turn, b.turn),
+        elevation: sel(m, a.elevation, b.elevation),
+        bend: sel(m, a.bend, b.bend),
+        start: sel(m, a.start, b.start),
+        whole: sel(m, a.whole, b.whole),
+        fall: sel(m, a.fall, b.fall),
+    }
+} }
+lanes! { fn zero_path_axes() -> PathAxes {
+    PathAxes {
+        comes_in: splat_u(0u32),
+        turn: splat(0f32),
+        elevation: splat(0f32),
+        bend: splat(0f32),
+        start: splat(0f32),
+        whole: splat(0f32),
+        fall: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct Quartic {
     pub a: F,
     pub b: F,
@@ -4085,6 +4136,278 @@ stage! { fn search_generalised(r: &Resources<'_>, within: M, path_a0: &Path, par
     let e_102 = cost_v1;
     return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_100, far: e_101, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_102, }, &ret);
 } }
+lanes! { fn upright(r: &Resources<'_>, uv_a0: Vec2<F>) -> Vec2<F> {
+    let tile_1 = Vec2 { x: floor(uv_a0.x), y: floor(uv_a0.y) };
+    let is_odd_11 = Vec2 { x: gt(sub(tile_1.x, mul(splat(2.0f32), floor(mul(tile_1.x, splat(0.5f32))))), splat(0.5f32)), y: gt(sub(tile_1.y, mul(splat(2.0f32), floor(mul(tile_1.y, splat(0.5f32))))), splat(0.5f32)) };
+    if (r.surface_settings.wrap != 2u32) {
+        return Vec2 { x: splat(1.0f32), y: splat(1.0f32) };
+    }
+    return Vec2 { x: sel(is_odd_11.x, splat((-1.0f32)), splat(1.0f32)), y: sel(is_odd_11.y, splat((-1.0f32)), splat(1.0f32)) };
+} }
+lanes! { fn path_axes(r: &Resources<'_>, within: M, path_a0: &Path, depth_a1: f32) -> PathAxes {
+    let mut ex = within;
+    let mut ret: PathAxes = zero_path_axes();
+    let mut start_v0: F = splat(0.0f32);
+    let mut fall_v1: F = splat(0f32);
+    let mut way_v2: F = splat(0f32);
+    let mut both_v3: M = splat_m(false);
+    let mut both_v4: M = splat_m(false);
+    let below_5 = sub(path_a0.h.x, splat(1.0f32));
+    fall_v1 = sub(splat(0.0f32), path_a0.h.y);
+    let (b1, c2) = (ex, lt(below_5, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let discriminant_25 = sub(mul(path_a0.h.y, path_a0.h.y), mul(mul(splat(4.0f32), path_a0.h.z), below_5));
+        fall_v1 = sel(ex, sqrt(max_with(discriminant_25, splat(0.0f32))), fall_v1);
+        let e_31 = fall_v1;
+        start_v0 = sel(ex, div(mul(splat(2.0f32), below_5), sub(e_31, path_a0.h.y)), start_v0);
+    }
+    ex = b1;
+    let e_38 = fall_v1;
+    let e_39 = fall_v1;
+    let bend_41 = div(path_a0.h.z, mul(e_38, e_39));
+    let speed_43 = sqrt(add(mul(path_a0.duv.x, path_a0.duv.x), mul(path_a0.duv.y, path_a0.duv.y)));
+    way_v2 = div(splat(1.0f32), bend_41);
+    let c3 = lt(bend_41, splat(0.25f32));
+    way_v2 = sel(c3, div(splat(2.0f32), add(splat(1.0f32), sqrt(sub(splat(1.0f32), mul(splat(4.0f32), bend_41))))), way_v2);
+    let e_58 = way_v2;
+    let e_59 = fall_v1;
+    let whole_60 = div(e_58, e_59);
+    let e_61 = fall_v1;
+    both_v3 = and(gt(e_61, splat(0.0f32)), gt(whole_60, splat(0.0f32)));
+    let e_69 = both_v3;
+    let e_72 = start_v0;
+    both_v4 = and(e_69, ge(e_72, mul(whole_60, splat((-1.001f32)))));
+    let comes_in_77 = both_v4;
+    let e_84 = start_v0;
+    let e_87 = upright(r, Vec2 { x: add(path_a0.uv.x, mul(path_a0.duv.x, e_84)), y: add(path_a0.uv.y, mul(path_a0.duv.y, e_84)) });
+    let e_89 = turn_of(r, ex, Vec2 { x: mul(path_a0.duv.x, e_87.x), y: mul(path_a0.duv.y, e_87.y) });
+    let e_90 = fall_v1;
+    let e_102 = start_v0;
+    let e_103 = fall_v1;
+    return PathAxes { comes_in: sel_u(comes_in_77, splat_u(1u32), splat_u(0u32)), turn: e_89, elevation: div(speed_43, add(speed_43, mul(splat(depth_a1), e_90))), bend: add(splat(0.5f32), mul(splat(0.5f32), div(bend_41, add(splat(0.25f32), abs(bend_41))))), start: e_102, whole: whole_60, fall: e_103, };
+} }
+lanes! { fn row_of_bend(r: &Resources<'_>, row_a0: I, bend_a1: F, rows_a2: i32) -> I {
+    return add_i(row_a0, mul_i(i_of_f(bend_a1), splat_i(rows_a2)));
+} }
+lanes! { fn ways_of_texel(r: &Resources<'_>, within: M, path_a0: &Path, texel_a1: Vec2<I>, layer_a2: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let level_4 = (path_a0.level as i32);
+    let e_5 = search_texel_llls(r, ex, path_a0, texel_a1, layer_a2, level_4);
+    let e_9 = search_texel_llls(r, ex, path_a0, texel_a1, add_i(layer_a2, splat_i(1i32)), level_4);
+    let is_below_12 = lt(e_5.x, splat(0.998f32));
+    let is_above_14 = lt(e_9.x, splat(0.998f32));
+    return Vec4 { x: sel(is_below_12, e_5.x, splat(0.0f32)), y: sel(is_below_12, splat(1.0f32), splat(0.0f32)), z: sel(is_above_14, e_9.x, splat(0.0f32)), w: sel(is_above_14, splat(1.0f32), splat(0.0f32)) };
+} }
+lanes! { fn ways_of_bend(r: &Resources<'_>, within: M, path_a0: &Path, around_a1: &Around, layer_a2: I, bend_a3: F) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_5 = r.height_texels(path_a0.level);
+    let first_9 = row_of_bend(r, around_a1.rows.x, bend_a3, e_5.y);
+    let second_12 = row_of_bend(r, around_a1.rows.y, bend_a3, e_5.y);
+    let e_16 = ways_of_texel(r, ex, path_a0, Vec2 { x: around_a1.columns.x, y: first_9 }, layer_a2);
+    let e_20 = ways_of_texel(r, ex, path_a0, Vec2 { x: around_a1.columns.y, y: first_9 }, layer_a2);
+    let e_24 = ways_of_texel(r, ex, path_a0, Vec2 { x: around_a1.columns.x, y: second_12 }, layer_a2);
+    let e_28 = ways_of_texel(r, ex, path_a0, Vec2 { x: around_a1.columns.y, y: second_12 }, layer_a2);
+    let e_30 = bilinear(r, e_16, e_20, e_24, e_28, Vec2 { x: around_a1.part.x, y: around_a1.part.y });
+    return e_30;
+} }
+stage! { fn looked_up(r: &Resources<'_>, within: M, path_a0: &Path, axes_a1: &PathAxes, params_a2: Vec4<f32>) -> LookedUp {
+    let mut ex = within;
+    let mut ret: LookedUp = zero_looked_up();
+    let mut first_v0: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(0.0f32) };
+    let mut low_v1: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(0.0f32) };
+    let mut high_v2: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(0.0f32) };
+    let mut k_v3: u32 = 0u32;
+    let mut azimuth_v4: F = splat(0f32);
+    let e_4 = path_uv(r, path_a0, axes_a1.start);
+    let e_6 = r.height_texels(path_a0.level);
+    let around_7 = texels_around(r, ex, e_4, e_6);
+    let elevation_17 = min(max_with(sub(mul(axes_a1.elevation, splat(params_a2.y)), splat(0.5f32)), splat(0.0f32)), splat((params_a2.y - 1.0f32)));
+    let below_22 = min(floor(elevation_17), splat((params_a2.y - 2.0f32)));
+    let bend_32 = min(max_with(sub(mul(axes_a1.bend, splat(params_a2.z)), splat(0.5f32)), splat(0.0f32)), splat((params_a2.z - 1.0f32)));
+    let lower_39 = min(floor(bend_32), splat((params_a2.z - 2.0f32).max(0.0f32)));
+    let turn_44 = sub(mul(axes_a1.turn, splat(params_a2.x)), splat(0.5f32));
+    let before_45 = floor(turn_44);
+    let count_51 = (if (params_a2.z == 1.0f32) { 2u32 } else { 4u32 });
+    'l1: loop {
+        let e_66 = k_v3;
+        if (e_66 < count_51) {
+        } else {
+            break 'l1;
+        }
+        let e_68 = k_v3;
+        let is_next_72 = ((e_68 & 1u32) == 1u32);
+        azimuth_v4 = add(before_45, splat((if is_next_72 { 1.0f32 } else { 0.0f32 })));
+        let e_78 = azimuth_v4;
+        let e_79 = azimuth_v4;
+        let e_82 = azimuth_v4;
+        azimuth_v4 = sel(lt(e_82, splat(0.0f32)), add(e_79, splat(params_a2.x)), e_78);
+        let e_86 = azimuth_v4;
+        let e_87 = azimuth_v4;
+        let e_90 = azimuth_v4;
+        azimuth_v4 = sel(ge(e_90, splat(params_a2.x)), sub(e_87, splat(params_a2.x)), e_86);
+        let e_94 = azimuth_v4;
+        let layer_98 = i_of_f(add(mul(e_94, splat(params_a2.y)), below_22));
+        let e_99 = k_v3;
+        let ways_106 = ways_of_bend(r, ex, path_a0, &around_7, layer_98, add(lower_39, splat((if (e_99 > 1u32) { 1.0f32 } else { 0.0f32 }))));
+        let of_below_109 = Vec2 { x: ways_106.x, y: ways_106.y };
+        let e_114 = sub(elevation_17, below_22);
+        let mixed_116 = Vec2 { x: add(of_below_109.x, mul(sub(ways_106.z, of_below_109.x), e_114)), y: add(of_below_109.y, mul(sub(ways_106.w, of_below_109.y), e_114)) };
+        let e_117 = first_v0;
+        let e_118 = first_v0;
+        let e_120 = sub(turn_44, before_45);
+        let joined_122 = Vec2 { x: add(e_117.x, mul(sub(mixed_116.x, e_118.x), e_120)), y: add(e_117.y, mul(sub(mixed_116.y, e_118.y), e_120)) };
+        first_v0 = mixed_116;
+        let e_123 = k_v3;
+        if (e_123 == 1u32) {
+            low_v1 = joined_122;
+        }
+        high_v2 = joined_122;
+        let e_126 = k_v3;
+        k_v3 = e_126.wrapping_add(1u32);
+    }
+    let e_129 = low_v1;
+    let e_130 = high_v2;
+    let e_131 = low_v1;
+    let e_133 = sub(bend_32, lower_39);
+    let way_135 = Vec2 { x: add(e_129.x, mul(sub(e_130.x, e_131.x), e_133)), y: add(e_129.y, mul(sub(e_130.y, e_131.y), e_133)) };
+    let (b2, c3) = (ex, ge(way_135.y, splat(0.5f32)));
+    ex = and(b2, c3);
+    if any(ex) {
+        ret = LookedUp { is_hit: splat_u(1u32), part: div(way_135.x, way_135.y), };
+        ex = no_lane();
+    }
+    ex = and_not(b2, c3);
+    return sel_looked_up(ex, &LookedUp { is_hit: splat_u(0u32), part: splat(1.0f32), }, &ret);
+} }
+lanes! { fn search_view_dependent(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+    let mut ex = within;
+    let mut ret: SearchResult = zero_search_result();
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let axes_3 = path_axes(r, ex, path_a0, params_a1.w);
+    let texels_9 = (if (params_a1.z == 1.0f32) { 16u32 } else { 32u32 });
+    let e_11 = map_read(r, path_a0, texels_9);
+    let cost_12 = Vec3 { x: add_u(splat_u(0u32), e_11.x), y: add_u(splat_u(1u32), e_11.y), z: add_u(splat_u(0u32), e_11.z) };
+    let (b1, c2) = (ex, eq_u(axes_3.comes_in, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = SearchResult { status: splat_u(0u32), near: path_a0.exit, far: path_a0.exit, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: Vec3 { x: splat_u(0u32), y: splat_u(1u32), z: splat_u(0u32) }, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let found_23 = looked_up(r, ex, path_a0, &axes_3, params_a1);
+    let t_28 = add(axes_3.start, mul(found_23.part, axes_3.whole));
+    both_v0 = or(eq_u(found_23.is_hit, splat_u(0u32)), lt(t_28, splat(0.0f32)));
+    let e_38 = both_v0;
+    both_v1 = or(e_38, gt(t_28, path_a0.exit));
+    let e_45 = both_v1;
+    let (b3, c4) = (ex, e_45);
+    ex = and(b3, c4);
+    if any(ex) {
+        ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: path_a0.exit, far: path_a0.exit, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: cost_12, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b3, c4);
+    return sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: t_28, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(1.0f32), cost: cost_12, }, &ret);
+} }
+lanes! { fn is_in_footprint(r: &Resources<'_>, within: M, square_a0: Vec2<F>, size_a1: Vec2<f32>) -> M {
+    let mut ex = within;
+    let mut ret: M = splat_m(false);
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let mut both_v2: M = splat_m(false);
+    let mut both_v3: M = splat_m(false);
+    both_v0 = and(ge(square_a0.x, splat(0.0f32)), ge(square_a0.y, splat(0.0f32)));
+    let e_11 = both_v0;
+    both_v1 = and(e_11, lt(square_a0.x, splat(size_a1.x)));
+    let e_18 = both_v1;
+    both_v2 = and(e_18, lt(square_a0.y, splat(size_a1.y)));
+    let is_inside_25 = both_v2;
+    both_v3 = or(is_inside_25, splat_m((r.surface_settings.wrap != 1u32)));
+    let e_35 = both_v3;
+    return e_35;
+} }
+lanes! { fn step_of_axis(r: &Resources<'_>, place_a0: F, count_a1: f32) -> F {
+    return min(max_with(floor(mul(place_a0, splat(count_a1))), splat(0.0f32)), splat((count_a1 - 1.0f32)));
+} }
+lanes! { fn longest_of_step(r: &Resources<'_>, within: M, bend_a0: F, count_a1: f32) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    if (count_a1 == 1.0f32) {
+        return splat(1.0f32);
+    }
+    let low_9 = sub(div(mul(splat(2.0f32), bend_a0), splat(count_a1)), splat(1.0f32));
+    let high_12 = add(low_9, splat((2.0f32 / count_a1)));
+    let c1 = lt(high_12, splat(0.500001f32));
+    ret = div(splat(2.0f32), add(splat(1.0f32), sqrt(max_with(sub(splat(1.0f32), div(high_12, sub(splat(1.0f32), abs(high_12)))), splat(0.0f32)))));
+    ex = and_not(ex, c1);
+    let least_29 = max_with(low_9, splat(0.5f32));
+    return sel(ex, div(mul(splat(4.0f32), sub(splat(1.0f32), least_29)), least_29), ret);
+} }
+lanes! { fn free_way_of_step(r: &Resources<'_>, within: M, path_a0: &Path, axes_a1: &PathAxes, square_a2: Vec2<I>, params_a3: Vec4<f32>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let n_5 = r.height_texels(path_a0.level);
+    let azimuth_8 = step_of_axis(r, axes_a1.turn, params_a3.x);
+    let elevation_11 = step_of_axis(r, axes_a1.elevation, params_a3.y);
+    let bend_14 = step_of_axis(r, axes_a1.bend, params_a3.z);
+    let e_17 = wrap_index(r, ex, square_a2.y, n_5.y);
+    let row_19 = row_of_bend(r, e_17, bend_14, n_5.y);
+    let e_22 = wrap_index(r, ex, square_a2.x, n_5.x);
+    let at_23 = Vec2 { x: e_22, y: row_19 };
+    let e_30 = search_texel_llls(r, ex, path_a0, at_23, i_of_f(add(mul(azimuth_8, splat(params_a3.y)), elevation_11)), (path_a0.level as i32));
+    let e_33 = longest_of_step(r, ex, bend_14, params_a3.z);
+    return mul(e_30.x, e_33);
+} }
+lanes! { fn search_view_dependent_free(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+    let mut ex = within;
+    let mut ret: SearchResult = zero_search_result();
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let mut both_v2: M = splat_m(false);
+    let mut both_v3: M = splat_m(false);
+    let mut both_v4: M = splat_m(false);
+    let axes_3 = path_axes(r, ex, path_a0, params_a1.w);
+    let e_6 = r.height_size(path_a0.level);
+    let place_7 = Vec2 { x: mul(path_a0.uv.x, splat(e_6.x)), y: mul(path_a0.uv.y, splat(e_6.y)) };
+    let square_8 = cell_of(r, place_7);
+    let inside_9 = Vec2 { x: sub(place_7.x, square_8.x), y: sub(place_7.y, square_8.y) };
+    let near_20 = min(min(inside_9.x, sub(splat(1.0f32), inside_9.x)), min(inside_9.y, sub(splat(1.0f32), inside_9.y)));
+    let rounded_29 = mul(splat(9.536743e-7f32), add(max(abs(place_7.x), abs(place_7.y)), splat(1.0f32)));
+    let e_31 = r.height_size(path_a0.level);
+    let is_in_map_32 = is_in_footprint(r, ex, square_8, e_31);
+    both_v0 = and(eq(path_a0.h.x, splat(1.0f32)), eq_u(axes_3.comes_in, splat_u(1u32)));
+    let e_43 = both_v0;
+    both_v1 = and(e_43, gt(near_20, rounded_29));
+    let e_48 = both_v1;
+    both_v2 = and(e_48, is_in_map_32);
+    let is_known_52 = both_v2;
+    if (params_a1.z == 1.0f32) {
+        both_v4 = ne(path_a0.h.z, splat(0.0f32));
+    } else {
+        both_v4 = splat_m(false);
+    }
+    let e_67 = both_v4;
+    both_v3 = or(not(is_known_52), e_67);
+    let e_69 = both_v3;
+    let (b1, c2) = (ex, e_69);
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = SearchResult { status: splat_u(1u32), near: splat(0.0f32), far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(1.0f32), cost: Vec3 { x: splat_u(0u32), y: splat_u(1u32), z: splat_u(0u32) }, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let e_77 = whole_cell(r, ex, square_8);
+    let e_78 = free_way_of_step(r, ex, path_a0, &axes_3, e_77, params_a1);
+    let free_80 = div(e_78, axes_3.fall);
+    let e_87 = map_read(r, path_a0, 1u32);
+    return sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: min(free_80, path_a0.exit), far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(1.0f32), cost: Vec3 { x: add_u(splat_u(0u32), e_87.x), y: add_u(splat_u(1u32), e_87.y), z: add_u(splat_u(0u32), e_87.z) }, }, &ret);
+} }
 lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
@@ -4141,9 +4464,17 @@ lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Search
             let e_83 = search_voxels(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_83;
         }
-        _ => {
+        13u32 => {
             let e_89 = search_generalised(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_89;
+        }
+        14u32 => {
+            let e_95 = search_view_dependent(r, ex, path_a0, r.surface_settings.choices[6].params);
+            return e_95;
+        }
+        _ => {
+            let e_101 = search_view_dependent_free(r, ex, path_a0, r.surface_settings.choices[6].params);
+            return e_101;
         }
     }
 } }
@@ -4210,9 +4541,17 @@ stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0
             let e_83 = search_voxels(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_83;
         }
-        _ => {
+        13u32 => {
             let e_89 = search_generalised(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_89;
+        }
+        14u32 => {
+            let e_95 = search_view_dependent(r, ex, path_a0, r.surface_settings.choices[10].params);
+            return e_95;
+        }
+        _ => {
+            let e_101 = search_view_dependent_free(r, ex, path_a0, r.surface_settings.choices[10].params);
+            return e_101;
         }
     }
 } }

@@ -85,6 +85,8 @@ pub struct TracingRole {
     pub solids: Solids,
     /// Whether it finds a hit between a slice that is drawn and the one before it.
     pub joins_slices: bool,
+    /// Whether it knows only paths that come in at the top of the relief.
+    pub begins_at_top: bool,
 }
 
 impl TracingRole {
@@ -95,6 +97,7 @@ impl TracingRole {
         only_samples: false,
         solids: Solids::Heights,
         joins_slices: false,
+        begins_at_top: false,
     };
 }
 

@@ -248,6 +248,23 @@ pub static METHODS: &[Method] = &[
         "6.3",
         "generalised displacement mapping: the hit with a volume, looked up by place and direction",
     ),
+    survey(
+        "view-dependent",
+        "view-dependent",
+        "none",
+        DEFAULTS,
+        "6.3",
+        "view-dependent displacement mapping: the hit, looked up by place and direction",
+    ),
+    Method {
+        name: "view-dependent-free",
+        summary: "the exact first hit: over a way that is free by place and direction, then cell by cell",
+        geometry: "none",
+        search: "view-dependent-free",
+        refine: "patch",
+        settings: DEFAULTS,
+        publication: Publication { paper: "Relief", section: "" },
+    },
     Method {
         name: "relaxed",
         summary: "relaxed cones that stay on their texel: few reads, rarely misses a hit",

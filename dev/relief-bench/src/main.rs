@@ -1,7 +1,8 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
 //! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `loaders`, `look`,
 //! `looks`, `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`,
-//! `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace`, `units` and `volumes`. Results are kept
+//! `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace`, `units`, `view-dependent` and
+//! `volumes`. Results are kept
 //! in `docs/measurements/`.
 
 use std::process::ExitCode;
@@ -49,6 +50,7 @@ mod tessellate;
 mod three;
 mod trace;
 mod units;
+mod view_dependent;
 mod volumes;
 
 #[derive(Parser)]
@@ -133,6 +135,8 @@ enum Command {
     Trace(trace::Arguments),
     /// Units of coordinate systems by their EPSG codes, beside pyproj: fails where one differs
     Units(units::Arguments),
+    /// View-dependent maps of several sizes beside other methods: fails where a free way ends behind a hit
+    ViewDependent(view_dependent::Arguments),
     /// Rays through volumes beside the judge, and what each method over volumes costs: fails where `voxels` errs
     Volumes(volumes::Arguments),
 }
@@ -174,6 +178,7 @@ fn main() -> ExitCode {
         Command::Tessellate(arguments) => tessellate::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Units(arguments) => units::run(&arguments),
+        Command::ViewDependent(arguments) => view_dependent::run(&arguments),
         Command::Volumes(arguments) => volumes::run(&arguments),
     };
     match done {

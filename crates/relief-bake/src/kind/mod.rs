@@ -16,6 +16,8 @@ pub mod occlusion;
 pub mod pyramid;
 pub mod relaxed_cone;
 pub mod seen_normal;
+pub mod view_dependent;
+pub mod view_dependent_free;
 pub mod visibility;
 pub mod volume_distance;
 
@@ -90,6 +92,8 @@ pub static KINDS: &[Kind] = &[
     bounce::KIND,
     seen_normal::KIND,
     filter_levels::KIND,
+    view_dependent::KIND,
+    view_dependent_free::KIND,
     volume_distance::KIND,
     generalised::KIND,
 ];

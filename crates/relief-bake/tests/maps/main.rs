@@ -16,4 +16,5 @@ mod pyramid;
 mod relaxed_cone;
 mod seen_normal;
 mod ties;
+mod view_dependent;
 mod visibility;

@@ -441,6 +441,7 @@ pub(super) fn of_selection(error: SelectionError) -> ValueError {
         }
         SelectionError::Impossible { key, .. } | SelectionError::OneLevel { key, .. } => key,
         SelectionError::Pair { taker: (key, _), .. } => key,
+        SelectionError::Surface { key, .. } => key,
         _ => "set",
     };
     ValueProblem::from(Box::new(error)).of(key)

@@ -21,6 +21,8 @@ mod pyramid_texels;
 mod relaxed_cone;
 mod relaxed_cone_resting;
 mod sphere;
+mod view_dependent;
+mod view_dependent_free;
 mod voxels;
 
 /// All searches, in the order of their numbers in the shaders.
@@ -39,6 +41,8 @@ pub static ENTRIES: &[Entry] = &[
     relaxed_cone_resting::ENTRY,
     voxels::ENTRY,
     generalised::ENTRY,
+    view_dependent::ENTRY,
+    view_dependent_free::ENTRY,
 ];
 
 /// The parameter of searches that end by themselves.
@@ -74,5 +78,43 @@ const PATCHES: Param = Param {
     max: 1.0,
     default: 1.0,
     integer: true,
+    names: &[],
+};
+
+/// Parameters of searches that read view-dependent maps: the steps of the map's axes.
+const AZIMUTHS: Param = Param {
+    name: "azimuths",
+    summary: "directions along the base plane that are baked",
+    unit: "",
+    min: 4.0,
+    max: 64.0,
+    default: 8.0,
+    integer: true,
+    names: &[],
+};
+
+const ELEVATIONS: Param = Param {
+    name: "elevations",
+    summary: "directions from upright to level that are baked; layers are azimuths times these",
+    min: 2.0,
+    ..AZIMUTHS
+};
+
+const BENDS: Param = Param {
+    name: "bends",
+    summary: "bends of paths that are baked: 1 for straight paths, more for quadrics",
+    min: 1.0,
+    default: 1.0,
+    ..AZIMUTHS
+};
+
+const DEPTH: Param = Param {
+    name: "depth",
+    summary: "depth of the relief for which the middle elevation is 45 degrees, as a part of a tile's side",
+    unit: "tiles",
+    min: 0.0001,
+    max: 100.0,
+    default: 0.1,
+    integer: false,
     names: &[],
 };

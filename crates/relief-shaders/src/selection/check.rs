@@ -4,7 +4,7 @@ use relief_core::registry::{Guarantee, MapInput, MapLevels, MapSetting, RayClass
 
 use super::{Selection, SelectionError};
 use crate::Variants;
-use crate::entry::Entry;
+use crate::entry::{Entry, Role};
 use crate::object::Solid;
 use crate::shadow::ShadowRole;
 use crate::stages::{
@@ -93,7 +93,21 @@ impl Selection {
             let promises = self.choices[place].promises();
             let impossible = |rays: &&RayClass| promises.of(**rays) == Guarantee::Impossible;
             if let Some(rays) = rays.iter().find(impossible) {
-                return error(place, format!("its segments include {} rays", rays.name()));
+                let what = match rays {
+                    RayClass::View => "rays come from above there",
+                    RayClass::Bent => "rays bend there",
+                    RayClass::Shadow => "rays begin inside of the relief there, as rays to a light do",
+                };
+                let can = |entry: &Entry| match &entry.role {
+                    Role::Surface(paths) => {
+                        paths.shown == *shown && !paths.rays.iter().any(|rays| impossible(&rays))
+                    }
+                    _ => false,
+                };
+                return error(
+                    place,
+                    format!("{what}, which it cannot follow: choose {}", Variants::of(SURFACE, can).or()),
+                );
             }
         }
         Ok(())
@@ -112,7 +126,9 @@ impl Selection {
             let of_one = |map: &MapInput| {
                 matches!(map.levels, MapLevels::ChainFrom(_)) && !map.settings.iter().any(serves_all)
             };
-            if self.has_levels() && choice.entry.maps.iter().any(of_one) {
+            // The bends of paths lie below each other in a map, so it has no levels of the height map's sizes.
+            let is_in_blocks = choice.entry.tracing().begins_at_top;
+            if self.has_levels() && (is_in_blocks || choice.entry.maps.iter().any(of_one)) {
                 let (stage, key, entry) = (stage.title, stage.key, choice.entry.name);
                 return Err(SelectionError::OneLevel {
                     stage,

@@ -175,6 +175,11 @@ const SEGMENTS_REFUSE: &[Refused] = &[
         reason: |_| "a ray has several segments there, and none begins at the base".to_owned(),
     },
     Refused {
+        stage: "search",
+        refuses: |entry| entry.tracing().begins_at_top,
+        reason: |_| "it knows rays from the relief's top, and a segment may begin anywhere there".to_owned(),
+    },
+    Refused {
         stage: "detail",
         refuses: Entry::flattens,
         reason: |_| {

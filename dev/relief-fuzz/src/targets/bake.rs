@@ -10,15 +10,16 @@ pub const BAKE: Target = Target { name: "bake", run, make };
 /// The longest side, in texels: every wrap and padding shows on small maps, and large ones only cost time.
 const MOST: u32 = 24;
 
-/// The same for kinds of volumes, which walk from every voxel in many directions.
-const MOST_OF_VOLUMES: u32 = 8;
+/// The same for kinds that send rays from every texel or voxel in many directions.
+const MOST_OF_DIRECTIONS: u32 = 8;
 
 fn run(bytes: &[u8]) -> bool {
     let Some((head, texels)) = bytes.split_first_chunk::<8>() else { return false };
     let [kind, wrap, width, height, tile, scale, setting, value] = *head;
     let kind = &KINDS[kind as usize % KINDS.len()];
     let wrap = Wrap::ALL[wrap as usize % Wrap::ALL.len()];
-    let most = if kind.of_volume { MOST_OF_VOLUMES } else { MOST };
+    let has_directions = kind.params.iter().any(|param| param.name == "elevations");
+    let most = if kind.of_volume || has_directions { MOST_OF_DIRECTIONS } else { MOST };
     let (width, height) = (u32::from(width) % most + 1, u32::from(height) % most + 1);
     let mut texels = texels.iter().copied().chain(std::iter::repeat(0)).map(|byte| f32::from(byte) / 255.0);
     let map = HeightMap::from_fn(width, height, wrap, |_, _| texels.next().unwrap_or(0.0));

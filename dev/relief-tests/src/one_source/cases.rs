@@ -7,8 +7,11 @@ use relief_core::rng::Rng;
 use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
 use relief_render::job::JobSurface;
 use relief_shaders::cpu::{Entered, Frame, Path, PixelIn, Probe, Program, Shared, SurfaceSettings};
-use relief_shaders::{DETAIL, Entry, SHADOW, SHADOW_SEARCH, STAGES, Selection, surface};
+use relief_shaders::{DETAIL, Entry, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection, surface};
 use relief_testing::maps::NamedMap;
+
+/// The most steps of axes that are baked, more than the least.
+const MOST_DIRECTIONS: [(&str, f32); 3] = [("azimuths", 1.0), ("elevations", 1.0), ("bends", 2.0)];
 
 /// The most cells or steps that a stage may take in these tests. A software adapter (Mesa's llvmpipe) leaves
 /// a shader's loops after 65,535 turns, all loops counted together; search and refinement must stay below
@@ -223,6 +226,13 @@ fn params(entry: &Entry, rng: &mut Rng) -> [f32; 4] {
 fn shorten(selection: &mut Selection) {
     for value in selection.choices.iter_mut().flat_map(|choice| &mut choice.params) {
         *value = value.min(LONGEST_LOOP);
+    }
+    // Every direction is baked, of every texel.
+    let search = &mut selection.choices[SEARCH];
+    for (name, most) in MOST_DIRECTIONS {
+        if let Some((place, param)) = search.entry.param(name) {
+            search.params[place] = search.params[place].min(param.min + most);
+        }
     }
     if selection.uses(SHADOW_SEARCH) {
         let rays = &mut selection.choices[SHADOW].params[0];

@@ -43,10 +43,14 @@ fn scene(file: &str, method: &str, stages: &[(&str, &str)], backend: BackendChoi
     // Nor are a GPU's buffers as large as a vertex every texel of many tiles asks for.
     let is_diced = matches!(of_method.geometry(), Some(Geometry::Texels(_)));
     let is_sliced = matches!(of_method.geometry(), Some(Geometry::Slices(_)));
+    // Nor must every direction be baked.
+    let has_directions = of_method.search().param("elevations").is_some();
     let set = [
         (looks_up, "shadow.size", 256.0),
         (is_diced, "geometry.texels", 2.0),
         (is_sliced, "slices.count", 5.0),
+        (has_directions, "search.azimuths", 4.0),
+        (has_directions, "search.elevations", 3.0),
     ];
     let set = set.iter().filter(|(is_set, ..)| *is_set).map(|(_, key, value)| ((*key).to_owned(), *value));
     let set = set.collect();

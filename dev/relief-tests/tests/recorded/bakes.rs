@@ -16,7 +16,15 @@ const MAPS: [(&str, &str); 2] = [("elevation", "jacksboro.png"), ("cobbles", "co
 const METRIC: Metric = Metric { tile_m: [1.5, 1.25], scale_m: 0.1 };
 
 /// Kinds and settings whose defaults would take a minute here.
-const FEWER: [(&str, &str, f64); 2] = [("generalised", "azimuths", 4.0), ("generalised", "elevations", 3.0)];
+const FEWER: [(&str, &str, f64); 7] = [
+    ("generalised", "azimuths", 4.0),
+    ("generalised", "elevations", 3.0),
+    ("view-dependent", "azimuths", 4.0),
+    ("view-dependent", "elevations", 3.0),
+    ("view-dependent-free", "azimuths", 4.0),
+    ("view-dependent-free", "elevations", 3.0),
+    ("view-dependent-free", "bends", 3.0),
+];
 
 /// The hash of every map, by its kind, the kind's revision, the height map and the wrap.
 pub fn all() -> BTreeMap<String, String> {

@@ -68,7 +68,14 @@ fn hashes(scene: &str, method: &str, detail: &str, size: [u32; 2]) -> String {
     // What lights see need not be fine.
     let of_method = Selection::method(method).expect("a method");
     let is_sliced = of_method.uses(SLICES);
-    let set = [(of_method.light_views().is_some(), "shadow.size", 256.0), (is_sliced, "slices.count", 8.0)];
+    // Nor must every direction be baked.
+    let has_directions = of_method.search().param("elevations").is_some();
+    let set = [
+        (of_method.light_views().is_some(), "shadow.size", 256.0),
+        (is_sliced, "slices.count", 8.0),
+        (has_directions, "search.azimuths", 4.0),
+        (has_directions, "search.elevations", 3.0),
+    ];
     let set = set.iter().filter(|(is_set, ..)| *is_set).map(|(_, key, value)| ((*key).to_owned(), *value));
     let set = set.collect();
     let surface = SurfaceSpec { method: Some(method.to_owned()), stages, set, ..SurfaceSpec::default() };
