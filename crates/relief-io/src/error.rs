@@ -139,13 +139,13 @@ pub enum ReadProblem {
         /// Whether an alpha channel exists and varies, so that it may be the height.
         alpha_varies: bool,
     },
-    /// The channels do not form a picture or a normal map.
+    /// The channels do not form a picture, a normal map or a vector displacement map.
     #[error(
         "has the channels {}, which do not form a {what}: export it with R, G and B",
         relief_core::registry::listed(channels)
     )]
     NoColour {
-        /// Kind of image wanted: a picture or a normal map.
+        /// Kind of image wanted: a picture, a normal map or a vector displacement map.
         what: &'static str,
         /// The channels.
         channels: Vec<String>,

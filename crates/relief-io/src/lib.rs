@@ -96,6 +96,7 @@ mod text;
 mod texture;
 mod texture_set;
 mod tiff;
+mod vector_map;
 mod webp;
 mod write;
 mod write_whole;
@@ -147,5 +148,6 @@ pub use texture::{
 pub use texture_set::{
     FoundTexture, LeftReason, TextureRole, TextureSet, TextureSetError, find_textures, material_name,
 };
+pub use vector_map::{VectorMap, read_vector_map};
 pub use write::{PngColour, write_exr, write_png8, write_png16};
 pub use write_whole::write_atomically;

@@ -8,11 +8,15 @@
 //! Every motif is closed: each edge has two triangles, which run along it in opposite directions. No
 //! triangle is degenerate, and all look outward.
 //!
+//! A vector displacement map becomes a motif, too: [`vector_sheet`] makes an open sheet of it, which joins
+//! its images in the tiles beside it.
+//!
 //! Source: Szirmay-Kalos and Umenhoffer 2008, section 5.2, which puts such meshes on surfaces.
 
 mod grass;
 mod mail;
 mod tube;
+mod vectors;
 mod weave;
 
 use std::fmt;
@@ -20,6 +24,8 @@ use std::str::FromStr;
 
 use relief_core::mesh::Mesh;
 use relief_core::registry::UnknownName;
+
+pub use self::vectors::{VectorSheet, VectorSheetError, vector_sheet};
 
 /// Least and greatest number of sides around a thread or a link.
 pub const MOTIF_DETAIL: [u32; 2] = [4, 64];

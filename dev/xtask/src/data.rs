@@ -12,6 +12,7 @@ mod jacksboro;
 mod lathe;
 mod lattice;
 mod logo;
+mod mushrooms;
 mod noise;
 mod picture;
 mod piebald;
@@ -52,7 +53,10 @@ pub fn files(root: &Path) -> Result<Vec<Generated>, String> {
         ("data/tree.obj", tree::mesh()),
     ];
     let meshes = meshes.map(|(path, text)| Ok(Generated { path: path.into(), bytes: text.into_bytes() }));
-    maps.chain(meshes).collect()
+    let vectors = "data/mushrooms.exr";
+    let bytes = mushrooms::encoded(&root.join(vectors)).map_err(|error| format!("{vectors}: {error}"));
+    let vectors = bytes.map(|bytes| Generated { path: vectors.into(), bytes });
+    maps.chain(meshes).chain([vectors]).collect()
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ mod refused;
 mod report;
 mod settings;
 mod texture_set;
+mod vectors;
 mod write;
 
 use std::path::{Path, PathBuf};
@@ -32,6 +33,7 @@ use self::baked_maps::MeshMap;
 use self::ground::Metres;
 use self::level_filter::LevelFilter;
 use self::refused::COARSER;
+use self::vectors::Axes;
 use self::write::Source;
 use super::lengths;
 use super::maps::{self, By, HeightArguments};
@@ -67,7 +69,8 @@ pub struct Arguments {
     /// Closed mesh in the space of a tile, in place of a height map: chain mail, cloth or grass of
     /// `relief motif`, or one's own. It is repeated over the mesh, on top of it, in the shells that
     /// --surface tetrahedra shows. x and z go from 0 to 1 along the tile, y from 0 to 1 along the
-    /// height
+    /// height. Or a vector displacement map (EXR, PNG or TIFF with R, G and B), which moves the points
+    /// of a sheet along three axes. --scale is then the length of a vector 1 [default: a tile]
     #[arg(
         long,
         value_name = "FILE",
@@ -79,6 +82,11 @@ pub struct Arguments {
         help_heading = "Maps and mesh"
     )]
     motif: Option<PathBuf>,
+    /// What R, G and B of a vector displacement map are: tnb, tangent, normal, bitangent, as Mudbox
+    /// and Blender's node take them; or tbn, tangent, bitangent, normal, as in Blender's brushes.
+    /// Bitangents point up in the map [default: tnb]
+    #[arg(long, value_enum, value_name = "tnb|tbn", requires = "motif", help_heading = "Maps and mesh")]
+    axes: Option<Axes>,
     /// Mesh to write: GLB, PLY and OBJ in metres with y up, STL in millimetres with z up; - for
     /// standard output
     #[arg(short, long, value_name = "FILE.glb|ply|obj|stl")]
@@ -324,7 +332,8 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb  # on a textured mesh\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm --error 1% -o tree.glb  # with few triangles\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n  \
-    relief mesh --motif mail.glb --mesh torus --tile 9,3 -o armour.glb  # chain mail of `relief motif`\n\n\
+    relief mesh --motif mail.glb --mesh torus --tile 9,3 -o armour.glb  # chain mail of `relief motif`\n  \
+    relief mesh --motif data/mushrooms.exr --mesh panel.obj --tile 2,2 -o grown.glb  # a vector displacement map\n\n\
     The triangles show the same relief as `relief render` with the same --scale and --bias. By default it is \
     carved into the mesh; --bias 0 puts it on top.\n\n\
     A plane whose map knows its metres (by its file or --tile-size) is as long as the ground. Its lowest height \

@@ -58,7 +58,8 @@ const SMALL: [(&str, &[(&str, &str)]); 10] = [
 ];
 
 /// Values that are too large for a test, and smaller ones in their place.
-const SMALLER: [(&str, &str); 10] = [
+const SMALLER: [(&str, &str); 11] = [
+    ("--methods all", "--methods bump,relief,cone"),
     ("1600x1200", "64x48"),
     ("1280x720", "32x18"),
     ("2048x2048", "64x64"),

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::common::command::json_of;
+use crate::common::files::exr;
 use crate::common::refused::{assert_refused, with_out};
 use relief_io::{MeshOptions, read_mesh};
 
@@ -66,6 +67,49 @@ fn a_motif_is_put_on_a_mesh_in_every_format() {
 }
 
 #[test]
+fn a_vector_displacement_map_is_a_motif() {
+    let folder = with_out();
+    // A point of the middle row is moved up, and up in the map: to smaller v.
+    let mut channels = [[0.0f32; 9]; 3];
+    (channels[0][4], channels[1][4], channels[2][4]) = (0.125, 0.5, 0.25);
+    let [tangents, normals, bitangents] = channels.map(Vec::from);
+    let written = |name: &str, channels: [&Vec<f32>; 3]| {
+        let named = ["R", "G", "B"].into_iter().zip(channels.map(Vec::clone)).collect::<Vec<_>>();
+        folder.write(name, exr([3, 3], &named));
+    };
+    written("tnb.exr", [&tangents, &normals, &bitangents]);
+    written("tbn.exr", [&tangents, &bitangents, &normals]);
+    let line = "mesh --mesh plane --tile 2,2 --scale 2cm --motif";
+    let about = json_of(&folder.relief(&format!("{line} tnb.exr -o out/a.glb --json")));
+    assert_eq!((&about["axes"], about["scale_m"].as_f64()), (&"tnb".into(), Some(0.02)));
+    let other = json_of(&folder.relief(&format!("{line} tbn.exr --axes tbn -o out/b.glb --json")));
+    assert_eq!(other["axes"], "tbn");
+    let [a, b] = ["out/a.glb", "out/b.glb"].map(|name| std::fs::read(folder.path(name)).expect("a file"));
+    assert!(a == b);
+    let mesh = read_mesh(folder.path("out/a.glb").as_path(), &MeshOptions::default()).expect("a mesh").mesh;
+    let highest = |low: &glam::Vec3, at: glam::Vec3| if at.y > low.y { at } else { *low };
+    let top =
+        mesh.vertices().iter().fold(glam::Vec3::NEG_INFINITY, |top, vertex| highest(&top, vertex.position));
+    assert!((top.y - 0.01).abs() < 1e-6, "{top}");
+    // Tiles are half a metre long; their middles are at 0.25 m from the plane's middle.
+    let near = |place: f32, moved: f32| ((place.abs() - 0.25).abs() - moved.abs()).abs() < 1e-6;
+    assert!(near(top.x, 0.0025) && near(top.z, 0.005), "{top}");
+    let is_up = mesh
+        .vertices()
+        .iter()
+        .any(|vertex| vertex.position.distance(glam::Vec3::new(0.2525, 0.01, 0.245)) < 1e-6);
+    assert!(is_up, "up in the map is along falling v");
+    // A vector is as long as a tile where no scale says more.
+    let about = json_of(&folder.relief("mesh --mesh plane --tile 2,2 --motif tnb.exr -o out/c.glb --json"));
+    let scale_m = about["scale_m"].as_f64().expect("a length");
+    assert!((scale_m - 0.5).abs() < 1e-6, "{scale_m}");
+    relief_io::write_png8(&folder.path("v.png"), 1, 1, relief_io::PngColour::Rgb, &[128, 255, 128])
+        .expect("written");
+    let ran = folder.relief("mesh --mesh torus --motif v.png -o out/d.glb");
+    assert!(ran.code == Some(0) && ran.stderr.contains("8 bits"), "{}", ran.stderr);
+}
+
+#[test]
 fn what_is_unusual_is_said() {
     let folder = with_out();
     folder.relief("motif grass --blades 4 -o grass.glb").fine();
@@ -86,6 +130,9 @@ fn what_cannot_be_a_motif_is_refused() {
     folder.relief("motif mail --detail 4 -o mail.glb").fine();
     folder.write("h.pgm", "P2 2 1 255 51 255");
     folder.write("cut.glb", &std::fs::read(folder.path("mail.glb")).expect("a file")[..300]);
+    folder.write("v.exr", exr([2, 1], &[("R", vec![0.0; 2]), ("G", vec![0.0, 5.0]), ("B", vec![0.0; 2])]));
+    let level = vec![0.0; 100 * 100];
+    folder.write("wide.exr", exr([100, 100], &["R", "G", "B"].map(|name| (name, level.clone()))));
     folder.write("far.obj", "v 0 0.5 0\nv 99 0.5 0\nv 0 0.5 1\nf 1 2 3\n");
     folder.write("above.obj", "v 0 5 0\nv 1 5 0\nv 0 6 1\nf 1 2 3\n");
     for (line, code, words) in [
@@ -95,6 +142,11 @@ fn what_cannot_be_a_motif_is_refused() {
         ("mesh --motif cut.glb -o out/a.glb", 1, &["cut.glb"]),
         ("mesh --motif h.pgm -o out/a.glb", 1, &["h.pgm"]),
         ("mesh --motif far.obj -o out/a.glb", 1, &["16 tiles"]),
+        ("mesh --motif mail.glb --axes tbn -o out/a.glb", 2, &["--axes", "mail.glb"]),
+        ("mesh h.pgm --axes tbn -o out/a.glb", 2, &["--motif"]),
+        ("mesh --motif v.exr --axes xyz -o out/a.glb", 2, &["--axes", "tnb"]),
+        ("mesh --motif v.exr --scale 9 -o out/a.glb", 1, &["v.exr", "(1, 0)", "--scale"]),
+        ("mesh --motif wide.exr --max-memory 1200KiB -o out/a.glb", 1, &["wide.exr", "--max-memory"]),
         ("mesh --motif mail -o out/a.glb", 2, &["relief motif mail"]),
         ("mesh --motif mail.ktx2 -o out/a.glb", 2, &["volume"]),
         ("mesh mail.glb --mesh torus -o out/a.glb", 2, &["mesh", "--motif"]),

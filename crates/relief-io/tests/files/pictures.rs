@@ -8,7 +8,7 @@ use png::{BitDepth, ColorType};
 use relief_core::{HeightMap, Wrap};
 use relief_io::{
     Convention, Curve, DEFAULT_MAX_BYTES, GreenSign, NormalMap, Picture, ReadProblem, Source, detect,
-    read_normal_map, read_normal_vectors, read_picture, read_picture_as, write_exr,
+    read_normal_map, read_normal_vectors, read_picture, read_picture_as, read_vector_map, write_exr,
 };
 
 fn picture(path: &std::path::Path) -> Picture {
@@ -50,6 +50,33 @@ fn integers_are_decoded_by_the_srgb_curve_and_opacity_is_not() {
     assert_near(found.texels[0], [1.0, 0.215_860_5, 0.0, 1.0]);
     let found = picture(&folder.file("rgb.jpg", &jpeg(8, 8, 3, &[128; 192])));
     assert!((found.texels[9][0] - 0.2159).abs() < 0.01);
+}
+
+#[test]
+fn vectors_of_displacement_are_stored_numbers() {
+    let folder = Folder::new();
+    let read = |path: &std::path::Path| read_vector_map(path, DEFAULT_MAX_BYTES);
+    let floats: [(&str, &[f32]); 4] =
+        [("R", &[0.25, 0.5]), ("G", &[7.5, 0.75]), ("B", &[0.0, 1.0]), ("A", &[0.0, 1.0])];
+    write_exr(&folder.path().join("v.exr"), 2, 1, &floats).expect("written");
+    let found = read(&folder.path().join("v.exr")).expect("vectors");
+    assert_eq!((found.width, found.height, found.most), (2, 1, None));
+    assert_eq!(found.vectors, [[0.25, 7.5, 0.0], [0.5, 0.75, 1.0]]);
+    write_exr(&folder.path().join("xyz.exr"), 1, 1, &[("X", &[-3.0]), ("Y", &[1.0]), ("Z", &[2.0])])
+        .expect("written");
+    assert_eq!(read(&folder.path().join("xyz.exr")).expect("vectors").vectors, [[-3.0, 1.0, 2.0]]);
+    // The middle of whole numbers is no displacement.
+    let wide = big_endian(&[0.0, 32768.0, 65535.0]);
+    let found =
+        read(&folder.file("v.png", &png(1, 1, ColorType::Rgb, BitDepth::Sixteen, &wide))).expect("vectors");
+    assert_eq!((found.vectors, found.most), (vec![[-1.0, (1.0f64 / 65535.0) as f32, 1.0]], Some(65535)));
+    let problem = |name: &str| read(&folder.path().join(name)).expect_err("it is refused").problem;
+    write_exr(&folder.path().join("grey.exr"), 1, 1, &[("Y", &[1.0])]).expect("written");
+    assert!(matches!(problem("grey.exr"), ReadProblem::NoColour { .. }));
+    let bad: [(&str, &[f32]); 3] =
+        [("R", &[0.0; 4]), ("G", &[0.0, 0.0, f32::NAN, f32::INFINITY]), ("B", &[0.0; 4])];
+    write_exr(&folder.path().join("bad.exr"), 2, 2, &bad).expect("written");
+    assert!(matches!(problem("bad.exr"), ReadProblem::NotFinite { not_finite: 2, column: 0, row: 1 }));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::common::{Folder, Random};
 use relief_io::{
     Convention, DEFAULT_MAX_BYTES, GreenSign, HeightNote, HeightOptions, Ktx2Texture, PngTexture, ReadError,
     ReadProblem, Row, Source, TexelFormat, inspect, read_height, read_ktx2, read_metadata, read_normal_map,
-    read_normal_vectors, read_picture, write_exr_rows, write_ktx2, write_png_rows,
+    read_normal_vectors, read_picture, read_vector_map, write_exr_rows, write_ktx2, write_png_rows,
 };
 
 /// Flips of bits a valid file.
@@ -26,13 +26,14 @@ fn answer<T: std::fmt::Debug>(read: Result<T, ReadError>) -> String {
 }
 
 /// Results of all readers.
-fn answers(source: Source<'_>, options: &HeightOptions) -> [String; 7] {
+fn answers(source: Source<'_>, options: &HeightOptions) -> [String; 8] {
     [
         answer(read_height(source, options)),
         answer(inspect(source, options)),
         answer(read_picture(source, DEFAULT_MAX_BYTES)),
         answer(read_normal_map(source, GreenSign::PlusY, DEFAULT_MAX_BYTES)),
         answer(read_normal_vectors(source, DEFAULT_MAX_BYTES)),
+        answer(read_vector_map(source, DEFAULT_MAX_BYTES)),
         answer(read_ktx2(source, DEFAULT_MAX_BYTES)),
         answer(read_metadata(source)),
     ]
@@ -166,6 +167,7 @@ fn bytes_are_named_in_errors() {
         read_picture(empty, DEFAULT_MAX_BYTES).map(drop),
         read_normal_map(empty, GreenSign::PlusY, DEFAULT_MAX_BYTES).map(drop),
         read_normal_vectors(empty, DEFAULT_MAX_BYTES).map(drop),
+        read_vector_map(empty, DEFAULT_MAX_BYTES).map(drop),
         inspect(empty, &HeightOptions::default()).map(drop),
         read_ktx2(empty, DEFAULT_MAX_BYTES).map(drop),
         read_metadata(empty).map(drop),

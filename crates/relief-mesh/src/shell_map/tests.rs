@@ -1,10 +1,12 @@
+use std::collections::{HashMap, HashSet};
+
 use glam::{DVec3, Vec2, Vec3};
 use relief_core::Watch;
 use relief_core::mesh::{Builtin, Mesh, Vertex, sphere, torus};
 
 use super::shell::{Shell, TETRAHEDRA};
 use super::*;
-use crate::motif::{MotifKind, MotifSettings, motif};
+use crate::motif::{MotifKind, MotifSettings, VectorSheet, VectorSheetError, motif, vector_sheet};
 
 const SETTINGS: ShellMapSettings = ShellMapSettings { scale_m: 0.06, bias_m: 0.01, triangles: MAX_TRIANGLES };
 
@@ -51,6 +53,41 @@ fn closed_motifs_stay_closed_on_closed_bases() {
         let lengths = map.mesh.vertices().iter().map(|vertex| vertex.normal.length());
         assert!(lengths.into_iter().all(|length| (length - 1.0).abs() < 1e-5), "{kind}");
     }
+}
+
+/// A height map has no holes through what is above it; links of mail have one each.
+#[test]
+fn every_link_of_mail_stays_a_ring() {
+    let map = made(&ring(), &motif_of(MotifKind::Mail), &SETTINGS).mesh;
+    let place = map.welded();
+    let mut whole: Vec<usize> = (0..map.vertices().len()).collect();
+    fn first(whole: &mut [usize], mut at: usize) -> usize {
+        while whole[at] != at {
+            whole[at] = whole[whole[at]];
+            at = whole[at];
+        }
+        at
+    }
+    let triangles: Vec<[usize; 3]> =
+        map.triangles().iter().map(|corners| corners.map(|corner| place[corner as usize] as usize)).collect();
+    for [a, b, c] in &triangles {
+        for other in [b, c] {
+            let [a, other] = [*a, *other].map(|at| first(&mut whole, at));
+            whole[a] = other;
+        }
+    }
+    // Corners and edges less triangles: 0 for a ring, 2 for a ball. Two triangles have three edges.
+    let mut twice_euler: HashMap<usize, i64> = HashMap::new();
+    for [a, _, _] in &triangles {
+        *twice_euler.entry(first(&mut whole, *a)).or_default() -= 1;
+    }
+    let corners: HashSet<usize> = triangles.iter().flatten().copied().collect();
+    for corner in corners {
+        *twice_euler.entry(first(&mut whole, corner)).or_default() += 2;
+    }
+    // Three links in ten rows on each of eight tiles.
+    assert_eq!(twice_euler.len(), 3 * 10 * 8);
+    assert!(twice_euler.values().all(|euler| *euler == 0), "{twice_euler:?}");
 }
 
 #[test]
@@ -177,6 +214,68 @@ fn a_sheet_of_one_height_is_a_sheet_above_the_base() {
         .sum();
     assert!((area - 1.0).abs() < 1e-5, "{area}");
     assert!(map.open_edges > 0, "a sheet has a border");
+}
+
+/// A map of vectors that lean over each other, in tiles.
+fn leaning(size: [u32; 2]) -> VectorSheet {
+    let turn = |at: u32, of: u32| std::f64::consts::TAU * (f64::from(at) + 0.3) / f64::from(of);
+    let texels = (0..size[1]).flat_map(|row| (0..size[0]).map(move |column| (column, row)));
+    let vectors: Vec<[f64; 3]> = texels
+        .map(|(column, row)| {
+            let (a, b) = (turn(column, size[0]), turn(row, size[1]));
+            [0.17 * a.sin(), 0.2 * a.cos() * b.sin() - 0.05, 0.11 * (b + a).cos()]
+        })
+        .collect();
+    vector_sheet(size, &vectors).expect("a sheet")
+}
+
+#[test]
+fn points_of_a_sheet_of_vectors_lie_where_they_say() {
+    let tiles = Vec2::splat(3.0);
+    let plane = Builtin::Plane.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(tiles)).expect("a plane");
+    let [low, high] = leaning([8, 5]).heights;
+    let settings = ShellMapSettings { scale_m: 0.1 * (high - low), bias_m: 0.1 * low, ..SETTINGS };
+    let map = map_shells(&plane, &leaning([8, 5]).mesh, &settings, &Watch::none()).expect("a shell map");
+    let first = plane.vertices()[0];
+    let places: Vec<DVec3> = map.mesh.vertices().iter().map(|vertex| vertex.position.as_dvec3()).collect();
+    let turn = |at: u32, of: u32| std::f64::consts::TAU * (f64::from(at) + 0.3) / f64::from(of);
+    for (column, row) in (0..5).flat_map(|row| (0..8).map(move |column| (column, row))) {
+        let (a, b) = (turn(column, 8), turn(row, 5));
+        // Of the middle tile.
+        let u = 1.0 + (f64::from(column) + 0.5) / 8.0 + 0.17 * a.sin();
+        let v = 1.0 + (f64::from(row) + 0.5) / 5.0 + 0.11 * (b + a).cos();
+        let up = 0.1 * (0.2 * a.cos() * b.sin() - 0.05);
+        let along = |step: Vec3, by: f64| step.as_dvec3() * by;
+        let expected = first.position.as_dvec3()
+            + along(first.tangent, u - f64::from(first.uv.x))
+            + along(first.bitangent, v - f64::from(first.uv.y))
+            + along(first.normal, up);
+        let off = places.iter().map(|place| place.distance(expected)).fold(f64::MAX, f64::min);
+        assert!(off < 1e-6, "({column}, {row}): {off} m off");
+    }
+}
+
+#[test]
+fn a_sheet_of_vectors_is_closed_where_the_base_is() {
+    for size in [[8, 5], [1, 1], [3, 1], [7, 16]] {
+        let sheet = leaning(size);
+        let map = map_shells(&ring(), &sheet.mesh, &SETTINGS, &Watch::none()).expect("a shell map");
+        assert_eq!((map.open_edges, map.beyond), (0, 0.0), "{size:?}");
+    }
+    // A level one has room, too.
+    let level = vector_sheet([2, 2], &[[0.0, 3.0, 0.0]; 4]).expect("a sheet");
+    assert!(level.heights[0] < 3.0 && 3.0 < level.heights[1]);
+}
+
+#[test]
+fn vectors_that_make_no_sheet_are_refused() {
+    let far = [[0.0; 3], [0.0, 0.0, -99.0]];
+    assert_eq!(vector_sheet([2, 1], &far), Err(VectorSheetError::Far { column: 1, row: 0, tiles: 99.0 }));
+    assert!(matches!(vector_sheet([1, 1], &[[f64::NAN; 3]]), Err(VectorSheetError::Far { .. })));
+    for (size, count) in [([0, 0], 0), ([2, 2], 3), ([u32::MAX, u32::MAX], 1)] {
+        let refused = vector_sheet(size, &vec![[0.0; 3]; count]);
+        assert!(matches!(refused, Err(VectorSheetError::Size { .. })), "{size:?}");
+    }
 }
 
 #[test]

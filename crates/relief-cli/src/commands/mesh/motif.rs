@@ -13,12 +13,13 @@ use relief_mesh::shell_map::{BYTES_PER_TRIANGLE, ShellMap, ShellMapError, ShellM
 use relief_scene::{MeshChoice, NO_MAP, SceneSpec, SurfaceSpec};
 use serde_json::json;
 
+use super::vectors::{self, Axes, Vectors};
 use super::{Arguments, FORMATS};
 use crate::commands::motif::{depth_in, missing_motif};
 use crate::commands::scene_arguments::of_scene;
 use crate::commands::staged::{Staged, format_of};
 use crate::failure::Failure;
-use crate::file_kind::is_volume;
+use crate::file_kind::{FileKind, is_volume};
 use crate::interrupt::{self, cancelled};
 use crate::progress::Progress;
 use crate::streams::tell_written;
@@ -48,33 +49,26 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
             "--motif: {file} is a volume: give the mesh that it was made from"
         )));
     }
-    let (base, mesh, depth) = {
-        let _reading = Progress::spinner("reading", arguments.json);
-        let mesh = read_raw_mesh(motif, arguments.limit()).map_err(Failure::of_mesh)?;
-        (arguments.base()?, mesh, depth_in(motif, arguments.limit())?)
-    };
-    let scale_m = match (arguments.placement.scale, depth) {
-        (Some(scale), _) => scale.metres,
-        // As deep as it is long.
-        (None, Some(depth)) => {
-            let [u, v] = base.tile_m();
-            depth * (u * v).sqrt()
-        }
-        (None, None) => DEFAULT_SCALE_M,
-    };
-    // As everywhere in the command, though the library can grow a motif inward.
-    if scale_m < 0.0 {
-        return Err(Failure::Usage(format!("--scale: {scale_m} cannot be used: it must be above 0")));
-    }
     let bias_m = arguments.placement.bias.unwrap_or(0.0);
-    let settings = ShellMapSettings { scale_m, bias_m, triangles: arguments.limit() / BYTES_PER_TRIANGLE };
+    let (base, given) = {
+        let _reading = Progress::spinner("reading", arguments.json);
+        let base = arguments.base()?;
+        let given = arguments.given(motif, base.tile_m())?;
+        (base, given)
+    };
+    let settings = ShellMapSettings {
+        scale_m: given.scale_m,
+        bias_m: bias_m + given.low_m,
+        triangles: arguments.limit() / BYTES_PER_TRIANGLE,
+    };
     let cancel = interrupt::catch()?;
     let mut staged = Staged::open(&[&arguments.output], arguments.json, cancel)?;
-    let map = made(&base, &mesh, &settings, arguments.json, cancel)?;
+    let map = made(&base, &given.mesh, &settings, arguments.json, cancel)?;
     let mut notes = notes_on(motif, &map);
+    notes.extend(given.note);
     let longest_m = base.tile_m().into_iter().fold(0.0, f64::max);
-    if scale_m > DEEP * longest_m {
-        let [deep, long] = [scale_m, longest_m].map(units::in_words);
+    if settings.scale_m > DEEP * longest_m {
+        let [deep, long] = [settings.scale_m, longest_m].map(units::in_words);
         notes.push(format!("the motif is {deep} deep, but its tile only {long} long: check --scale"));
     }
     if !arguments.json {
@@ -96,7 +90,7 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
         if arguments.json {
             let about = json!({
                 "output": output, "motif": motif, "triangles": triangles, "vertices": vertices,
-                "scale_m": scale_m, "bias_m": bias_m, "open_edges": map.open_edges, "folded": map.folded,
+                "scale_m": given.unit_m, "bias_m": bias_m, "axes": given.axes.map(Axes::name), "open_edges": map.open_edges, "folded": map.folded,
                 "without_area": map.without_area, "beyond": map.beyond, "bytes": bytes, "notes": notes,
                 "seconds": seconds,
             });
@@ -106,10 +100,25 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
             out,
             "{output}: {triangles} triangles, {vertices} vertices, {bytes} bytes, in {seconds:.2} s"
         )?;
-        writeln!(out, "  scale       {} m between the heights 0 and 1", values::six_digits(scale_m))?;
+        let unit =
+            if given.axes.is_some() { "for a vector of length 1" } else { "between the heights 0 and 1" };
+        writeln!(out, "  scale       {} m {unit}", values::six_digits(given.unit_m))?;
         writeln!(out, "  open edges  {}", map.open_edges)?;
         Ok(())
     })
+}
+
+/// A motif as it is given.
+struct Given {
+    mesh: RawMesh,
+    /// Metres between its heights 0 and 1, and of its height 0 above the base before the bias.
+    scale_m: f64,
+    low_m: f64,
+    /// Metres that --scale stands for.
+    unit_m: f64,
+    /// Of a vector displacement map.
+    axes: Option<Axes>,
+    note: Option<String>,
 }
 
 fn made(
@@ -200,6 +209,34 @@ fn notes_on(motif: &Path, map: &ShellMap) -> Vec<String> {
 }
 
 impl Arguments {
+    /// Reads the motif, for tiles of that size in metres.
+    fn given(&self, motif: &Path, tile_m: [f64; 2]) -> Result<Given, Failure> {
+        let scale_m = self.placement.scale.map(|scale| scale.metres);
+        // As everywhere in the command, though the library can grow a motif inward.
+        if let Some(scale_m) = scale_m.filter(|scale_m| *scale_m <= 0.0) {
+            return Err(Failure::Usage(format!("--scale: {scale_m} cannot be used: it must be above 0")));
+        }
+        let tile_length_m = (tile_m[0] * tile_m[1]).sqrt();
+        if FileKind::of(motif)? == FileKind::HeightMap {
+            let unit_m = scale_m.unwrap_or(tile_length_m);
+            let axes = self.axes.unwrap_or_default();
+            let Vectors { sheet, scale_m, low_m, note } =
+                vectors::read(motif, axes, tile_m, unit_m, self.limit())?;
+            return Ok(Given { mesh: sheet.mesh, scale_m, low_m, unit_m, axes: Some(axes), note });
+        }
+        if self.axes.is_some() {
+            let file = motif.display();
+            return Err(Failure::Usage(format!(
+                "--axes: {file} is a mesh, whose axes are known; the flag is for vector displacement maps: leave it out"
+            )));
+        }
+        let mesh = read_raw_mesh(motif, self.limit()).map_err(Failure::of_mesh)?;
+        // As deep as it is long.
+        let depth = depth_in(motif, self.limit())?;
+        let unit_m = scale_m.or(depth.map(|depth| depth * tile_length_m)).unwrap_or(DEFAULT_SCALE_M);
+        Ok(Given { mesh, scale_m: unit_m, low_m: 0.0, unit_m, axes: None, note: None })
+    }
+
     /// Refuses flags that are about height maps.
     fn refuse_with_motif(&self) -> Result<(), Failure> {
         let placement = &self.placement;
