@@ -228,6 +228,25 @@ pub const CLAIMS: &[Claim] = &[
         ..SURVEY
     },
     Claim {
+        section: "6.3",
+        text: "view-dependent maps give the highest quality: fewer hits are off than of relief mapping",
+        better: plain("view-dependent"),
+        worse: plain("relief"),
+        measure: Measure::Off,
+        holds: false,
+        ..SURVEY
+    },
+    Claim {
+        section: "6.3",
+        text: "view-dependent maps take much storage: a map of cones has a tenth at most, beside few directions",
+        better: plain("cone"),
+        worse: with("view-dependent", &[("search.azimuths", 8.0), ("search.elevations", 4.0)]),
+        factor: 0.1,
+        measure: Measure::MapBytes,
+        angles: GRAZING,
+        ..SURVEY
+    },
+    Claim {
         section: "7, Figure 34",
         text: "at normal displacement occlusion mapping is nearer than iterative parallax mapping",
         better: plain("occlusion"),

@@ -192,6 +192,43 @@ fn paths_are_those_of_the_definition() {
     assert!(paths > 2 * RAYS && silhouettes > RAYS / 4 && noticed > paths / 2);
 }
 
+/// Szirmay-Kalos and Umenhoffer 2008, section 6.3, takes the curvature along a view by Euler's formula, of the two
+/// principal curvatures and the angle between.
+#[test]
+fn paths_bend_by_eulers_formula() {
+    let case = Case::on("quadric-vertical", "cells", "patch", map(Wrap::Repeat, DISPLACEMENTS[0]));
+    let program = case.program();
+    let (mut paths, mut bent_across) = (0, 0);
+    for pixel in rays::bent_pixels(&case.map, RAYS, 3) {
+        let path = program.segment(pixel, program.enter(pixel), 0);
+        let bent = Bent::new(&pixel, &case.map, 1.0);
+        if path.exit <= 0.0 || bent.narrow > 10.0 {
+            continue;
+        }
+        // The base is the quadric's height below the tangent plane: twice the quadric of a unit vector is the
+        // curvature along it.
+        let (tangent, across) =
+            (of(pixel.a.tangent).normalize(), bent.normal.cross(of(pixel.a.tangent)).normalize());
+        let along = |way: DVec3| 2.0 * bent.quadric((bent.to_frame * way).truncate());
+        let both = 0.5 * (along(tangent + across) - along(tangent) - along(across));
+        let mean = 0.5 * (along(tangent) + along(across));
+        let half = 0.5 * (along(tangent) - along(across));
+        let spread = half.hypot(both);
+        let [most, least] = [mean + spread, mean - spread];
+        let of_most = 0.5 * both.atan2(half);
+        let view = bent.along - bent.normal * bent.along.dot(bent.normal);
+        let angle = view.dot(across).atan2(view.dot(tangent)) - of_most;
+        let euler = most * angle.cos().powi(2) + least * angle.sin().powi(2);
+        let expected = -0.5 * euler * view.length_squared() / bent.scale_m;
+        let greatest = 0.5 * most.abs().max(least.abs()) * view.length_squared() / bent.scale_m;
+        let found = Path::from(&path).h[2];
+        assert!((found - expected).abs() <= 1e-4 * greatest + 1e-9, "{found} {expected} {greatest}");
+        paths += 1;
+        bent_across += usize::from((found - expected * least / most).abs() > 1e-2 * greatest);
+    }
+    assert!(paths > RAYS / 2 && bent_across > paths / 2, "{paths} {bent_across}");
+}
+
 /// Heights a tile by which the map changes at most: texels differ by up to a fifth of the relief.
 const STEEP: f64 = 20.0;
 
