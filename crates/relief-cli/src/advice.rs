@@ -62,9 +62,13 @@ pub fn of_read(problem: &ReadProblem) -> Option<Advice> {
             key: "use the key raw = \"1024x1024,le\" (or be)",
         },
         ReadProblem::RawSize { .. } => Advice { flag: "use --raw", key: "use the key 'raw'" },
-        ReadProblem::ChooseChannel { .. } | ReadProblem::NotGrey { .. } => {
+        ReadProblem::ChooseChannel { .. } => {
             Advice { flag: "use --channel NAME", key: "use the key 'channel'" }
         }
+        ReadProblem::NotGrey { .. } => Advice {
+            flag: "use --channel NAME; `relief mesh --motif` takes vector displacement maps",
+            key: "use the key 'channel'",
+        },
         ReadProblem::Holes { .. } => Advice { flag: "use --fill", key: "use the key fill = true" },
         _ => return of_picture(problem),
     })

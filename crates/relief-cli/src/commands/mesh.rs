@@ -70,7 +70,7 @@ pub struct Arguments {
     /// `relief motif`, or one's own. It is repeated over the mesh, on top of it, in the shells that
     /// --surface tetrahedra shows. x and z go from 0 to 1 along the tile, y from 0 to 1 along the
     /// height. Or a vector displacement map (EXR, PNG or TIFF with R, G and B), which moves the points
-    /// of a sheet along three axes. --scale is then the length of a vector 1 [default: a tile]
+    /// of a sheet along three axes. A vector of length 1 is then as long as --scale, or as a tile
     #[arg(
         long,
         value_name = "FILE",
@@ -85,7 +85,7 @@ pub struct Arguments {
     /// What R, G and B of a vector displacement map are: tnb, tangent, normal, bitangent, as Mudbox
     /// and Blender's node take them; or tbn, tangent, bitangent, normal, as in Blender's brushes.
     /// Bitangents point up in the map [default: tnb]
-    #[arg(long, value_enum, value_name = "tnb|tbn", requires = "motif", help_heading = "Maps and mesh")]
+    #[arg(long, value_enum, value_name = "tnb|tbn", help_heading = "Maps and mesh")]
     axes: Option<Axes>,
     /// Mesh to write: GLB, PLY and OBJ in metres with y up, STL in millimetres with z up; - for
     /// standard output
@@ -392,6 +392,11 @@ fn interior_help() -> String {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(motif) = &arguments.motif {
         return motif::run(arguments, motif);
+    }
+    if arguments.axes.is_some() {
+        return Err(Failure::Usage(
+            "--axes: it is for vector displacement maps: give one with --motif, or leave it out".to_owned(),
+        ));
     }
     arguments.refuse_what_has_no_heights()?;
     let started = Instant::now();

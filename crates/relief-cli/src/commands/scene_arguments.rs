@@ -308,6 +308,15 @@ impl SceneArguments {
                 "--ambient and --ambient-color both set a colour: give --ambient a name, or leave one out",
             ));
         }
+        if let Some(volume) = &self.volume
+            && matches!(FileKind::of(volume)?, FileKind::Mesh | FileKind::HeightMap)
+        {
+            let file = volume.display();
+            return Err(Failure::Usage(format!(
+                "--volume: {file} is no volume: make the volume of a mesh or a height map with `relief volume {file} \
+                 -o NAME.ktx2`, and give that"
+            )));
+        }
         let Some(path) = &self.scene else { return Ok(self.flags()) };
         let kind = FileKind::of(path)?;
         let named = match kind {

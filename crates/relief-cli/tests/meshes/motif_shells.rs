@@ -82,6 +82,8 @@ fn a_vector_displacement_map_is_a_motif() {
     let line = "mesh --mesh plane --tile 2,2 --scale 2cm --motif";
     let about = json_of(&folder.relief(&format!("{line} tnb.exr -o out/a.glb --json")));
     assert_eq!((&about["axes"], about["scale_m"].as_f64()), (&"tnb".into(), Some(0.02)));
+    let told = folder.relief(&format!("{line} tnb.exr -o out/told.glb"));
+    assert!(told.stdout.contains("tangent, normal and bitangent"), "{}", told.stdout);
     let other = json_of(&folder.relief(&format!("{line} tbn.exr --axes tbn -o out/b.glb --json")));
     assert_eq!(other["axes"], "tbn");
     let [a, b] = ["out/a.glb", "out/b.glb"].map(|name| std::fs::read(folder.path(name)).expect("a file"));
@@ -103,7 +105,7 @@ fn a_vector_displacement_map_is_a_motif() {
     let about = json_of(&folder.relief("mesh --mesh plane --tile 2,2 --motif tnb.exr -o out/c.glb --json"));
     let scale_m = about["scale_m"].as_f64().expect("a length");
     assert!((scale_m - 0.5).abs() < 1e-6, "{scale_m}");
-    relief_io::write_png8(&folder.path("v.png"), 1, 1, relief_io::PngColour::Rgb, &[128, 255, 128])
+    relief_io::write_png8(&folder.path("v.png"), 1, 1, relief_io::PngColour::Rgb, &[128, 200, 128])
         .expect("written");
     let ran = folder.relief("mesh --mesh torus --motif v.png -o out/d.glb");
     assert!(ran.code == Some(0) && ran.stderr.contains("8 bits"), "{}", ran.stderr);
@@ -131,6 +133,9 @@ fn what_cannot_be_a_motif_is_refused() {
     folder.write("h.pgm", "P2 2 1 255 51 255");
     folder.write("cut.glb", &std::fs::read(folder.path("mail.glb")).expect("a file")[..300]);
     folder.write("v.exr", exr([2, 1], &[("R", vec![0.0; 2]), ("G", vec![0.0, 5.0]), ("B", vec![0.0; 2])]));
+    folder.write("grey.exr", exr([2, 1], &["R", "G", "B"].map(|name| (name, vec![0.25, 0.5]))));
+    let unit = [("R", vec![0.6, 0.0]), ("G", vec![0.0, 0.8]), ("B", vec![0.8, 0.6])];
+    folder.write("normals.exr", exr([2, 1], &unit));
     let level = vec![0.0; 100 * 100];
     folder.write("wide.exr", exr([100, 100], &["R", "G", "B"].map(|name| (name, level.clone()))));
     folder.write("far.obj", "v 0 0.5 0\nv 99 0.5 0\nv 0 0.5 1\nf 1 2 3\n");
@@ -143,7 +148,11 @@ fn what_cannot_be_a_motif_is_refused() {
         ("mesh --motif h.pgm -o out/a.glb", 1, &["h.pgm"]),
         ("mesh --motif far.obj -o out/a.glb", 1, &["16 tiles"]),
         ("mesh --motif mail.glb --axes tbn -o out/a.glb", 2, &["--axes", "mail.glb"]),
-        ("mesh h.pgm --axes tbn -o out/a.glb", 2, &["--motif"]),
+        ("mesh h.pgm --axes tbn -o out/a.glb", 2, &["--axes", "--motif"]),
+        ("mesh --motif grey.exr -o out/a.glb", 1, &["grey.exr", "height map", "--motif"]),
+        ("mesh --motif normals.exr -o out/a.glb", 1, &["normals.exr", "normal map"]),
+        ("mesh --motif out -o out/a.glb", 2, &["--motif", "folder"]),
+        ("render --volume mail.glb -o out/a.png", 2, &["--volume", "relief volume"]),
         ("mesh --motif v.exr --axes xyz -o out/a.glb", 2, &["--axes", "tnb"]),
         ("mesh --motif v.exr --scale 9 -o out/a.glb", 1, &["v.exr", "(1, 0)", "--scale"]),
         ("mesh --motif wide.exr --max-memory 1200KiB -o out/a.glb", 1, &["wide.exr", "--max-memory"]),

@@ -3,12 +3,9 @@
 use glam::{DVec3, Vec3};
 use relief_core::mesh::{RawCorner, RawMesh};
 
-/// Steps of the sheet's places along a tile. In `f32` they are exact as far as [`FAR`], so that the sheet's
+/// Steps of the sheet's places along a tile. In `f32` they are exact as far as [`VectorSheet::FAR`], so that the sheet's
 /// images in all tiles join.
 const STEPS: f64 = (1u32 << 20) as f64;
-
-/// Tiles from which a sheet may be, less than what [`crate::shell_map::map_shells`] takes.
-const FAR: f64 = 14.0;
 
 /// Room above and below the sheet, as a part of its extent, and in tiles for a level one.
 const ROOM: f64 = 1.0 / 256.0;
@@ -27,7 +24,7 @@ pub enum VectorSheetError {
         vectors: usize,
     },
     /// A vector is not finite or reaches too far.
-    #[error("the vector at ({column}, {row}) moves its point by {tiles} tiles, more than {FAR}")]
+    #[error("the vector at ({column}, {row}) moves its point by {tiles} tiles, more than {far}", far = VectorSheet::FAR)]
     Far {
         /// Its column.
         column: u32,
@@ -51,6 +48,9 @@ pub struct VectorSheet {
 impl VectorSheet {
     /// Bytes of memory for a texel, with the vector.
     pub const BYTES_PER_TEXEL: u64 = 160;
+
+    /// Tiles by which a vector moves its point at most, less than what [`crate::shell_map::map_shells`] takes.
+    pub const FAR: f64 = 14.0;
 }
 
 /// Makes a sheet of vectors, row by row from the top of the map: parts of each along `u`, along the height and
@@ -81,8 +81,9 @@ pub fn vector_sheet(size: [u32; 2], vectors: &[[f64; 3]]) -> Result<VectorSheet,
         return Err(VectorSheetError::Size { width: size[0], height: size[1], vectors: vectors.len() });
     }
     let far = |vector: &[f64; 3]| vector.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
-    if let Some(at) =
-        vectors.iter().position(|vector| !(DVec3::from(*vector).is_finite() && far(vector) <= FAR))
+    if let Some(at) = vectors
+        .iter()
+        .position(|vector| !(DVec3::from(*vector).is_finite() && far(vector) <= VectorSheet::FAR))
     {
         let (column, row) = ((at % width) as u32, (at / width) as u32);
         return Err(VectorSheetError::Far { column, row, tiles: far(&vectors[at]) });

@@ -1,16 +1,17 @@
 //! Tests whether the chosen variants go together.
 
+use relief_core::MAX_LAYERS;
 use relief_core::registry::{Guarantee, MapInput, MapLevels, MapSetting, RayClass};
 
 use super::{Selection, SelectionError};
 use crate::Variants;
-use crate::entry::{Entry, Role};
+use crate::entry::Entry;
 use crate::object::Solid;
 use crate::shadow::ShadowRole;
 use crate::stages::{
     AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Stage,
 };
-use crate::surface::{AskedImages, Paths, Shown};
+use crate::surface::{AskedImages, Paths, Refused, Shown};
 
 /// A stage, and whether a variant of it serves.
 type Rule<'a> = (usize, &'a dyn Fn(&Entry) -> bool);
@@ -29,6 +30,14 @@ impl Selection {
             if let Some(rays) = stage.rays.iter().find(impossible) {
                 let (stage, key, entry, rays) = (stage.title, stage.key, entry.name, rays.name());
                 return Err(SelectionError::Impossible { stage, key, entry, rays });
+            }
+            let steps = |name| entry.param(name).map(|(place, _)| choice.params[place]);
+            if let (Some(azimuths), Some(elevations)) = (steps("azimuths"), steps("elevations"))
+                && azimuths * elevations > MAX_LAYERS as f32
+            {
+                let (stage, key, entry) = (stage.title, stage.key, entry.name);
+                let directions = azimuths * elevations;
+                return Err(SelectionError::Directions { stage, key, entry, directions });
             }
         }
         self.check_pair()?;
@@ -98,15 +107,27 @@ impl Selection {
                     RayClass::Bent => "rays bend there",
                     RayClass::Shadow => "rays begin inside of the relief there, as rays to a light do",
                 };
-                let can = |entry: &Entry| match &entry.role {
-                    Role::Surface(paths) => {
-                        paths.shown == *shown && !paths.rays.iter().any(|rays| impossible(&rays))
-                    }
-                    _ => false,
+                let can = |entry: &Entry| {
+                    let Paths { rays, shown, refused, .. } = entry.paths();
+                    let goes = |place: &usize| {
+                        let promises = self.choices[*place].promises();
+                        rays.iter().all(|rays| promises.of(*rays) != Guarantee::Impossible)
+                    };
+                    let stages = || STAGES.iter().zip(&self.choices);
+                    let is_taken = |refused: &Refused| {
+                        let mut of_stage = stages().filter(|(stage, _)| stage.key == refused.stage);
+                        of_stage.all(|(_, choice)| !(refused.refuses)(choice.entry))
+                    };
+                    (*shown == of_geometry || (*shown, of_geometry) == (Shown::Triangles, Shown::Relief))
+                        && [SEARCH, REFINE].iter().all(goes)
+                        && refused.iter().all(is_taken)
                 };
+                let (surfaces, stage) = (Variants::of(SURFACE, can).or(), STAGES[place].title);
                 return error(
                     place,
-                    format!("{what}, which it cannot follow: choose {}", Variants::of(SURFACE, can).or()),
+                    format!(
+                        "{what}, which it cannot follow: choose the surface {surfaces}, or another {stage}"
+                    ),
                 );
             }
         }

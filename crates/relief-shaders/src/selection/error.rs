@@ -1,7 +1,7 @@
 //! Reasons why a selection cannot be made.
 
-use relief_core::FoundState;
 use relief_core::registry::UnknownName;
+use relief_core::{FoundState, MAX_LAYERS};
 
 use crate::stages::{DETAIL, STAGES, SURFACE, stage};
 use crate::{Entry, Variants};
@@ -101,7 +101,7 @@ pub enum SelectionError {
     /// A variant's baked map has only the finest level of detail.
     #[error(
         "the {stage} '{entry}' cannot be used with the detail '{detail}': the levels of its map are not \
-            levels of detail; choose another, or the detail {none}", none = Variants::of(DETAIL, Entry::is_idle).or()
+            levels of detail; choose another {stage}, or the detail {none}", none = Variants::of(DETAIL, Entry::is_idle).or()
     )]
     OneLevel {
         /// The title of the stage that reads the map.
@@ -112,6 +112,21 @@ pub enum SelectionError {
         entry: &'static str,
         /// The chosen detail.
         detail: &'static str,
+    },
+    /// The map of a variant would have a layer for more directions than a map has layers.
+    #[error(
+        "{key}.azimuths times {key}.elevations are {directions}: the map of the {stage} '{entry}' has a layer for each, \
+            and a map at most {MAX_LAYERS}: take fewer"
+    )]
+    Directions {
+        /// The title of the stage that reads the map.
+        stage: &'static str,
+        /// The key of that stage.
+        key: &'static str,
+        /// The variant chosen for it.
+        entry: &'static str,
+        /// The directions.
+        directions: f32,
     },
     /// A variant does not take the results of the search before it.
     #[error(

@@ -279,3 +279,39 @@ fn a_sky_goes_with_reliefs_and_a_hemisphere_with_everything() {
     }
     assert!(facets.goes_with("ambient", "skye").is_err() && facets.goes_with("ambience", "sky").is_err());
 }
+
+/// Where a surface's rays are none for a method, every surface that the message names serves, and no other does.
+#[test]
+fn surfaces_that_a_refusal_names_serve() {
+    let mut refused = 0;
+    for (method, surface) in METHODS
+        .iter()
+        .flat_map(|method| STAGES[SURFACE].entries.iter().map(move |surface| (method, surface.name)))
+    {
+        let mut selection = Selection::of(method).expect("listed names");
+        selection.choose("surface", surface).expect("a surface");
+        let Err(error @ SelectionError::Surface { .. }) = selection.check() else { continue };
+        let text = error.to_string();
+        let Some((_, named)) = text.split_once("choose the surface ") else { continue };
+        refused += 1;
+        for other in STAGES[SURFACE].entries {
+            let serves = selection.goes_with("surface", other.name).expect("a surface");
+            let is_named = named.contains(&format!("'{}'", other.name));
+            assert_eq!(is_named, serves, "{}, {surface}: {other:?}: {text}", method.name, other = other.name);
+        }
+    }
+    assert!(refused > 4, "{refused}");
+}
+
+#[test]
+fn more_directions_than_a_map_has_layers_are_refused() {
+    for method in ["view-dependent", "view-dependent-free", "generalised"] {
+        let mut selection = Selection::method(method).expect("a method");
+        selection.set("search.azimuths", 16.0).expect("a setting");
+        selection.set("search.elevations", 16.0).expect("a setting");
+        assert_eq!(selection.check(), Ok(()), "{method}");
+        selection.set("search.azimuths", 17.0).expect("a setting");
+        let refused = selection.check();
+        assert!(matches!(refused, Err(SelectionError::Directions { directions: 272.0, .. })), "{refused:?}");
+    }
+}

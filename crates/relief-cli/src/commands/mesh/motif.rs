@@ -43,6 +43,10 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
     if let Some(missing) = missing_motif(motif) {
         return Err(missing);
     }
+    if motif.is_dir() {
+        let folder = motif.display();
+        return Err(Failure::Usage(format!("--motif: {folder} is a folder: give a mesh or a map in it")));
+    }
     if is_volume(motif) {
         let file = motif.display();
         return Err(Failure::Usage(format!(
@@ -103,6 +107,9 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
         let unit =
             if given.axes.is_some() { "for a vector of length 1" } else { "between the heights 0 and 1" };
         writeln!(out, "  scale       {} m {unit}", values::six_digits(given.unit_m))?;
+        if let Some(axes) = given.axes {
+            writeln!(out, "  axes        {}: R, G and B are {}", axes.name(), axes.in_words())?;
+        }
         writeln!(out, "  open edges  {}", map.open_edges)?;
         Ok(())
     })
@@ -135,9 +142,10 @@ fn made(
         ShellMapError::Lengths { .. } => Failure::Usage(format!("--scale: {error}")),
         ShellMapError::FarMotif(_) => Failure::Work(format!("--motif: {error}")),
         ShellMapError::TooWide { .. } => Failure::Work(format!("--tile: {error}")),
-        ShellMapError::TooLarge { .. } => {
-            Failure::Work(format!("{error}: a smaller --tile has fewer, --max-memory allows more"))
-        }
+        ShellMapError::TooLarge { expected, most } => Failure::Work(format!(
+            "the mesh would have about {expected} triangles, more than {most}: give fewer tiles with --tile, a motif of \
+             fewer triangles or a map of fewer texels, or more memory with --max-memory"
+        )),
         error => Failure::work(error),
     })
 }
@@ -184,8 +192,8 @@ fn notes_on(motif: &Path, map: &ShellMap) -> Vec<String> {
         let numbers: Vec<String> = map.folded.iter().take(MOST_NUMBERS).map(u32::to_string).collect();
         let more = if map.folded.len() > MOST_NUMBERS { ", ..." } else { "" };
         notes.push(format!(
-            "{} triangles of the mesh have shells that fold, as it is more curved than they are deep ({}{more}): \
-             give more tiles with --tile, a smaller --scale, or another --bias",
+            "the shells of {} triangles of the mesh fold, as they are deeper than its curvature allows ({}{more}): give \
+             more tiles with --tile, a smaller --scale, or another --bias",
             map.folded.len(),
             numbers.join(", ")
         ));

@@ -8,9 +8,13 @@ use relief_io::{ReadProblem, VectorMap, read_vector_map};
 use relief_mesh::motif::{VectorSheet, VectorSheetError, vector_sheet};
 
 use crate::failure::Failure;
+use crate::values;
 
 /// Greatest integer of a map whose steps may show.
 const COARSE: u32 = 255;
+
+/// How far the lengths of a normal map's vectors are from 1 at most: by 8 bits.
+const UNIT: f32 = 0.02;
 
 /// What the channels of a vector displacement map are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -28,6 +32,14 @@ impl Axes {
         match self {
             Axes::Tnb => "tnb",
             Axes::Tbn => "tbn",
+        }
+    }
+
+    /// What the channels are.
+    pub const fn in_words(self) -> &'static str {
+        match self {
+            Axes::Tnb => "tangent, normal and bitangent",
+            Axes::Tbn => "tangent, bitangent and normal",
         }
     }
 }
@@ -52,6 +64,20 @@ pub fn read(file: &Path, axes: Axes, tile_m: [f64; 2], unit_m: f64, limit: u64) 
         _ => Failure::work(error),
     })?;
     let VectorMap { width, height, vectors, most } = map;
+    if vectors.iter().all(|[x, y, z]| x == y && y == z) && vectors.iter().any(|[x, ..]| *x != 0.0) {
+        return Err(Failure::Work(format!(
+            "{name}: its three channels are the same, so it is a height map: give it in place of --motif"
+        )));
+    }
+    if vectors
+        .iter()
+        .all(|vector| (vector.iter().map(|part| part * part).sum::<f32>().sqrt() - 1.0).abs() < UNIT)
+    {
+        return Err(Failure::Work(format!(
+            "{name}: all of its vectors have length 1, so it is a normal map: `relief height from-normals` makes \
+             heights of it"
+        )));
+    }
     let needed = vectors.len() as u64 * VectorSheet::BYTES_PER_TEXEL;
     if needed > limit {
         return Err(Failure::Work(format!(
@@ -70,7 +96,11 @@ pub fn read(file: &Path, axes: Axes, tile_m: [f64; 2], unit_m: f64, limit: u64) 
     };
     let vectors: Vec<_> = vectors.into_iter().map(in_tiles).collect();
     let sheet = vector_sheet([width, height], &vectors).map_err(|error| match error {
-        VectorSheetError::Far { .. } => Failure::Work(format!("{name}: {error}: give a smaller --scale")),
+        VectorSheetError::Far { column, row, tiles } => Failure::Work(format!(
+            "{name}: the vector at ({column}, {row}) moves its point by {} tiles, more than {}: give a smaller --scale",
+            values::six_digits(tiles),
+            VectorSheet::FAR
+        )),
         VectorSheetError::Size { .. } => Failure::Work(format!("{name}: {error}")),
     })?;
     let note = (most == Some(COARSE)).then(|| {
