@@ -24,7 +24,7 @@ impl Selection {
     /// When one does not.
     pub fn check(&self) -> Result<(), SelectionError> {
         let used = STAGES.iter().zip(&self.choices).enumerate().filter(|(place, _)| self.uses(*place));
-        for (_, (stage, choice)) in used {
+        for (place, (stage, choice)) in used {
             let (entry, promises) = (choice.entry, choice.promises());
             let impossible = |rays: &&RayClass| promises.of(**rays) == Guarantee::Impossible;
             if let Some(rays) = stage.rays.iter().find(impossible) {
@@ -32,7 +32,9 @@ impl Selection {
                 return Err(SelectionError::Impossible { stage, key, entry, rays });
             }
             let steps = |name| entry.param(name).map(|(place, _)| choice.params[place]);
+            // An ambient light gathers all directions into one layer.
             if let (Some(azimuths), Some(elevations)) = (steps("azimuths"), steps("elevations"))
+                && place != AMBIENT
                 && azimuths * elevations > MAX_LAYERS as f32
             {
                 let (stage, key, entry) = (stage.title, stage.key, entry.name);

@@ -314,4 +314,8 @@ fn more_directions_than_a_map_has_layers_are_refused() {
         let refused = selection.check();
         assert!(matches!(refused, Err(SelectionError::Directions { directions: 272.0, .. })), "{refused:?}");
     }
+    let mut gathered = Selection::method("relief").expect("a method");
+    gathered.choose("ambient", "bounce").expect("an ambient light");
+    gathered.set("ambient.azimuths", 256.0).expect("a setting");
+    assert_eq!(gathered.check(), Ok(()), "one layer holds what comes from all directions");
 }
