@@ -15170,11 +15170,11 @@ impl<'g> Resources<'g> {
                     let _e99 = k_30;
                     let _e106 = self.v_ways_of_bend(path_83, _e7, layer_15, (lower_2 + rt::Scalar(0f32).select(rt::Scalar(1f32), _e99.elementwise_gt(rt::Scalar(1u32)))));
                     let of_below = <rt::Vec2<f32>>::from_scalars(_e106.x(), _e106.y());
-                    let mixed_2 = (of_below + ((<rt::Vec2<f32>>::from_scalars(_e106.z(), _e106.w()) - of_below) * (elevation_5 - below_11)));
+                    let of_azimuth_1 = (of_below + ((<rt::Vec2<f32>>::from_scalars(_e106.z(), _e106.w()) - of_below) * (elevation_5 - below_11)));
                     let _e117 = first_4;
                     let _e118 = first_4;
-                    let joined = (_e117 + ((mixed_2 - _e118) * (turn_6 - before_8)));
-                    first_4 = mixed_2;
+                    let joined = (_e117 + ((of_azimuth_1 - _e118) * (turn_6 - before_8)));
+                    first_4 = of_azimuth_1;
                     let _e123 = k_30;
                     if rt::Scalar::into_branch_condition(_e123.elementwise_eq(rt::Scalar(1u32))) {
                         low_2 = joined;
@@ -15271,8 +15271,8 @@ impl<'g> Resources<'g> {
         } else {
             local_102 = rt::Scalar(false);
         }
-        let is_inside_3 = local_102;
-        if rt::Scalar::into_branch_condition((!is_inside_3)) {
+        let holds_square = local_102;
+        if rt::Scalar::into_branch_condition((!holds_square)) {
             let _e31 = rt::Scalar(self.surface_settings.wrap);
             local_103 = _e31.elementwise_ne(WRAP_CLAMP);
         } else {

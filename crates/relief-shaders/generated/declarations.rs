@@ -13088,9 +13088,9 @@ struct LookedUp {
         module: "search/view_dependent",
         name: "looked_up",
         sampling: None,
-        uses: &["LookedUp", "Path", "PathAxes", "height_texels", "mixed", "path_uv", "texels_around", "ways_of_bend"],
+        uses: &["LookedUp", "Path", "PathAxes", "height_texels", "path_uv", "texels_around", "ways_of_bend"],
         text: r#"// The way to the hit, between the four texels around the place at the top and the steps around the direction. A way that
-// ends nowhere is no number to be mixed with others: the greater part of the weights decides whether there is a hit.
+// ends nowhere is no number to be joined with others: the greater part of the weights decides whether there is a hit.
 fn looked_up(path: Path, axes: PathAxes, params: vec4f) -> LookedUp {
     let around = texels_around(path_uv(path, axes.start), height_texels(path.level));
     let elevation = clamp(axes.elevation * params.y - 0.5, 0.0, params.y - 1.0);
@@ -13113,9 +13113,9 @@ fn looked_up(path: Path, axes: PathAxes, params: vec4f) -> LookedUp {
         let layer = i32(azimuth * params.y + below);
         let ways = ways_of_bend(path, around, layer, lower + select(0.0, 1.0, k > 1u));
         let of_below = vec2f(ways.x, ways.y);
-        let mixed = of_below + (vec2f(ways.z, ways.w) - of_below) * (elevation - below);
-        let joined = first + (mixed - first) * (turn - before);
-        first = mixed;
+        let of_azimuth = of_below + (vec2f(ways.z, ways.w) - of_below) * (elevation - below);
+        let joined = first + (of_azimuth - first) * (turn - before);
+        first = of_azimuth;
         if (k == 1u) {
             low = joined;
         }
@@ -13193,11 +13193,11 @@ fn ways_of_bend(path: Path, around: Around, layer: i32, bend: f32) -> vec4f {
         module: "search/view_dependent_free",
         name: "is_in_footprint",
         sampling: None,
-        uses: &["WRAP_CLAMP", "is_inside", "surface_settings"],
+        uses: &["WRAP_CLAMP", "surface_settings"],
         text: r#"// Whether a square has an image in the map that the wrap takes to it.
 fn is_in_footprint(square: vec2f, size: vec2f) -> bool {
-    let is_inside = square.x >= 0.0 && square.y >= 0.0 && square.x < size.x && square.y < size.y;
-    return is_inside || surface_settings.wrap != WRAP_CLAMP;
+    let holds_square = square.x >= 0.0 && square.y >= 0.0 && square.x < size.x && square.y < size.y;
+    return holds_square || surface_settings.wrap != WRAP_CLAMP;
 }"#,
     },
     Declaration {

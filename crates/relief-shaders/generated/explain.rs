@@ -87,7 +87,7 @@ impl Marked<'_> {
         let mut near_5: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_4: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -102,11 +102,11 @@ impl Marked<'_> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_5;
             let _e19 = self.v_path_height(path_30, _e18);
-            local_30 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_29 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_30 = rt::Scalar(true);
+            local_29 = rt::Scalar(true);
         }
-        let _e23 = local_30;
+        let _e23 = local_29;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -251,7 +251,7 @@ impl Marked<'_> {
         let mut t_24: rt::Scalar<f32>;
         let mut cell_30: rt::Vec2<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_7.cost);
@@ -313,11 +313,11 @@ impl Marked<'_> {
                     }
                     if rt::Scalar::into_branch_condition(end_3.elementwise_ge(rt::Scalar(found_7.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_31 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
+                            local_30 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_31 = rt::Scalar(true);
+                            local_30 = rt::Scalar(true);
                         }
-                        let _e92 = local_31;
+                        let _e92 = local_30;
                         if rt::Scalar::into_branch_condition(_e92) {
                             let _e95 = cost_7;
                             let _e96 = self.v_hit_on_path(path_34, rt::Scalar(found_7.far), rt::Scalar(0u32), _e95);
@@ -869,7 +869,7 @@ impl Marked<'_> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut k_8: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
 
         let aside_1 = path_44.duv.length();
         'naga_break: loop {
@@ -893,11 +893,11 @@ impl Marked<'_> {
                     if rt::Scalar::into_branch_condition(_e23.elementwise_le(rt::Scalar(0f32))) {
                         let _e29 = t_31;
                         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(0f32))) {
-                            local_33 = _e23.elementwise_lt(rt::Scalar(0f32));
+                            local_32 = _e23.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_33 = rt::Scalar(false);
+                            local_32 = rt::Scalar(false);
                         }
-                        let _e37 = local_33;
+                        let _e37 = local_32;
                         if rt::Scalar::into_branch_condition(_e37) {
                             let _e39 = cost_13;
                             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e23, _e23, _e39);
@@ -971,10 +971,10 @@ impl Marked<'_> {
         let mut cost_14: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
         let mut local_34: rt::Scalar<bool>;
         let mut local_35: rt::Scalar<bool>;
         let mut local_36: rt::Scalar<bool>;
-        let mut local_37: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_45);
         let _e4 = self.v_height_texels(rt::Scalar(path_45.level));
@@ -1007,11 +1007,11 @@ impl Marked<'_> {
                     let _e49 = self.v_image_of(_e46.x(), _e4.x());
                     let _e52 = self.v_image_of(_e46.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e49.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_34 = _e52.y().elementwise_eq(rt::Scalar(2i32));
+                        local_33 = _e52.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_34 = rt::Scalar(true);
+                        local_33 = rt::Scalar(true);
                     }
-                    let _e63 = local_34;
+                    let _e63 = local_33;
                     if rt::Scalar::into_branch_condition(_e63) {
                         looks = rt::Scalar(true);
                     } else {
@@ -1050,18 +1050,18 @@ impl Marked<'_> {
                         let _e138 = looks;
                         if rt::Scalar::into_branch_condition((!_e138)) {
                             let _e142 = next_3;
-                            local_35 = _e142.elementwise_lt(end_7);
+                            local_34 = _e142.elementwise_lt(end_7);
+                        } else {
+                            local_34 = rt::Scalar(false);
+                        }
+                        let _e145 = local_34;
+                        if rt::Scalar::into_branch_condition(_e145) {
+                            let _e148 = self.v_path_height(path_45, end_7);
+                            local_35 = _e148.elementwise_lt(_e71.x());
                         } else {
                             local_35 = rt::Scalar(false);
                         }
-                        let _e145 = local_35;
-                        if rt::Scalar::into_branch_condition(_e145) {
-                            let _e148 = self.v_path_height(path_45, end_7);
-                            local_36 = _e148.elementwise_lt(_e71.x());
-                        } else {
-                            local_36 = rt::Scalar(false);
-                        }
-                        let _e152 = local_36;
+                        let _e152 = local_35;
                         if rt::Scalar::into_branch_condition(_e152) {
                             let _e153 = safe_;
                             let _e154 = cost_14;
@@ -1072,11 +1072,11 @@ impl Marked<'_> {
                     let _e156 = next_3;
                     if rt::Scalar::into_branch_condition((!_e156.elementwise_lt(end_7))) {
                         let _e161 = t_32;
-                        local_37 = (!end_7.elementwise_gt(_e161));
+                        local_36 = (!end_7.elementwise_gt(_e161));
                     } else {
-                        local_37 = rt::Scalar(true);
+                        local_36 = rt::Scalar(true);
                     }
-                    let _e165 = local_37;
+                    let _e165 = local_36;
                     if rt::Scalar::into_branch_condition(_e165) {
                         let _e166 = looks;
                         if rt::Scalar::into_branch_condition(_e166) {
@@ -1130,7 +1130,7 @@ impl Marked<'_> {
         let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
         let mut slope_5: rt::Scalar<f32>;
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_46);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -1176,11 +1176,11 @@ impl Marked<'_> {
                     let _e83 = self.v_least_at(above_5, span_11);
                     let _e84 = self.v_quadratic(above_5, _e83);
                     if rt::Scalar::into_branch_condition(_e84.elementwise_gt(of_heights_1)) {
-                        local_38 = above_5.x().elementwise_gt(of_heights_1);
+                        local_37 = above_5.x().elementwise_gt(of_heights_1);
                     } else {
-                        local_38 = rt::Scalar(false);
+                        local_37 = rt::Scalar(false);
                     }
-                    let _e91 = local_38;
+                    let _e91 = local_37;
                     if rt::Scalar::into_branch_condition(_e91) {
                         if rt::Scalar::into_branch_condition(end_8.elementwise_lt(rt::Scalar(path_46.exit))) {
                             let _e94 = cell_34;
@@ -1330,9 +1330,9 @@ impl Marked<'_> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
+        let mut local_38: rt::Scalar<bool>;
         let mut local_39: rt::Scalar<bool>;
         let mut local_40: rt::Scalar<bool>;
-        let mut local_41: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_51);
         let _e4 = self.v_height_texels(rt::Scalar(path_51.level));
@@ -1383,24 +1383,24 @@ impl Marked<'_> {
                         let _e83 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e83.elementwise_ne(over.x()))) {
                             let _e90 = parent.y();
-                            local_40 = _e90.elementwise_ne(over.y());
+                            local_39 = _e90.elementwise_ne(over.y());
                         } else {
-                            local_40 = rt::Scalar(true);
+                            local_39 = rt::Scalar(true);
                         }
-                        let _e94 = local_40;
-                        local_39 = _e94;
+                        let _e94 = local_39;
+                        local_38 = _e94;
                     } else {
-                        local_39 = rt::Scalar(false);
+                        local_38 = rt::Scalar(false);
                     }
-                    let left_4 = local_39;
+                    let left_4 = local_38;
                     if rt::Scalar::into_branch_condition(left_4) {
                         let _e99 = level_27;
                         let _e100 = top_3;
-                        local_41 = _e99.elementwise_lt(_e100);
+                        local_40 = _e99.elementwise_lt(_e100);
                     } else {
-                        local_41 = rt::Scalar(false);
+                        local_40 = rt::Scalar(false);
                     }
-                    let _e103 = local_41;
+                    let _e103 = local_40;
                     if rt::Scalar::into_branch_condition(_e103) {
                         level_27 = above_level;
                     }
@@ -1648,11 +1648,11 @@ impl Marked<'_> {
         let mut near_9: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_53);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -1696,11 +1696,11 @@ impl Marked<'_> {
                         let _e81 = t_37;
                         if rt::Scalar::into_branch_condition(_e80.elementwise_lt(_e81)) {
                             let _e85 = near_gap_5;
-                            local_43 = _e85.elementwise_gt(rt::Scalar(0f32));
+                            local_42 = _e85.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_43 = rt::Scalar(false);
+                            local_42 = rt::Scalar(false);
                         }
-                        let _e89 = local_43;
+                        let _e89 = local_42;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e90 = near_9;
                             let _e91 = t_37;
@@ -1775,11 +1775,11 @@ impl Marked<'_> {
                     if rt::Scalar::into_branch_condition(params_38.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e185 = next_5;
                         let _e186 = t_37;
-                        local_44 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_53.exit))));
+                        local_43 = (!(_e185 - _e186).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_53.exit))));
                     } else {
-                        local_44 = rt::Scalar(false);
+                        local_43 = rt::Scalar(false);
                     }
-                    let _e194 = local_44;
+                    let _e194 = local_43;
                     if rt::Scalar::into_branch_condition(_e194) {
                         let _e196 = t_37;
                         let _e198 = gap;
@@ -1825,7 +1825,7 @@ impl Marked<'_> {
         let mut near_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_21: rt::Vec3<u32> = NO_COST;
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_54);
@@ -1865,11 +1865,11 @@ impl Marked<'_> {
                         let _e54 = t_38;
                         if rt::Scalar::into_branch_condition(_e53.elementwise_lt(_e54)) {
                             let _e58 = near_gap_6;
-                            local_45 = _e58.elementwise_gt(rt::Scalar(0f32));
+                            local_44 = _e58.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_45 = rt::Scalar(false);
+                            local_44 = rt::Scalar(false);
                         }
-                        let _e62 = local_45;
+                        let _e62 = local_44;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = near_10;
                             let _e64 = t_38;
@@ -1960,7 +1960,7 @@ impl Marked<'_> {
         let mut t_39: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut next_7: rt::Scalar<f32>;
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_55);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -2022,11 +2022,11 @@ impl Marked<'_> {
                         let _e118 = next_7;
                         if rt::Scalar::into_branch_condition((!_e118.elementwise_lt(end_13))) {
                             let _e123 = t_39;
-                            local_46 = (!end_13.elementwise_gt(_e123));
+                            local_45 = (!end_13.elementwise_gt(_e123));
                         } else {
-                            local_46 = rt::Scalar(true);
+                            local_45 = rt::Scalar(true);
                         }
-                        let _e127 = local_46;
+                        let _e127 = local_45;
                         if rt::Scalar::into_branch_condition(_e127) {
                             let _e128 = cost_22;
                             cost_22 = (_e128 + HEIGHTS_READ);
@@ -2160,8 +2160,8 @@ impl Marked<'_> {
         path_57: Path,
         params_42: rt::Vec4<f32>,
     ) -> SearchResult {
+        let mut local_47: rt::Scalar<bool>;
         let mut local_48: rt::Scalar<bool>;
-        let mut local_49: rt::Scalar<bool>;
 
         self.v_mark_turn(rt::Scalar(0f32));
         let _e4 = self.v_path_axes(path_57, params_42.w());
@@ -2174,17 +2174,17 @@ impl Marked<'_> {
         let _e24 = self.v_looked_up(path_57, _e4, params_42);
         let t_44 = (rt::Scalar(_e4.start) + (rt::Scalar(_e24.part) * rt::Scalar(_e4.whole)));
         if rt::Scalar::into_branch_condition((!rt::Scalar(_e24.is_hit).elementwise_eq(rt::Scalar(0u32)))) {
-            local_48 = t_44.elementwise_lt(rt::Scalar(0f32));
+            local_47 = t_44.elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_47 = rt::Scalar(true);
+        }
+        let _e39 = local_47;
+        if rt::Scalar::into_branch_condition((!_e39)) {
+            local_48 = t_44.elementwise_gt(rt::Scalar(path_57.exit));
         } else {
             local_48 = rt::Scalar(true);
         }
-        let _e39 = local_48;
-        if rt::Scalar::into_branch_condition((!_e39)) {
-            local_49 = t_44.elementwise_gt(rt::Scalar(path_57.exit));
-        } else {
-            local_49 = rt::Scalar(true);
-        }
-        let _e46 = local_49;
+        let _e46 = local_48;
         if rt::Scalar::into_branch_condition(_e46) {
             return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_57.exit), rt::Scalar(path_57.exit), rt::Scalar(1f32), rt::Scalar(1f32), cost_26);
         }
@@ -2195,11 +2195,11 @@ impl Marked<'_> {
         path_58: Path,
         params_43: rt::Vec4<f32>,
     ) -> SearchResult {
+        let mut local_49: rt::Scalar<bool>;
         let mut local_50: rt::Scalar<bool>;
         let mut local_51: rt::Scalar<bool>;
         let mut local_52: rt::Scalar<bool>;
         let mut local_53: rt::Scalar<bool>;
-        let mut local_54: rt::Scalar<bool>;
 
         self.v_mark_turn(rt::Scalar(0f32));
         let _e4 = self.v_path_axes(path_58, params_43.w());
@@ -2212,35 +2212,35 @@ impl Marked<'_> {
         let _e32 = self.v_height_size(rt::Scalar(path_58.level));
         let _e33 = self.v_is_in_footprint(_e9, _e32);
         if rt::Scalar::into_branch_condition(path_58.h.x().elementwise_eq(rt::Scalar(1f32))) {
-            local_50 = rt::Scalar(_e4.comes_in).elementwise_eq(rt::Scalar(1u32));
+            local_49 = rt::Scalar(_e4.comes_in).elementwise_eq(rt::Scalar(1u32));
+        } else {
+            local_49 = rt::Scalar(false);
+        }
+        let _e44 = local_49;
+        if rt::Scalar::into_branch_condition(_e44) {
+            local_50 = near_11.elementwise_gt(rounded_2);
         } else {
             local_50 = rt::Scalar(false);
         }
-        let _e44 = local_50;
-        if rt::Scalar::into_branch_condition(_e44) {
-            local_51 = near_11.elementwise_gt(rounded_2);
+        let _e49 = local_50;
+        if rt::Scalar::into_branch_condition(_e49) {
+            local_51 = _e33;
         } else {
             local_51 = rt::Scalar(false);
         }
-        let _e49 = local_51;
-        if rt::Scalar::into_branch_condition(_e49) {
-            local_52 = _e33;
-        } else {
-            local_52 = rt::Scalar(false);
-        }
-        let is_known = local_52;
+        let is_known = local_51;
         if rt::Scalar::into_branch_condition((!(!is_known))) {
             if rt::Scalar::into_branch_condition(params_43.z().elementwise_eq(rt::Scalar(1f32))) {
-                local_54 = path_58.h.z().elementwise_ne(rt::Scalar(0f32));
+                local_53 = path_58.h.z().elementwise_ne(rt::Scalar(0f32));
             } else {
-                local_54 = rt::Scalar(false);
+                local_53 = rt::Scalar(false);
             }
-            let _e68 = local_54;
-            local_53 = _e68;
+            let _e68 = local_53;
+            local_52 = _e68;
         } else {
-            local_53 = rt::Scalar(true);
+            local_52 = rt::Scalar(true);
         }
-        let _e70 = local_53;
+        let _e70 = local_52;
         if rt::Scalar::into_branch_condition(_e70) {
             return <SearchResult>::new(FOUND_ABOVE, rt::Scalar(0f32), rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(1f32), STEP);
         }

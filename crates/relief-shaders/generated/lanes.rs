@@ -4254,12 +4254,12 @@ stage! { fn looked_up(r: &Resources<'_>, within: M, path_a0: &Path, axes_a1: &Pa
         let ways_106 = ways_of_bend(r, ex, path_a0, &around_7, layer_98, add(lower_39, splat((if (e_99 > 1u32) { 1.0f32 } else { 0.0f32 }))));
         let of_below_109 = Vec2 { x: ways_106.x, y: ways_106.y };
         let e_114 = sub(elevation_17, below_22);
-        let mixed_116 = Vec2 { x: add(of_below_109.x, mul(sub(ways_106.z, of_below_109.x), e_114)), y: add(of_below_109.y, mul(sub(ways_106.w, of_below_109.y), e_114)) };
+        let of_azimuth_116 = Vec2 { x: add(of_below_109.x, mul(sub(ways_106.z, of_below_109.x), e_114)), y: add(of_below_109.y, mul(sub(ways_106.w, of_below_109.y), e_114)) };
         let e_117 = first_v0;
         let e_118 = first_v0;
         let e_120 = sub(turn_44, before_45);
-        let joined_122 = Vec2 { x: add(e_117.x, mul(sub(mixed_116.x, e_118.x), e_120)), y: add(e_117.y, mul(sub(mixed_116.y, e_118.y), e_120)) };
-        first_v0 = mixed_116;
+        let joined_122 = Vec2 { x: add(e_117.x, mul(sub(of_azimuth_116.x, e_118.x), e_120)), y: add(e_117.y, mul(sub(of_azimuth_116.y, e_118.y), e_120)) };
+        first_v0 = of_azimuth_116;
         let e_123 = k_v3;
         if (e_123 == 1u32) {
             low_v1 = joined_122;
@@ -4326,8 +4326,8 @@ lanes! { fn is_in_footprint(r: &Resources<'_>, within: M, square_a0: Vec2<F>, si
     both_v1 = and(e_11, lt(square_a0.x, splat(size_a1.x)));
     let e_18 = both_v1;
     both_v2 = and(e_18, lt(square_a0.y, splat(size_a1.y)));
-    let is_inside_25 = both_v2;
-    both_v3 = or(is_inside_25, splat_m((r.surface_settings.wrap != 1u32)));
+    let holds_square_25 = both_v2;
+    both_v3 = or(holds_square_25, splat_m((r.surface_settings.wrap != 1u32)));
     let e_35 = both_v3;
     return e_35;
 } }
