@@ -3,7 +3,7 @@
 #
 # What one expects: its loader returns a texture with as many layers or faces as the file has, as it does for
 # compressed files (CompressedArrayTexture, CompressedCubeTexture) and for volumes (Data3DTexture); or it refuses
-# the file. What happens: it returns a plain DataTexture of one layer's width and height, whose data is that of all
+# the file. What happens: it returns a plain DataTexture of one layer's width and height, whose data holds all
 # layers. There is neither an error nor a warning.
 #
 # The files are written by ktx-parse 1.1.0, which three.js reads them with, too, and read back here first: they have

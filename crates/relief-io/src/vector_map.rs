@@ -24,8 +24,8 @@ const BYTES_PER_TEXEL: u64 = 12;
 /// Reads a vector displacement map from a file or from the bytes of one. It uses the channels red, green
 /// and blue, or `x`, `y` and `z`.
 ///
-/// Floats are used unchanged. Unsigned integers `s` of up to 16 bit stand for `2 s / maximum - 1`, so that the
-/// middle is no displacement. At most `max_bytes` of memory are used: 12 bytes a texel.
+/// Floats are used unchanged. Unsigned integers `s` of up to 16 bit stand for `2 s / maximum - 1`: the middle
+/// is no displacement. At most `max_bytes` of memory are used: 12 bytes a texel.
 ///
 /// ```no_run
 /// let map = relief_io::read_vector_map(std::path::Path::new("ear.exr"), 1 << 30)?;

@@ -3,8 +3,8 @@
 use glam::{DVec3, Vec3};
 use relief_core::mesh::{RawCorner, RawMesh};
 
-/// Steps of the sheet's places along a tile. In `f32` they are exact as far as [`VectorSheet::FAR`], so that the sheet's
-/// images in all tiles join.
+/// Steps of the sheet's places along a tile. In `f32` they are exact as far as [`VectorSheet::FAR`], so the
+/// sheet's images in all tiles join.
 const STEPS: f64 = (1u32 << 20) as f64;
 
 /// Room above and below the sheet, as a part of its extent, and in tiles for a level one.
@@ -49,7 +49,7 @@ impl VectorSheet {
     /// Bytes of memory for a texel, with the vector.
     pub const BYTES_PER_TEXEL: u64 = 160;
 
-    /// Tiles by which a vector moves its point at most, less than what [`crate::shell_map::map_shells`] takes.
+    /// Tiles by which a vector moves its point at most: fewer than [`crate::shell_map::map_shells`] takes.
     pub const FAR: f64 = 14.0;
 }
 

@@ -94,7 +94,8 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
         if arguments.json {
             let about = json!({
                 "output": output, "motif": motif, "triangles": triangles, "vertices": vertices,
-                "scale_m": given.unit_m, "bias_m": bias_m, "axes": given.axes.map(Axes::name), "open_edges": map.open_edges, "folded": map.folded,
+                "scale_m": given.unit_m, "bias_m": bias_m, "axes": given.axes.map(Axes::name),
+                "open_edges": map.open_edges, "folded": map.folded,
                 "without_area": map.without_area, "beyond": map.beyond, "bytes": bytes, "notes": notes,
                 "seconds": seconds,
             });

@@ -54,7 +54,7 @@ pub struct Vectors {
     pub note: Option<String>,
 }
 
-/// Reads a map, and makes the sheet for tiles of that size in metres, where a vector of length 1 is `unit_m` long.
+/// Reads a map, and makes the sheet for tiles of that size in metres. A vector of length 1 is `unit_m` long.
 pub fn read(file: &Path, axes: Axes, tile_m: [f64; 2], unit_m: f64, limit: u64) -> Result<Vectors, Failure> {
     let name = file.display();
     let map = read_vector_map(file, limit).map_err(|error| match error.problem {
