@@ -144,7 +144,8 @@ pub fn point_light(text: &str) -> Result<LightSpec, String> {
 
 /// Rounds a number to six significant digits.
 pub fn six_digits(number: f64) -> f64 {
-    format!("{number:.5e}").parse().unwrap_or(number)
+    // The sum has no sign where it is zero.
+    format!("{number:.5e}").parse().unwrap_or(number) + 0.0
 }
 
 #[cfg(test)]
@@ -158,6 +159,7 @@ mod tests {
             (1.0 / 3e7, "0.0000000333333"),
             (839.999_999_9, "840"),
             (0.0, "0"),
+            (-0.0, "0"),
             (-1.5, "-1.5"),
         ] {
             assert_eq!(six_digits(number).to_string(), expected);

@@ -48,7 +48,8 @@ fn draw(selection: &Selection, program: &Program) -> Draw {
         Proposal::Shells => (BOX_VERTICES, "1, of a two-sided mesh 2", "front"),
     };
     let depth = program.depth;
-    Draw { vertices_per_triangle, instances, cull, front_face: "counter-clockwise", depth }
+    let blend = if selection.is_translucent() { "premultiplied" } else { "none" };
+    Draw { vertices_per_triangle, instances, cull, front_face: "counter-clockwise", depth, blend }
 }
 
 fn bound(program: &Program, binding: &Binding, needs: &[MapNeed], options: &Options) -> Bound {

@@ -66,15 +66,24 @@ fn hold<'a>(manifest: &'a Manifest, name: &str, held: &mut BTreeSet<&'a str>) {
 
 /// The draw call in words.
 fn drawn(draw: &Draw) -> String {
-    let Draw { vertices_per_triangle, instances, cull, front_face, depth } = draw;
-    let depth = if *depth { "Fragments write depth" } else { "Fragments leave depth to the triangles" };
+    let Draw { vertices_per_triangle, instances, cull, front_face, depth, blend } = draw;
+    let depth =
+        if *depth { "Fragments give their own depth" } else { "Fragments leave depth to the triangles" };
+    let blended = match *blend {
+        "none" => "",
+        _ => {
+            "// Colours are premultiplied by their alpha: they are added to what is behind, times 1 - alpha.\n\
+             // Draw the triangles from the farthest to the nearest, behind what is opaque, and test depths\n\
+             // without writing them.\n"
+        }
+    };
     format!(
         "// Drawn without vertex buffers: {vertices_per_triangle} vertices for each triangle; \
          instances: {instances}.\n\
          // Culled: {cull}; front faces are {front_face} in the picture. {depth}.\n\
          // Fragments hold linear colours. frame.view_projection gives the clip space. Rays are made from\n\
          // the fragment's position, by frame.corner, which belongs to (0, 0), frame.right and\n\
-         // frame.down.\n"
+         // frame.down.\n{blended}"
     )
 }
 

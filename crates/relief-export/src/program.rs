@@ -36,6 +36,7 @@ impl Program {
     pub fn new(selection: &Selection, options: &Options) -> Result<Self, ExportError> {
         let Paths { proposal, shown, .. } = *selection.paths();
         let (root, depth) = match proposal {
+            Proposal::Shells if selection.is_translucent() => (Root::DrawTranslucent, true),
             Proposal::Shells if shown == Shown::Object => (Root::DrawObjects, true),
             Proposal::Shells => (Root::DrawShells, true),
             Proposal::Polygons if options.depth => (Root::DrawDepth, true),

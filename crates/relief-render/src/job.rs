@@ -146,6 +146,6 @@ pub struct Rendering {
 pub fn uncovered() -> PixelOut {
     PixelOut::new(
         [0.0; 4], 0u32, 0u32, [0.0; 2], 0.0, [0.0; 3], [0.0; 3], 0.0, 0.0, [0; 2], 0u32, 0u32, 0u32, 0.0,
-        0u32, 0.0, 0u32,
+        0u32, 0.0, 0u32, 1.0,
     )
 }

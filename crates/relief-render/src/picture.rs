@@ -13,9 +13,26 @@ use relief_scene::environment::Environment;
 use relief_scene::tone::Tone;
 
 /// Names of the channels of [`aov`], in order.
-pub const AOV_CHANNELS: [&str; 18] = [
-    "hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "steps",
-    "bytes", "lit", "level", "z", "surface",
+pub const AOV_CHANNELS: [&str; 19] = [
+    "hit",
+    "uv.x",
+    "uv.y",
+    "height",
+    "P.x",
+    "P.y",
+    "P.z",
+    "N.x",
+    "N.y",
+    "N.z",
+    "depth",
+    "reads",
+    "steps",
+    "bytes",
+    "lit",
+    "level",
+    "z",
+    "surface",
+    "transmittance",
 ];
 
 /// Least number of pixels of a row that a core takes.
@@ -116,14 +133,16 @@ pub fn srgb8(rendering: &Rendering, scene: &Scene) -> Vec<u8> {
     linear(rendering, scene).into_iter().flat_map(|colour| srgb(colour).map(byte)).collect()
 }
 
-/// Returns the numbers of a pixel, one for each of [`AOV_CHANNELS`]. All are 0 where its centre
-/// shows no surface.
+/// Returns the numbers of a pixel, one for each of [`AOV_CHANNELS`]. All but the last are 0 where its
+/// centre shows no opaque surface.
 pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
     if pixel.hit == 0 {
-        return [0.0; AOV_CHANNELS.len()];
+        let mut nothing = [0.0; AOV_CHANNELS.len()];
+        nothing[AOV_CHANNELS.len() - 1] = pixel.transmittance;
+        return nothing;
     }
-    let PixelOut { uv, height, position, normal, depth, reads, steps, bytes, lit, level, z, surface, .. } =
-        pixel;
+    let PixelOut { uv, height, position, normal, depth, reads, steps, bytes, lit, .. } = pixel;
+    let PixelOut { level, z, surface, transmittance, .. } = pixel;
     [
         1.0,
         uv.x,
@@ -143,6 +162,7 @@ pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
         *level as f32,
         *z,
         *surface as f32,
+        *transmittance,
     ]
 }
 
@@ -154,7 +174,8 @@ pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
 /// and `bytes` are the ray's [cost](relief_core::Cost); `lit` is the share of the first light that
 /// arrives, from 0 to 1; `level` is the level of detail; `z` is the value in the scene's [depth
 /// buffer](relief_scene::depth_buffer::DepthBuffer) ; `surface` is the surface's number in the
-/// scene. Pixels that no surface covers are 0 throughout.
+/// scene; `transmittance` is the share of light from behind that comes through the translucent surfaces, 1 without
+/// any. All but that belongs to opaque surfaces, and is 0 where there is none.
 pub fn aov(rendering: &Rendering) -> Vec<(&'static str, Vec<f32>)> {
     let plane = |place: usize| rendering.pixels.iter().map(|pixel| aov_of(pixel)[place]).collect();
     AOV_CHANNELS.into_iter().enumerate().map(|(place, name)| (name, plane(place))).collect()

@@ -252,6 +252,7 @@ pub struct PixelOutBlock {
     pub level: [u32; BLOCK],
     pub z: [f32; BLOCK],
     pub surface: [u32; BLOCK],
+    pub transmittance: [f32; BLOCK],
 }
 
 impl Default for PixelOutBlock {
@@ -274,6 +275,7 @@ impl Default for PixelOutBlock {
             level: [0u32; BLOCK],
             z: [0f32; BLOCK],
             surface: [0u32; BLOCK],
+            transmittance: [0f32; BLOCK],
         }
     }
 }
@@ -308,6 +310,7 @@ impl PixelOutBlock {
         self.level[at] = value.level;
         self.z[at] = value.z;
         self.surface[at] = value.surface;
+        self.transmittance[at] = value.transmittance;
     }
 
     /// The one in a place.
@@ -331,6 +334,7 @@ impl PixelOutBlock {
             level: self.level[at],
             z: self.z[at],
             surface: self.surface[at],
+            transmittance: self.transmittance[at],
         }
     }
 }

@@ -140,6 +140,8 @@ pub const MODULES: &[Module] = &[
 //
 // Kautz and Seidel 2001, section 4.
 "# },
+    Module { path: "shared/patch_normal", head: r#"// Normals of the surface's patches, without a pixel's footprint.
+"# },
     Module { path: "shared/path", head: r#"// Points of a path, and the hit at one of them.
 "# },
     Module { path: "shared/path_axes", head: r#"// Axes of view-dependent maps: azimuth, elevation and bend of a path, from where it comes in at the top.
@@ -218,12 +220,30 @@ pub const MODULES: &[Module] = &[
 // texels, and its points lie at equal distances on the base. A fixed pattern fills the inside, or
 // the voxels themselves do. All data of a side follows from its two ends, so that neighbours meet.
 "# },
+    Module { path: "shared/translucent", head: r#"// Light through a volume that absorbs and scatters it, as far as the volume's values say: no surface is
+// hit, and the light that is scattered toward the eye is gathered along the ray.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 5.2, after Dufort, Leblanc and Poulin 2005: the ray walks
+// through the voxels in the shells of the triangles. What is nearer hides what is farther, by the
+// transmittance up to there; the volume absorbs the light on its way to the eye, and shadows itself by
+// walks toward the lights.
+//
+// The parameters of the search say: `x` the extinction, per metre, where the volume is 1; `y` how often
+// a ray looks at the light until nothing comes through, besides once in each segment; `z` the most cells
+// of a walk.
+"# },
+    Module { path: "shared/transmittance", head: r#"// The part of light that comes through an optical depth: e to the power of minus that depth (Beer and
+// Lambert).
+"# },
     Module { path: "shared/types", head: r#"// Structs that the stages hand to each other. The Rust side of these structs is written by the
 // linker.
 "# },
     Module { path: "shared/under", head: r#"// Paths that begin under the surface, such as rays that enter a shell from the inside of a mesh.
 "# },
     Module { path: "shared/volume", head: r#"// The trilinear field of a volume: values and normals at a place, and rays from a hit toward a light.
+"# },
+    Module { path: "shared/voxel_cells", head: r#"// The dual cells of a volume along a path, in order; the cells that a baked map promises to be empty
+// together.
 "# },
     Module { path: "shared/voxel_walk", head: r#"// Walks over the dual cells of a volume along a path, in order.
 //
@@ -467,6 +487,12 @@ pub const MODULES: &[Module] = &[
 // `cells` does. `params.x` caps the reads, `params.z` is the number of slices. With `params.y` 0 it
 // is as published: the search ends where the field allows no further step.
 "# },
+    Module { path: "search/translucent", head: r#"// Where a path comes upon a translucent volume: the first cell in which it is not empty.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 5.2. Renderers gather light from there on, see
+// `shared/translucent`. The map is relief-bake's kind `volume-distance`, to cells that are not empty.
+// `params.z` is the most cells.
+"# },
     Module { path: "search/view_dependent", head: r#"// The first hit by place, azimuth, elevation and bend, baked: a view-dependent displacement map.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 6.3, after Wang and others 2003. One look-up gives the hit of a ray that
@@ -662,9 +688,17 @@ pub const MODULES: &[Module] = &[
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula.
 "# },
+    Module { path: "roots/compose", head: r#"// The passes before and behind those over translucent surfaces on the GPU: one says how far a ray may
+// go, the other lays what was gathered over the opaque surface, from the farthest to the nearest.
+"# },
     Module { path: "roots/draw", head: r#"// A surface in a single pass, for any engine: the base mesh is rasterised, every fragment's ray
 // traced, and its hit shaded. A program with other meshes calls `shade_pixel` from a fragment
 // function of its own.
+"# },
+    Module { path: "roots/gather", head: r#"// A pass over a translucent surface on the GPU, after the opaque ones: every pixel's ray goes through
+// the segments of all shells that it meets, in the order in which they begin.
+//
+// A ray remembers the next few segments. When it is through with them, it looks for the next.
 "# },
     Module { path: "roots/paths", head: r#"// Search and refinement over a list of paths: for programs that trace on a GPU without drawing, and
 // for measurements of different searches over the same paths.
@@ -909,6 +943,13 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &["ShellNode"],
         text: r#"@group(2) @binding(4) var<storage, read> shell_nodes: array<ShellNode>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "gathered",
+        sampling: None,
+        uses: &["Gathered"],
+        text: r#"@group(2) @binding(5) var<storage, read_write> gathered: array<Gathered>;"#,
     },
     Declaration {
         module: "bindings",
@@ -1378,6 +1419,20 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &[],
         text: r#"const SURFACE_STAGE = 1u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SEARCH_STAGE",
+        sampling: None,
+        uses: &[],
+        text: r#"const SEARCH_STAGE = 6u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SHADOW_STAGE",
+        sampling: None,
+        uses: &[],
+        text: r#"const SHADOW_STAGE = 9u;"#,
     },
     Declaration {
         module: "constants",
@@ -3060,7 +3115,7 @@ fn way_chord(
         module: "shared/folded",
         name: "before_turn",
         sampling: None,
-        uses: &["Prism", "TURN_STEPS", "Way", "between", "way_point"],
+        uses: &["Prism", "TURN_STEPS", "Way", "way_point"],
         text: r#"// The part of a chord that is not turned inside out, if the way turns back in it; otherwise the
 // whole chord.
 fn before_turn(prism: Prism, along: vec3f, way: Way, chord: vec2f) -> vec2f {
@@ -4070,24 +4125,6 @@ const PLANE_REACH = 16.0;"#,
     },
     Declaration {
         module: "shared/light_map",
-        name: "patch_normal",
-        sampling: None,
-        uses: &["Entered", "height_and_slope", "surface_settings"],
-        text: r#"// The unit normal of the surface's patch, or of the triangle, at a placed hit.
-fn patch_normal(at: Entered, uv: vec2f) -> vec3f {
-    if (surface_settings.has_vertex_normals == 1u) {
-        let facet = normalize(at.facing);
-        return facet * select(-1.0, 1.0, dot(facet, at.normal) >= 0.0);
-    }
-    let known = height_and_slope(uv, at.level);
-    let along_u = at.tangent + at.normal * (known.y * surface_settings.scale_m);
-    let along_v = at.bitangent + at.normal * (known.z * surface_settings.scale_m);
-    let across = normalize(cross(along_v, along_u));
-    return across * select(-1.0, 1.0, dot(across, at.normal) >= 0.0);
-}"#,
-    },
-    Declaration {
-        module: "shared/light_map",
         name: "light_place",
         sampling: None,
         uses: &["LightView"],
@@ -4206,18 +4243,28 @@ fn seen_part(number: u32, at: Entered, normal: vec3f, place: vec3f, filter_width
         module: "shared/light_map",
         name: "light_seen",
         sampling: None,
-        uses: &["Entered", "LEAST_FILTER", "frame", "holds_filter", "light_place", "patch_normal", "seen_part"],
+        uses: &["Entered", "Hit", "field_patch_normal_stage", "frame", "patch_seen"],
         text: r#"// The part of a light that arrives at a placed hit, by the first of the light's shadow maps that
 // holds the hit. A hit in none of them is lit.
-fn light_seen(at: Entered, uv: vec2f, number: u32, toward: vec3f, filter_texels: f32, bias: f32) -> f32 {
-    let light = frame.lights[number];
-    if (light.views == 0u) {
+fn light_seen(at: Entered, hit: Hit, number: u32, toward: vec3f, filter_texels: f32, bias: f32) -> f32 {
+    if (frame.lights[number].views == 0u) {
         return 1.0;
     }
-    let normal = patch_normal(at, uv);
+    let normal = field_patch_normal_stage(at, hit);
     if (!(dot(normal, toward) > 0.0)) {
         return 0.0;
     }
+    return patch_seen(at, normal, number, filter_texels, bias);
+}"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "patch_seen",
+        sampling: None,
+        uses: &["Entered", "LEAST_FILTER", "frame", "holds_filter", "light_place", "seen_part"],
+        text: r#"// The part of a light that arrives at a placed point of a patch with that normal.
+fn patch_seen(at: Entered, normal: vec3f, number: u32, filter_texels: f32, bias: f32) -> f32 {
+    let light = frame.lights[number];
     let width = max(filter_texels, LEAST_FILTER);
     var k = light.first_view;
     while (k < light.first_view + light.views) {
@@ -5041,7 +5088,7 @@ const MOST_ROUNDS = 256u;"#,
         module: "shared/object",
         name: "first_in_all",
         sampling: None,
-        uses: &["AGREED", "Entered", "FirstHit", "Hit", "MOST_ROUNDS", "NO_COST", "PixelIn", "beginning_at", "hit_on_segment", "metres_on", "miss", "reached", "segment_of", "trace"],
+        uses: &["AGREED", "Entered", "FirstHit", "Hit", "MOST_ROUNDS", "NO_COST", "PixelIn", "beginning_at", "hit_on_segment", "metres_on", "miss", "segment_of", "trace"],
         text: r#"// The first point of a ray at which all images allow the object.
 fn first_in_all(pixel: PixelIn, at: Entered) -> FirstHit {
     var cost = NO_COST;
@@ -5150,7 +5197,7 @@ fn metric_of_image(image: Image, depth: f32) -> vec4f {
         module: "shared/object_path",
         name: "OnImage",
         sampling: None,
-        uses: &["is_inside"],
+        uses: &[],
         text: r#"// A point as an image sees it: the texture coordinates, the value that is compared with the map,
 // and the map.
 struct OnImage {
@@ -5165,7 +5212,7 @@ struct OnImage {
         module: "shared/object_path",
         name: "on_image",
         sampling: None,
-        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "Image", "OnImage", "beyond_image", "cell_of", "depth_in_image", "height_size", "is_inside", "object_cell_stage", "object_parts_stage", "surface_settings"],
+        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "Image", "OnImage", "beyond_image", "cell_of", "depth_in_image", "height_size", "object_cell_stage", "object_parts_stage", "surface_settings"],
         text: r#"fn on_image(image: Image, point: vec3f) -> OnImage {
     let depth = depth_in_image(image, point);
     let u = (dot(image.u.xyz, point) + image.u.w) / depth;
@@ -5328,6 +5375,24 @@ fn placed_in_image(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entered
         placed.facing = placed.normal;
     }
     return placed;
+}"#,
+    },
+    Declaration {
+        module: "shared/patch_normal",
+        name: "patch_normal",
+        sampling: None,
+        uses: &["Entered", "height_and_slope", "surface_settings"],
+        text: r#"// The unit normal of the surface's patch, or of the triangle, at a placed hit.
+fn patch_normal(at: Entered, uv: vec2f) -> vec3f {
+    if (surface_settings.has_vertex_normals == 1u) {
+        let facet = normalize(at.facing);
+        return facet * select(-1.0, 1.0, dot(facet, at.normal) >= 0.0);
+    }
+    let known = height_and_slope(uv, at.level);
+    let along_u = at.tangent + at.normal * (known.y * surface_settings.scale_m);
+    let along_v = at.bitangent + at.normal * (known.z * surface_settings.scale_m);
+    let across = normalize(cross(along_v, along_u));
+    return across * select(-1.0, 1.0, dot(across, at.normal) >= 0.0);
 }"#,
     },
     Declaration {
@@ -5952,6 +6017,7 @@ fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIG
             0u,
             0.0,
             0u,
+            1.0,
         );
     }
     let height = field_height_stage(hit.uv, hit.height, at.level);
@@ -5978,6 +6044,7 @@ fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIG
         at.level,
         z_of(at.depth),
         surface_settings.number,
+        1.0,
     );
 }"#,
     },
@@ -6401,7 +6468,7 @@ fn corner_varying(vertex: u32) -> Varying {
         module: "shared/rasterised",
         name: "box_varying",
         sampling: None,
-        uses: &["BOX_VERTICES", "Varying", "box_corner", "clip_of", "numbered_triangle", "turned"],
+        uses: &["BOX_VERTICES", "Varying", "box_corner", "clip_of", "numbered_triangle"],
         text: r#"// A vertex of the box around a triangle's shell. The far sides of the box are drawn, and its whole
 // volume is searched for the shell. If `turned` is 1, the triangle is turned over.
 fn box_varying(vertex: u32, turned: u32) -> Varying {
@@ -6470,7 +6537,7 @@ struct ShellNode {
         name: "Record",
         sampling: None,
         uses: &[],
-        text: r#"// A pixel as it is read back: 23 words, and one for padding.
+        text: r#"// A pixel as it is read back: 24 words.
 struct Record {
     color: vec4f,
     position: vec3f,
@@ -6488,6 +6555,7 @@ struct Record {
     bytes: u32,
     lit: f32,
     z: f32,
+    transmittance: f32,
 }"#,
     },
     Declaration {
@@ -6519,6 +6587,18 @@ struct Probe {
     lit: f32,
     // The key that orders the hit among others of the ray.
     key: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/records",
+        name: "nothing_seen",
+        sampling: None,
+        uses: &["Record"],
+        text: r#"// The record of a pixel that shows no surface.
+fn nothing_seen() -> Record {
+    var record = Record();
+    record.transmittance = 1.0;
+    return record;
 }"#,
     },
     Declaration {
@@ -6608,7 +6688,7 @@ struct Normals {
         module: "shared/seen_normals",
         name: "SeenNormals",
         sampling: None,
-        uses: &["SeenTable", "table_part", "upright"],
+        uses: &["SeenTable"],
         text: r#"// The normals within a footprint as an eye sees them.
 struct SeenNormals {
     // The direction of the mean normal, in the world.
@@ -6665,7 +6745,7 @@ fn one_seen(normal: vec3f) -> SeenNormals {
         module: "shared/seen_normals",
         name: "means_of_one",
         sampling: None,
-        uses: &["LEAST_UPRIGHT", "Normals", "upright"],
+        uses: &["LEAST_UPRIGHT", "Normals"],
         text: r#"// The means of one normal.
 fn means_of_one(n: vec3f) -> Normals {
     let upright = max(n.z, LEAST_UPRIGHT);
@@ -6740,7 +6820,7 @@ fn mean_of_five(middle: f32, four: f32) -> f32 {
         module: "shared/seen_normals",
         name: "seen_normals",
         sampling: None,
-        uses: &["APART", "Entered", "LEAST_DEVIATION", "LEAST_SEEN", "LEAST_UPRIGHT", "Normals", "OUTER", "SeenNormals", "facing_four", "from_tangent_space", "mean_of_five", "no_table", "sum_of_four", "to_tangent_space", "upright"],
+        uses: &["APART", "Entered", "LEAST_DEVIATION", "LEAST_SEEN", "LEAST_UPRIGHT", "Normals", "OUTER", "SeenNormals", "facing_four", "from_tangent_space", "mean_of_five", "no_table", "sum_of_four", "to_tangent_space"],
         text: r#"// The normals of an area as an eye in direction `view` sees them. A part of the area with slope s
 // covers as much of its view as v - s, that is vz - (vx sx + vy sy). It covers nothing where that
 // is below 0.
@@ -6859,7 +6939,7 @@ fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
         module: "shared/seen_normals",
         name: "mesostructure_normals",
         sampling: None,
-        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "has_table", "levels_of", "means_of_one", "normals_of_level", "one_seen", "seen_normals", "surface_settings", "table_of", "table_part", "to_tangent_space", "upright", "with_table"],
+        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "has_table", "levels_of", "means_of_one", "normals_of_level", "one_seen", "seen_normals", "surface_settings", "table_of", "table_part", "to_tangent_space", "with_table"],
         text: r#"// The normals within the footprint of a point that an eye in direction `view` sees.
 fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
     if (surface_settings.has_vertex_normals == 1u) {
@@ -7021,7 +7101,7 @@ fn has_table(levels: Levels) -> bool {
         module: "shared/seen_table",
         name: "table_of",
         sampling: None,
-        uses: &["Entered", "Levels", "SEEN_AZIMUTHS", "SEEN_ELEVATIONS", "SLOT_DETAIL", "SeenPlace", "SeenTable", "climb", "height_texels", "seen_between", "seen_in_levels", "surface_settings", "texels_around", "turn_of", "upright"],
+        uses: &["Entered", "Levels", "SEEN_AZIMUTHS", "SEEN_ELEVATIONS", "SLOT_DETAIL", "SeenPlace", "SeenTable", "climb", "height_texels", "seen_between", "seen_in_levels", "surface_settings", "texels_around", "turn_of"],
         text: r#"// The visible normals around a place for an eye in direction `view`, between the four directions of
 // the table around it.
 fn table_of(at: Entered, uv: vec2f, view: vec3f, levels: Levels) -> SeenTable {
@@ -7199,7 +7279,7 @@ struct MapSettings {
         module: "shared/settings",
         name: "SurfaceSettings",
         sampling: None,
-        uses: &["Choice", "MAP_SLOTS", "MapSettings", "STAGES", "height_size"],
+        uses: &["Choice", "MAP_SLOTS", "MapSettings", "STAGES"],
         text: r#"// Settings of a surface: its maps, displacement, material and method.
 struct SurfaceSettings {
     // For each stage, in the order in which a pixel goes through them.
@@ -7285,6 +7365,8 @@ struct SurfaceSettings {
     volume: vec4u,
     // Opacities of the colour map below this are holes.
     cutoff: f32,
+    // The surface's number among the translucent ones, and how many there are; zeros for opaque ones.
+    translucent: vec2u,
 }"#,
     },
     Declaration {
@@ -8281,7 +8363,7 @@ fn seen_along(at: vec3i, axis: u32) -> vec3i {
         module: "shared/sweep",
         name: "longest_of",
         sampling: None,
-        uses: &["between"],
+        uses: &[],
         text: r#"// The distance of two voxels along the axis along which they are farthest apart.
 fn longest_of(between: vec3i) -> i32 {
     let along = abs(between);
@@ -8857,7 +8939,7 @@ const TEXELS_INSIDE = 0.515625;"#,
         module: "shared/tessellation",
         name: "Tessellation",
         sampling: None,
-        uses: &["is_swept"],
+        uses: &[],
         text: r#"// Settings of a tessellated base: the view, and the sizes of the base.
 struct Tessellation {
     // The eye, and unit vectors of the camera.
@@ -9233,7 +9315,7 @@ fn relief_between_levels(uv: vec2f, level: f32) -> vec3f {
         module: "shared/tessellation",
         name: "sloped_uv",
         sampling: None,
-        uses: &["TEXELS_INSIDE", "WRAP_CLAMP", "height_size", "is_inside", "surface_settings"],
+        uses: &["TEXELS_INSIDE", "WRAP_CLAMP", "height_size", "surface_settings"],
         text: r#"// The place where the slope of a vertex is taken: on the edge of a clamped map in the cells inside.
 // Nothing is known of the ground beyond, and tiles of a terrain must meet without a rim.
 fn sloped_uv(uv: vec2f, level: f32) -> vec2f {
@@ -9263,7 +9345,7 @@ fn level_at(grid: Tessellation, site: BaseSite) -> f32 {
         module: "shared/tessellation",
         name: "displaced_derivative",
         sampling: None,
-        uses: &["turned"],
+        uses: &[],
         text: r#"// The derivative of a displaced position by a texture coordinate: of the base in the plane at right
 // angles to its normal, of the displacement, and of its direction.
 fn displaced_derivative(along: vec3f, up: vec3f, rise: vec3f, turned: vec3f) -> vec3f {
@@ -9300,6 +9382,473 @@ fn displaced_site(grid: Tessellation, site: BaseSite) -> Corner {
         normal = up;
     }
     return Corner(position, normal, along, down, site.uv, vec3f(0.0, 0.0, 0.0));
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "LEAST_TRANSMITTANCE",
+        sampling: None,
+        uses: &[],
+        text: r#"// The transmittance from which on nothing more is gathered: less than 1/255 of what a picture can show.
+const LEAST_TRANSMITTANCE = 0.00006103515625;"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "PIECE_HALVINGS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Halvings of a way through a cell. Where a volume is so dense that they do not suffice, it is a surface.
+const PIECE_HALVINGS = 24u;"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "MOST_CELLS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Cells that are looked at together, unless what they scatter is less than this part of a look's share.
+// The light changes from voxel to voxel where a volume shadows itself.
+const MOST_CELLS = 2u;"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "LEAST_SHARE",
+        sampling: None,
+        uses: &[],
+        text: r#"const LEAST_SHARE = 0.125;"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "DARK_DEPTH",
+        sampling: None,
+        uses: &[],
+        text: r#"// The optical depth at which a walk toward a light ends: the light is gone.
+const DARK_DEPTH = 8.0;"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "EVENLY",
+        sampling: None,
+        uses: &[],
+        text: r#"// The part of a light's irradiance that leaves toward the eye, for each part that is scattered: the same
+// in all directions. A white surface that faces the light scatters four times as much toward its own
+// side.
+const EVENLY = 0.25;"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "nothing_gathered",
+        sampling: None,
+        uses: &["Gathered", "NEVER"],
+        text: r#"// A ray before it comes upon a volume, and up to which place of the ray something opaque lets it.
+fn nothing_gathered(reach_m: f32) -> Gathered {
+    return Gathered(vec3f(0.0, 0.0, 0.0), 1.0, NEVER, 0.0 - NEVER, reach_m, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "reach_of_hit",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// Metres along a ray to an opaque hit, from its depth along the view axis; NEVER without one.
+fn reach_of_hit(found: u32, depth: f32, direction: vec3f) -> f32 {
+    return select(NEVER, depth * length(direction), found == 1u);
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "goes_on",
+        sampling: None,
+        uses: &["Gathered", "LEAST_TRANSMITTANCE"],
+        text: r#"// Whether there may be more to gather.
+fn goes_on(seen: Gathered) -> bool {
+    return seen.transmittance > LEAST_TRANSMITTANCE;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "field_between",
+        sampling: None,
+        uses: &["SURFACE_VALUE", "VoxelCell", "VoxelPath", "gap_in_cell"],
+        text: r#"// The integral of the field along a path between two parameters in a cell.
+fn field_between(way: VoxelPath, cell: vec3f, corners: VoxelCell, begin: f32, end: f32) -> f32 {
+    let gap = gap_in_cell(way, cell, corners, begin, end - begin);
+    let mean = gap.a + gap.b * 0.5 + gap.c * 0.33333334 + gap.d * 0.25 + gap.e * 0.2;
+    return max(SURFACE_VALUE - mean, 0.0) * (end - begin);
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "field_along",
+        sampling: None,
+        uses: &["DARK_DEPTH", "NEVER", "Path", "field_between", "first_part", "next_part", "turning_point", "voxel_cell", "voxel_path"],
+        text: r#"// The integral of the field along a path, in metres; but for the rest of it once its optical depth is
+// DARK_DEPTH.
+fn field_along(path: Path, params: vec4f) -> f32 {
+    let way = voxel_path(path);
+    let turn = turning_point(way);
+    let enough = DARK_DEPTH / max(params.x, 1.0 / NEVER);
+    let limit = u32(params.z);
+    var sum = 0.0;
+    var part = first_part(path, way, turn);
+    var cells = 1u;
+    var goes = true;
+    while (goes) {
+        if (part.empty < 0.0) {
+            sum = sum + field_between(way, part.cell, voxel_cell(vec3i(part.cell)), part.begin, part.end);
+        }
+        goes = part.is_last == 0u && cells < limit && sum < enough;
+        if (goes) {
+            part = next_part(path, way, turn, part);
+            cells = cells + 1u;
+        }
+    }
+    return sum;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "optical_depth",
+        sampling: None,
+        uses: &["Path", "SEARCH_STAGE", "field_along", "surface_settings"],
+        text: r#"// The optical depth of a volume along a path, up to a little more than DARK_DEPTH.
+fn optical_depth(path: Path) -> f32 {
+    let params = surface_settings.choices[SEARCH_STAGE].params;
+    return field_along(path, params) * params.x;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "arriving",
+        sampling: None,
+        uses: &["Entered", "Hit", "NEVER", "Path", "RAY_VIEW", "SHADOW_STAGE", "Toward", "WRAP_CLAMP", "climb", "inside_unit", "near_uv", "optical_depth", "patch_seen", "surface_settings", "transmittance_of"],
+        text: r#"// The part of a light that arrives at a place in the volume: through the volume of the same surface, in
+// the frame of the place, and by the shadow maps if they are looked up.
+fn arriving(at: Entered, hit: Hit, toward: Toward) -> f32 {
+    if (surface_settings.has_shadows == 0u) {
+        return 1.0;
+    }
+    let change = climb(at, toward.direction);
+    let end = select(0.0, 1.0, change.z > 0.0);
+    let across = (end - hit.height) / change.z;
+    let uv = near_uv(hit.uv);
+    var interval = vec2f(0.0, min(select(NEVER, across, change.z != 0.0), toward.distance));
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        interval = inside_unit(uv.x, change.x, interval);
+        interval = inside_unit(uv.y, change.y, interval);
+    }
+    let h = vec3f(hit.height, change.z, 0.0);
+    let path = Path(uv, change.xy, h, interval.y, 0.0, at.metric, RAY_VIEW, at.level, 0.0, 1.0, 0.0);
+    var part = 1.0;
+    if (path.exit > 0.0) {
+        part = transmittance_of(optical_depth(path));
+    }
+    let shadow = surface_settings.choices[SHADOW_STAGE].params;
+    if (shadow.x > 0.0) {
+        // A small disc that faces the light.
+        part = part * patch_seen(at, toward.direction, toward.number, shadow.z, shadow.w);
+    }
+    return part;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "light_around",
+        sampling: None,
+        uses: &["Entered", "Hit", "Material", "NO_COST", "Path", "ambient_stage"],
+        text: r#"// The light from all around that a white volume scatters: the mean over six directions, which serves all
+// lights that change slowly with the direction.
+fn light_around(at: Entered, path: Path) -> vec3f {
+    let hit = Hit(1u, 0u, path.uv, path.h.x, 0.0, NO_COST);
+    let zero = vec3f(0.0, 0.0, 0.0);
+    let white = vec3f(1.0, 1.0, 1.0);
+    let material = Material(white, zero, zero, white, zero, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.0);
+    var light = zero;
+    var k = 0u;
+    while (k < 6u) {
+        let along = select(-1.0, 1.0, (k & 1u) == 0u);
+        let axis = k >> 1u;
+        let normal = vec3f(
+            select(0.0, along, axis == 0u), select(0.0, along, axis == 1u), select(0.0, along, axis == 2u)
+        );
+        light = light + ambient_stage(at, hit, normal, normal, material);
+        k = k + 1u;
+    }
+    return light * 0.16666667;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "scattered",
+        sampling: None,
+        uses: &["EVENLY", "Entered", "Hit", "NO_COST", "Path", "PixelIn", "arriving", "color_or_white", "frame", "path_height", "path_uv", "place_on_segment", "surface_settings", "toward_light"],
+        text: r#"// The light that the volume scatters toward the eye at a place of a path, where it is dense. Light is
+// scattered once, the same in all directions. The volume's own light is added.
+fn scattered(pixel: PixelIn, at: Entered, path: Path, t: f32, around: vec3f) -> vec3f {
+    let hit = Hit(1u, 0u, path_uv(path, t), path_height(path, t), t, NO_COST);
+    let placed = place_on_segment(pixel, at, path, hit);
+    let albedo = surface_settings.diffuse.xyz * color_or_white(hit.uv, at.footprint);
+    var light = around;
+    var k = 0u;
+    while (k < frame.light_count) {
+        let toward = toward_light(k, placed.point);
+        let part = arriving(placed, hit, toward) * toward.falloff;
+        light = light + frame.lights[k].color.xyz * (EVENLY * part);
+        k = k + 1u;
+    }
+    return albedo * light + surface_settings.emission.xyz;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "Gathering",
+        sampling: None,
+        uses: &["Gathered"],
+        text: r#"// What a ray sees so far, and how much light is still to be looked at on this segment: its part, the sum
+// of its places, each times its part, and the cells in which it was scattered.
+struct Gathering {
+    seen: Gathered,
+    part: f32,
+    places: f32,
+    cells: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "looked_at",
+        sampling: None,
+        uses: &["Entered", "Gathering", "Path", "PixelIn", "scattered"],
+        text: r#"// Looks at the light that arrives, if it makes a difference, for all that was scattered since the last look.
+fn looked_at(before: Gathering, pixel: PixelIn, at: Entered, path: Path, around: vec3f) -> Gathering {
+    if (!(before.part > 0.0)) {
+        return before;
+    }
+    let light = scattered(pixel, at, path, before.places / before.part, around);
+    var now = Gathering(before.seen, 0.0, 0.0, 0u);
+    now.seen.light = now.seen.light + light * (before.part + now.seen.pending);
+    now.seen.pending = 0.0;
+    return now;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "end_of_piece",
+        sampling: None,
+        uses: &["CellPart", "PIECE_HALVINGS", "VoxelCell", "VoxelPath", "field_between", "transmittance_of"],
+        text: r#"// The end of the piece of a cell that begins at a parameter: as far as it scatters no more than a part
+// of the light.
+fn end_of_piece(
+    way: VoxelPath,
+    part: CellPart,
+    corners: VoxelCell,
+    begin: f32,
+    extinction: f32,
+    most: f32,
+) -> f32 {
+    var end = part.end;
+    var k = 0u;
+    while (k < PIECE_HALVINGS
+        && 1.0 - transmittance_of(field_between(way, part.cell, corners, begin, end) * extinction) > most) {
+        end = begin + 0.5 * (end - begin);
+        k = k + 1u;
+    }
+    return end;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "gathered_in_cell",
+        sampling: None,
+        uses: &["CellPart", "Entered", "Gathering", "Hit", "LEAST_SHARE", "MOST_CELLS", "NEVER", "NO_COST", "Path", "PixelIn", "SEARCH_STAGE", "VoxelPath", "depth_on_ray", "end_of_piece", "field_between", "goes_on", "looked_at", "surface_settings", "transmittance_of", "voxel_cell"],
+        text: r#"// What a ray sees behind one more cell, piece by piece.
+fn gathered_in_cell(
+    before: Gathering,
+    pixel: PixelIn,
+    at: Entered,
+    path: Path,
+    way: VoxelPath,
+    part: CellPart,
+    around: vec3f,
+) -> Gathering {
+    let params = surface_settings.choices[SEARCH_STAGE].params;
+    let corners = voxel_cell(vec3i(part.cell));
+    let share = 1.0 / params.y;
+    var now = before;
+    var begin = part.begin;
+    while (begin < part.end && goes_on(now.seen)) {
+        let end = end_of_piece(way, part, corners, begin, params.x, share / now.seen.transmittance);
+        let depth = field_between(way, part.cell, corners, begin, end) * params.x;
+        if (depth > 0.0 && now.seen.entry == NEVER) {
+            now.seen.entry = depth_on_ray(pixel, path, Hit(1u, 0u, path.uv, path.h.x, begin, NO_COST));
+        }
+        let through = transmittance_of(depth);
+        let scattered_part = now.seen.transmittance * (1.0 - through);
+        now.seen.transmittance = now.seen.transmittance * through;
+        now.part = now.part + scattered_part;
+        now.places = now.places + scattered_part * (0.5 * (begin + end));
+        if (now.part >= share) {
+            now = looked_at(now, pixel, at, path, around);
+        }
+        begin = select(part.end, end, end > begin);
+    }
+    now.cells = now.cells + 1u;
+    if (now.cells >= MOST_CELLS && now.part >= share * LEAST_SHARE) {
+        now = looked_at(now, pixel, at, path, around);
+    }
+    return now;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "way_into_heights",
+        sampling: None,
+        uses: &[],
+        text: r#"// The way from a height beyond 0 or 1 back to it, along a slope; 0 from a height between. Shells reach
+// beyond their ends by rounding.
+fn way_into_heights(height: f32, slope: f32) -> f32 {
+    let beyond = height - clamp(height, 0.0, 1.0);
+    return select(0.0, abs(beyond / slope), abs(beyond) > 0.0 && abs(slope) > 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "rest_of_segment",
+        sampling: None,
+        uses: &["Path", "beginning_at", "path_height", "path_slope", "way_into_heights"],
+        text: r#"// A segment without what is gathered already, and without what something opaque hides. Neighbouring
+// shells overlap by rounding.
+fn rest_of_segment(path: Path, until_m: f32, reach_m: f32) -> Path {
+    let before = way_into_heights(path.h.x, path.h.y);
+    let behind = way_into_heights(path_height(path, path.exit), path_slope(path, path.exit));
+    let begin = max(before, until_m - path.start);
+    var rest = path;
+    if (begin > 0.0) {
+        rest = beginning_at(path, begin);
+    }
+    rest.exit = min(path.exit - behind - max(begin, 0.0), reach_m - rest.start);
+    return rest;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "gather_segment",
+        sampling: None,
+        uses: &["Entered", "Gathered", "Gathering", "LEAST_TRANSMITTANCE", "PixelIn", "SEARCH_STAGE", "first_part", "gathered_in_cell", "goes_on", "light_around", "looked_at", "next_part", "rest_of_segment", "segment_of", "surface_settings", "turning_point", "voxel_path"],
+        text: r#"// What a ray sees behind segment `k` of a shell. The segments of all shells are to be given in the order
+// in which they begin.
+fn gather_segment(before: Gathered, pixel: PixelIn, at: Entered, k: u32) -> Gathered {
+    let path = rest_of_segment(segment_of(pixel, at, k), before.until_m, before.reach_m);
+    if (!(path.exit > 0.0)) {
+        return before;
+    }
+    let way = voxel_path(path);
+    let turn = turning_point(way);
+    let limit = u32(surface_settings.choices[SEARCH_STAGE].params.z);
+    let around = light_around(at, path);
+    var now = Gathering(before, 0.0, 0.0, 0u);
+    now.seen.until_m = path.start + path.exit;
+    var part = first_part(path, way, turn);
+    var cells = 1u;
+    var goes = true;
+    while (goes) {
+        if (part.empty < 0.0) {
+            now = gathered_in_cell(now, pixel, at, path, way, part, around);
+        } else if (now.part > LEAST_TRANSMITTANCE) {
+            // What lies on both sides of a gap is lit by itself.
+            now = looked_at(now, pixel, at, path, around);
+        }
+        goes = part.is_last == 0u && cells < limit && goes_on(now.seen);
+        if (goes) {
+            part = next_part(path, way, turn, part);
+            cells = cells + 1u;
+        }
+    }
+    // What hardly counts waits for the next look.
+    if (now.part + now.seen.pending > LEAST_TRANSMITTANCE) {
+        return looked_at(now, pixel, at, path, around).seen;
+    }
+    now.seen.pending = now.seen.pending + now.part;
+    return now.seen;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "pass_segment",
+        sampling: None,
+        uses: &["Entered", "Gathered", "PixelIn", "optical_depth", "rest_of_segment", "segment_of", "transmittance_of"],
+        text: r#"// The part of light that comes through segment `k` of a shell, as the transmittance of what is gathered. See
+// `gather_segment`.
+fn pass_segment(before: Gathered, pixel: PixelIn, at: Entered, k: u32) -> Gathered {
+    let path = rest_of_segment(segment_of(pixel, at, k), before.until_m, before.reach_m);
+    if (!(path.exit > 0.0)) {
+        return before;
+    }
+    var seen = before;
+    seen.until_m = path.start + path.exit;
+    seen.transmittance = seen.transmittance * transmittance_of(optical_depth(path));
+    return seen;
+}"#,
+    },
+    Declaration {
+        module: "shared/translucent",
+        name: "seen_through",
+        sampling: None,
+        uses: &["Gathered"],
+        text: r#"// A colour seen through a translucent volume. The fourth part is the covered part of the pixel.
+fn seen_through(behind: vec4f, seen: Gathered) -> vec4f {
+    let part = 1.0 - seen.transmittance;
+    return vec4f(seen.light + behind.xyz * seen.transmittance, part + behind.w * seen.transmittance);
+}"#,
+    },
+    Declaration {
+        module: "shared/transmittance",
+        name: "LOG2_E",
+        sampling: None,
+        uses: &[],
+        text: r#"// The binary logarithm of e.
+const LOG2_E = 1.44269504;"#,
+    },
+    Declaration {
+        module: "shared/transmittance",
+        name: "OPAQUE_DEPTH",
+        sampling: None,
+        uses: &[],
+        text: r#"// Nothing that a picture can show comes through this depth. Powers of two stay far from the least float.
+const OPAQUE_DEPTH = 80.0;"#,
+    },
+    Declaration {
+        module: "shared/transmittance",
+        name: "power_of_half",
+        sampling: None,
+        uses: &[],
+        text: r#"// A power of two with a whole exponent from -0 to -127, by the digits of the exponent. The products are
+// exact.
+fn power_of_half(exponent: u32) -> f32 {
+    var power = select(1.0, 0.5, (exponent & 1u) != 0u);
+    power = power * select(1.0, 0.25, (exponent & 2u) != 0u);
+    power = power * select(1.0, 0.0625, (exponent & 4u) != 0u);
+    power = power * select(1.0, 0.00390625, (exponent & 8u) != 0u);
+    power = power * select(1.0, 0.0000152587890625, (exponent & 16u) != 0u);
+    power = power * select(1.0, 2.3283064365386962890625e-10, (exponent & 32u) != 0u);
+    return power * select(1.0, 5.42101086242752217003726400434970855712890625e-20, (exponent & 64u) != 0u);
+}"#,
+    },
+    Declaration {
+        module: "shared/transmittance",
+        name: "transmittance_of",
+        sampling: None,
+        uses: &["LOG2_E", "OPAQUE_DEPTH", "power_of_half"],
+        text: r#"// e to the power of -depth, for depths from 0 on: 2 to a whole power times 2 to one from -1/2 to 1/2, by
+// its series. It errs by at most 1.5e-7, and is 0 from OPAQUE_DEPTH on.
+fn transmittance_of(depth: f32) -> f32 {
+    if (!(depth < OPAQUE_DEPTH)) {
+        return 0.0;
+    }
+    let twos = max(depth, 0.0) * LOG2_E;
+    let whole = floor(twos + 0.5);
+    let f = whole - twos;
+    let high = 0.009618129 + f * (0.0013333558 + f * (0.00015403530 + f * 0.000015252734));
+    let power = 1.0 + f * (0.69314718 + f * (0.24022651 + f * (0.055504109 + f * high)));
+    return power * power_of_half(u32(whole));
 }"#,
     },
     Declaration {
@@ -9476,6 +10025,26 @@ struct Entered {
     },
     Declaration {
         module: "shared/types",
+        name: "Gathered",
+        sampling: None,
+        uses: &[],
+        text: r#"// What a ray sees of a translucent surface on its way so far.
+struct Gathered {
+    // Linear RGB: the light that is scattered toward the eye.
+    light: vec3f,
+    // The part of the light from behind that comes through.
+    transmittance: f32,
+    // Metres along the view axis to the first place that is not empty; NEVER without one.
+    entry: f32,
+    // Metres along the ray up to which its segments are gathered, and to something opaque.
+    until_m: f32,
+    reach_m: f32,
+    // The part of the light that is scattered where it was not yet looked at.
+    pending: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
         name: "Detail",
         sampling: None,
         uses: &[],
@@ -9511,7 +10080,7 @@ struct Toward {
         module: "shared/types",
         name: "Material",
         sampling: None,
-        uses: &["upright"],
+        uses: &[],
         text: r#"// The material at a hit, read once for all lights. All colours are linear RGB.
 struct Material {
     // The part of the light that is scattered in all directions, and the part that passes through the
@@ -9611,6 +10180,8 @@ struct PixelOut {
     z: f32,
     // The surface's number in the scene.
     surface: u32,
+    // The part of the hit's light that comes through the translucent surfaces before it.
+    transmittance: f32,
 }"#,
     },
     Declaration {
@@ -9862,6 +10433,71 @@ fn light_ray_out_of_volume(at: Entered, hit: Hit, light: Toward) -> LightRay {
     }
     let path = Path(begin.xy, change.xy, h, exit, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0, 0.0);
     return LightRay(LIGHT_RAY_OPEN, path);
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_cells",
+        name: "CellPart",
+        sampling: None,
+        uses: &[],
+        text: r#"// A part of a path: in one cell, or in a box of empty ones around it.
+struct CellPart {
+    cell: vec3f,
+    // The parameters between which the path is there.
+    begin: f32,
+    end: f32,
+    // The parameters at which it leaves the cells, along u, v and the height.
+    leave: vec3f,
+    // Cells around this one that are empty, as is the cell; below 0 where it may not be.
+    empty: f32,
+    // 1 behind the place where the height stops rising or falling.
+    past_turn: u32,
+    // 1 where the path ends with this part, before it leaves the cells.
+    is_last: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_cells",
+        name: "part_from",
+        sampling: None,
+        uses: &["CellPart", "Path", "VoxelPath", "search_texel", "voxel_leave", "voxel_texel"],
+        text: r#"// The part that begins in a cell at a parameter. `turn` is where the path's height turns.
+fn part_from(path: Path, way: VoxelPath, turn: f32, cell: vec3f, begin: f32, past_turn: u32) -> CellPart {
+    let empty = search_texel(path, voxel_texel(vec3i(cell)), 0, 0).x - 1.0;
+    let leave = voxel_leave(way, cell, max(empty, 0.0), past_turn == 1u);
+    let side = min(min(leave.x, leave.y), leave.z);
+    let last = select(min(turn, path.exit), path.exit, past_turn == 1u);
+    let end = max(min(side, last), begin);
+    return CellPart(cell, begin, end, leave, empty, past_turn, select(0u, 1u, end >= path.exit));
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_cells",
+        name: "first_part",
+        sampling: None,
+        uses: &["CellPart", "Path", "VoxelPath", "part_from", "voxel_place_on"],
+        text: r#"// The first part of a path.
+fn first_part(path: Path, way: VoxelPath, turn: f32) -> CellPart {
+    return part_from(path, way, turn, floor(voxel_place_on(way, 0.0)), 0.0, 0u);
+}"#,
+    },
+    Declaration {
+        module: "shared/voxel_cells",
+        name: "next_part",
+        sampling: None,
+        uses: &["CellPart", "Path", "VoxelPath", "next_voxel_cell", "part_from", "rises_on", "voxel_cell_at"],
+        text: r#"// The part behind one that is not the last.
+fn next_part(path: Path, way: VoxelPath, turn: f32, before: CellPart) -> CellPart {
+    let reach = max(before.empty, 0.0);
+    let has_turned = before.past_turn == 1u;
+    let leave = before.leave;
+    let end = before.end;
+    let side = min(min(leave.x, leave.y), leave.z);
+    if (!has_turned && side > min(turn, path.exit)) {
+        return part_from(path, way, turn, voxel_cell_at(way, before.cell, reach, end), end, 1u);
+    }
+    let next = next_voxel_cell(way, before.cell, reach, leave, rises_on(way, has_turned), end);
+    return part_from(path, way, turn, next, end, before.past_turn);
 }"#,
     },
     Declaration {
@@ -10690,7 +11326,7 @@ fn folded_enter(pixel: PixelIn, params: vec4f) -> Entered {
         module: "surface/prism",
         name: "folded_segment",
         sampling: None,
-        uses: &["Entered", "MOST_BESIDE", "Path", "PixelIn", "before_turn", "chord_path", "chord_reach", "middle_of", "prism_of", "shell_slack", "turned", "way_bend", "way_beyond", "way_chord", "way_of", "way_offsets", "way_point"],
+        uses: &["Entered", "MOST_BESIDE", "Path", "PixelIn", "before_turn", "chord_path", "chord_reach", "middle_of", "prism_of", "shell_slack", "way_bend", "way_beyond", "way_chord", "way_of", "way_offsets", "way_point"],
         text: r#"fn folded_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
@@ -10882,7 +11518,7 @@ const SAME_DEPTH = 0.0009765625;"#,
         module: "surface/quadric_perpendicular",
         name: "Across",
         sampling: None,
-        uses: &["mixed"],
+        uses: &[],
         text: r#"// A ray over a quadric: along it and across it the changes of the texture coordinates and of the quadric.
 struct Across {
     duv: vec2f,
@@ -10901,7 +11537,7 @@ struct Across {
         module: "surface/quadric_perpendicular",
         name: "across_of",
         sampling: None,
-        uses: &["Across", "Entered", "LEAST_SINE", "climb", "mixed", "quadric_at", "quadric_slope"],
+        uses: &["Across", "Entered", "LEAST_SINE", "climb", "quadric_at", "quadric_slope"],
         text: r#"fn across_of(at: Entered, direction: vec3f) -> Across {
     let duv = climb(at, direction).xy;
     let descent = 0.0 - dot(at.normal, direction);
@@ -12017,6 +12653,15 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
     },
     Declaration {
         module: "field/heights",
+        name: "field_heights_patch_normal",
+        sampling: None,
+        uses: &["Entered", "Hit", "patch_normal"],
+        text: r#"fn field_heights_patch_normal(at: Entered, hit: Hit, params: vec4f) -> vec3f {
+    return patch_normal(at, hit.uv);
+}"#,
+    },
+    Declaration {
+        module: "field/heights",
         name: "field_heights_light_ray",
         sampling: None,
         uses: &["Entered", "Hit", "LightRay", "Toward", "light_ray_over_heights"],
@@ -12067,6 +12712,15 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
         uses: &["Entered", "Hit", "SeenNormals", "normal_of_field", "one_seen"],
         text: r#"fn field_volume_normals(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> SeenNormals {
     return one_seen(normal_of_field(at, hit));
+}"#,
+    },
+    Declaration {
+        module: "field/volume",
+        name: "field_volume_patch_normal",
+        sampling: None,
+        uses: &["Entered", "Hit", "normal_of_field"],
+        text: r#"fn field_volume_patch_normal(at: Entered, hit: Hit, params: vec4f) -> vec3f {
+    return normal_of_field(at, hit);
 }"#,
     },
     Declaration {
@@ -12997,7 +13651,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "search/sphere",
         name: "search_sphere",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "SearchResult", "cell_after", "cell_leave", "cell_of", "climb", "distance_at", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "path_height", "path_slope", "path_uv", "whole_cell"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "SearchResult", "cell_after", "cell_leave", "cell_of", "distance_at", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "path_height", "path_slope", "path_uv", "whole_cell"],
         text: r#"fn search_sphere(path: Path, params: vec4f) -> SearchResult {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -13043,6 +13697,30 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         t = next;
     }
     return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+}"#,
+    },
+    Declaration {
+        module: "search/translucent",
+        name: "search_translucent",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "NO_COST", "Path", "STEP", "SearchResult", "first_part", "map_read", "next_part", "turning_point", "voxel_path"],
+        text: r#"fn search_translucent(path: Path, params: vec4f) -> SearchResult {
+    let way = voxel_path(path);
+    let turn = turning_point(way);
+    let limit = u32(params.z);
+    var part = first_part(path, way, turn);
+    var cost = NO_COST;
+    while (cost.y < limit) {
+        cost = cost + STEP + map_read(path, 1u);
+        if (part.empty < 0.0) {
+            return SearchResult(FOUND_ABOVE, part.begin, part.begin, 0.0, 1.0, cost);
+        }
+        if (part.is_last == 1u) {
+            return SearchResult(FOUND_MISS, part.end, part.end, 1.0, 1.0, cost);
+        }
+        part = next_part(path, way, turn, part);
+    }
+    return SearchResult(FOUND_EXHAUSTED, part.begin, part.begin, 1.0, 1.0, cost);
 }"#,
     },
     Declaration {
@@ -13780,7 +14458,7 @@ fn reflected_by(once: vec2f, specular: vec3f) -> vec3f {
         module: "shade/metallic_roughness",
         name: "shade_metallic_roughness_material",
         sampling: None,
-        uses: &["Entered", "Hit", "LEAST_COSINE", "LEAST_ROUGHNESS", "Material", "emission_at", "facet_reflection", "occlusion_roughness_metalness", "reflected_by", "surface_settings", "upright"],
+        uses: &["Entered", "Hit", "LEAST_COSINE", "LEAST_ROUGHNESS", "Material", "emission_at", "facet_reflection", "occlusion_roughness_metalness", "reflected_by", "surface_settings"],
         text: r#"fn shade_metallic_roughness_material(
     at: Entered,
     hit: Hit,
@@ -13835,7 +14513,7 @@ fn reflected_by(once: vec2f, specular: vec3f) -> vec3f {
         module: "shade/metallic_roughness",
         name: "shade_metallic_roughness_light",
         sampling: None,
-        uses: &["LEAST_SQUARED_SUM", "Material", "fresnel"],
+        uses: &["LEAST_SQUARED_SUM", "Material"],
         text: r#"fn shade_metallic_roughness_light(
     material: Material,
     normal: vec3f,
@@ -14015,7 +14693,7 @@ fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
         sampling: None,
         uses: &["Entered", "Hit", "Toward", "light_seen"],
         text: r#"fn shadow_map(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
-    return light_seen(at, hit.uv, light.number, light.direction, params.z, params.w);
+    return light_seen(at, hit, light.number, light.direction, params.z, params.w);
 }"#,
     },
     Declaration {
@@ -14403,6 +15081,69 @@ fn procedure_waves(place: vec2f, time: f32, seed: u32, params: vec4f) -> f32 {
 }"#,
     },
     Declaration {
+        module: "roots/compose",
+        name: "begin_gather_main",
+        sampling: None,
+        uses: &["SHADE_GROUP", "gathered", "nothing_gathered", "pass_settings", "pixel_direction", "reach_of_hit", "records", "surface_settings", "traced_what"],
+        text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
+fn begin_gather_main(@builtin(global_invocation_id) id: vec3u) {
+    let size = textureDimensions(traced_what);
+    if (id.y >= pass_settings.rows || id.x >= size.x) {
+        return;
+    }
+    let place = id.y * size.x + id.x;
+    let row = pass_settings.first_row + id.y;
+    let point = vec2f(vec2u(id.x, row)) + vec2f(0.5, 0.5) + pass_settings.offset;
+    let record = records[place];
+    let nothing = nothing_gathered(reach_of_hit(record.hit & 1u, record.depth, pixel_direction(point)));
+    let count = surface_settings.translucent.y;
+    var k = 0u;
+    while (k < count) {
+        gathered[place * count + k] = nothing;
+        k = k + 1u;
+    }
+}"#,
+    },
+    Declaration {
+        module: "roots/compose",
+        name: "compose_main",
+        sampling: None,
+        uses: &["SHADE_GROUP", "gathered", "pass_settings", "records", "seen_through", "surface_settings", "traced_what"],
+        text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
+fn compose_main(@builtin(global_invocation_id) id: vec3u) {
+    let size = textureDimensions(traced_what);
+    if (id.y >= pass_settings.rows || id.x >= size.x) {
+        return;
+    }
+    let place = id.y * size.x + id.x;
+    let count = surface_settings.translucent.y;
+    var color = records[place].color;
+    var transmittance = 1.0;
+    var k = 0u;
+    while (k < count) {
+        // The farthest that is not yet laid; of those that begin together, the last.
+        var farthest = 0u;
+        var entry = -1.0;
+        var j = 0u;
+        while (j < count) {
+            let other = gathered[place * count + j].entry;
+            if (other >= entry) {
+                entry = other;
+                farthest = j;
+            }
+            j = j + 1u;
+        }
+        let seen = gathered[place * count + farthest];
+        color = seen_through(color, seen);
+        transmittance = transmittance * seen.transmittance;
+        gathered[place * count + farthest].entry = -2.0;
+        k = k + 1u;
+    }
+    records[place].color = color;
+    records[place].transmittance = transmittance;
+}"#,
+    },
+    Declaration {
         module: "roots/draw",
         name: "draw_vertex",
         sampling: None,
@@ -14417,7 +15158,7 @@ fn draw_vertex(@builtin(vertex_index) vertex: u32) -> Varying {
         module: "roots/draw",
         name: "draw_box_vertex",
         sampling: None,
-        uses: &["Varying", "box_varying", "turned"],
+        uses: &["Varying", "box_varying"],
         text: r#"// BOX_VERTICES for each triangle; a second instance is the mesh turned over.
 @vertex
 fn draw_box_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) turned: u32) -> Varying {
@@ -14494,6 +15235,208 @@ fn draw_box_fragment(in: Varying) -> Drawn {
         discard;
     }
     return drawn_with_depth(shade_pixel(numbered_pixel(in.triangle, in.side, in.position.xy)));
+}"#,
+    },
+    Declaration {
+        module: "roots/draw",
+        name: "gathered_in_shell",
+        sampling: None,
+        uses: &["Gathered", "NEVER", "PixelIn", "enter_relief", "gather_segment", "nothing_gathered"],
+        text: r#"// What a ray sees of one translucent shell.
+fn gathered_in_shell(pixel: PixelIn) -> Gathered {
+    let at = enter_relief(pixel);
+    var seen = nothing_gathered(NEVER);
+    var k = 0u;
+    while (k < at.segments) {
+        seen = gather_segment(seen, pixel, at, k);
+        k = k + 1u;
+    }
+    return seen;
+}"#,
+    },
+    Declaration {
+        module: "roots/draw",
+        name: "draw_translucent_fragment",
+        sampling: None,
+        uses: &["Drawn", "NEVER", "Varying", "gathered_in_shell", "may_meet", "numbered_pixel", "numbered_triangle", "seen_through", "z_of"],
+        text: r#"// The light that a translucent shell scatters toward a fragment of the box around it, its opacity, and
+// the depth where the ray comes upon it. It is laid over what is behind: light + (1 - opacity) behind.
+@fragment
+fn draw_translucent_fragment(in: Varying) -> Drawn {
+    if (!may_meet(in.position.xy, numbered_triangle(in.triangle), in.side, NEVER)) {
+        discard;
+    }
+    let seen = gathered_in_shell(numbered_pixel(in.triangle, in.side, in.position.xy));
+    if (seen.entry == NEVER) {
+        discard;
+    }
+    return Drawn(seen_through(vec4f(0.0, 0.0, 0.0, 0.0), seen), z_of(seen.entry));
+}"#,
+    },
+    Declaration {
+        module: "roots/gather",
+        name: "AHEAD",
+        sampling: None,
+        uses: &[],
+        text: r#"// Segments that a ray remembers. More, and rays that end early search for nothing; fewer, and they
+// search more often.
+const AHEAD = 8u;"#,
+    },
+    Declaration {
+        module: "roots/gather",
+        name: "ShellSegment",
+        sampling: None,
+        uses: &[],
+        text: r#"// A segment of a shell: where it begins on the ray, in metres, its triangle and side, and its number there.
+struct ShellSegment {
+    start: f32,
+    triangle: u32,
+    side: f32,
+    number: u32,
+}"#,
+    },
+    Declaration {
+        module: "roots/gather",
+        name: "precedes",
+        sampling: None,
+        uses: &["ShellSegment"],
+        text: r#"// Whether a segment comes before another. Of those that begin together, the lower triangle comes first,
+// then the side that is not turned over.
+fn precedes(one: ShellSegment, other: ShellSegment) -> bool {
+    if (one.start != other.start) {
+        return one.start < other.start;
+    }
+    if (one.triangle != other.triangle) {
+        return one.triangle < other.triangle;
+    }
+    if (one.side != other.side) {
+        return one.side > other.side;
+    }
+    return one.number < other.number;
+}"#,
+    },
+    Declaration {
+        module: "roots/gather",
+        name: "NextSegments",
+        sampling: None,
+        uses: &["AHEAD", "ShellSegment"],
+        text: r#"// The next segments of a ray, in order.
+struct NextSegments {
+    count: u32,
+    segments: array<ShellSegment, AHEAD>,
+}"#,
+    },
+    Declaration {
+        module: "roots/gather",
+        name: "with_segment",
+        sampling: None,
+        uses: &["AHEAD", "NextSegments", "ShellSegment", "precedes"],
+        text: r#"// The segments with one more, unless it comes after as many as are remembered.
+fn with_segment(before: NextSegments, segment: ShellSegment) -> NextSegments {
+    var next = before;
+    if (next.count == AHEAD && !precedes(segment, next.segments[AHEAD - 1u])) {
+        return next;
+    }
+    var place = min(next.count, AHEAD - 1u);
+    while (place > 0u && precedes(segment, next.segments[place - 1u])) {
+        next.segments[place] = next.segments[place - 1u];
+        place = place - 1u;
+    }
+    next.segments[place] = segment;
+    next.count = min(next.count + 1u, AHEAD);
+    return next;
+}"#,
+    },
+    Declaration {
+        module: "roots/gather",
+        name: "reach_before",
+        sampling: None,
+        uses: &["DEPTH_SLACK", "frame"],
+        text: r#"// The parameter of a ray up to which shells may begin before a place on it, in metres.
+fn reach_before(start_m: f32, length_m: f32) -> f32 {
+    return start_m / length_m * (1.0 + DEPTH_SLACK) + frame.near * DEPTH_SLACK;
+}"#,
+    },
+    Declaration {
+        module: "roots/gather",
+        name: "segments_after",
+        sampling: None,
+        uses: &["AHEAD", "NOWHERE", "NextSegments", "SHELL_BOTH_SIDES", "SHELL_TRIANGLE", "ShellSegment", "TreeRay", "enter_relief", "may_meet", "numbered_pixel", "numbered_triangle", "precedes", "reach_before", "segment_of", "shell_nodes", "walk_begin", "walk_on", "with_segment"],
+        text: r#"// The first segments behind another, up to a place on the ray, in metres.
+fn segments_after(point: vec2f, ray: TreeRay, last: ShellSegment, reach_m: f32) -> NextSegments {
+    let length_m = length(ray.direction);
+    var next = NextSegments();
+    var reach = reach_before(reach_m, length_m);
+    var walk = walk_on(ray, walk_begin(), reach);
+    while (walk.leaf != NOWHERE) {
+        let leaf = shell_nodes[walk.leaf].first;
+        let triangle = leaf / SHELL_TRIANGLE;
+        var side = 1.0;
+        let least_side = select(1.0, -1.0, (leaf & SHELL_BOTH_SIDES) != 0u);
+        while (side >= least_side) {
+            if (may_meet(point, numbered_triangle(triangle), side, reach)) {
+                let pixel = numbered_pixel(triangle, side, point);
+                let at = enter_relief(pixel);
+                var k = 0u;
+                while (k < at.segments) {
+                    let path = segment_of(pixel, at, k);
+                    let segment = ShellSegment(path.start, triangle, side, k);
+                    if (path.exit > 0.0 && path.start < reach_m && precedes(last, segment)) {
+                        next = with_segment(next, segment);
+                    }
+                    k = k + 1u;
+                }
+            }
+            side = side - 2.0;
+        }
+        if (next.count == AHEAD) {
+            reach = min(reach, reach_before(next.segments[AHEAD - 1u].start, length_m));
+        }
+        walk = walk_on(ray, walk, reach);
+    }
+    return next;
+}"#,
+    },
+    Declaration {
+        module: "roots/gather",
+        name: "gathered_in_shells",
+        sampling: None,
+        uses: &["AHEAD", "Gathered", "NEVER", "ShellSegment", "enter_relief", "gather_segment", "goes_on", "numbered_pixel", "segments_after", "tree_ray"],
+        text: r#"// What the ray through a point of the picture sees of all shells.
+fn gathered_in_shells(point: vec2f, before: Gathered) -> Gathered {
+    let ray = tree_ray(point);
+    var seen = before;
+    var last = ShellSegment(0.0 - NEVER, 0u, 1.0, 0u);
+    var count = AHEAD;
+    while (count == AHEAD && goes_on(seen)) {
+        let next = segments_after(point, ray, last, seen.reach_m);
+        var k = 0u;
+        while (k < next.count && goes_on(seen)) {
+            last = next.segments[k];
+            let pixel = numbered_pixel(last.triangle, last.side, point);
+            seen = gather_segment(seen, pixel, enter_relief(pixel), last.number);
+            k = k + 1u;
+        }
+        count = next.count;
+    }
+    return seen;
+}"#,
+    },
+    Declaration {
+        module: "roots/gather",
+        name: "gather_main",
+        sampling: None,
+        uses: &["SHADE_GROUP", "gathered", "gathered_in_shells", "pass_settings", "surface_settings", "traced_what"],
+        text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
+fn gather_main(@builtin(global_invocation_id) id: vec3u) {
+    let size = textureDimensions(traced_what);
+    if (id.y >= pass_settings.rows || id.x >= size.x) {
+        return;
+    }
+    let place = (id.y * size.x + id.x) * surface_settings.translucent.y + surface_settings.translucent.x;
+    let row = pass_settings.first_row + id.y;
+    let point = vec2f(vec2u(id.x, row)) + vec2f(0.5, 0.5) + pass_settings.offset;
+    gathered[place] = gathered_in_shells(point, gathered[place]);
 }"#,
     },
     Declaration {
@@ -14678,7 +15621,7 @@ fn resolve_main(@builtin(global_invocation_id) id: vec3u) {
         module: "roots/shade",
         name: "shade_main",
         sampling: None,
-        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "STEPS_BITS", "enter_relief", "numbered_pixel", "pass_settings", "place_hit", "records", "shade_hit", "surface_settings", "traced_hit", "traced_what", "visible_lights"],
+        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "STEPS_BITS", "enter_relief", "nothing_seen", "numbered_pixel", "pass_settings", "place_hit", "records", "shade_hit", "surface_settings", "traced_hit", "traced_what", "visible_lights"],
         text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
 fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(traced_what);
@@ -14689,7 +15632,7 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let what = textureLoad(traced_what, vec2i(id.xy), 0);
     if (what.x == 0) {
         if (surface_settings.number == 0u) {
-            records[place] = Record();
+            records[place] = nothing_seen();
         }
         return;
     }
@@ -14720,6 +15663,7 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
         out.bytes,
         out.lit,
         out.z,
+        out.transmittance,
     );
 }"#,
     },
@@ -15429,7 +16373,7 @@ fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
         module: "roots/trace",
         name: "shell_vertex",
         sampling: None,
-        uses: &["Varying", "box_varying", "clip_of_pass", "turned"],
+        uses: &["Varying", "box_varying", "clip_of_pass"],
         text: r#"@vertex
 fn shell_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) turned: u32) -> Varying {
     var out = box_varying(vertex, turned);
@@ -15563,7 +16507,7 @@ struct NearestInShells {
         module: "roots/trace_shells",
         name: "nearer_in_shells",
         sampling: None,
-        uses: &["NearestInShells", "is_before"],
+        uses: &["NearestInShells"],
         text: r#"// The nearer of two hits. Ties go to the lower triangle number, and to the side that is not turned
 // over.
 fn nearer_in_shells(known: NearestInShells, other: NearestInShells) -> NearestInShells {

@@ -24,6 +24,39 @@ lanes! { fn zero_around() -> Around {
 } }
 
 #[derive(Clone, Copy)]
+pub struct CellPart {
+    pub cell: Vec3<F>,
+    pub begin: F,
+    pub end: F,
+    pub leave: Vec3<F>,
+    pub empty: F,
+    pub past_turn: U,
+    pub is_last: U,
+}
+lanes! { fn sel_cell_part(m: M, a: &CellPart, b: &CellPart) -> CellPart {
+    CellPart {
+        cell: Vec3 { x: sel(m, a.cell.x, b.cell.x), y: sel(m, a.cell.y, b.cell.y), z: sel(m, a.cell.z, b.cell.z) },
+        begin: sel(m, a.begin, b.begin),
+        end: sel(m, a.end, b.end),
+        leave: Vec3 { x: sel(m, a.leave.x, b.leave.x), y: sel(m, a.leave.y, b.leave.y), z: sel(m, a.leave.z, b.leave.z) },
+        empty: sel(m, a.empty, b.empty),
+        past_turn: sel_u(m, a.past_turn, b.past_turn),
+        is_last: sel_u(m, a.is_last, b.is_last),
+    }
+} }
+lanes! { fn zero_cell_part() -> CellPart {
+    CellPart {
+        cell: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        begin: splat(0f32),
+        end: splat(0f32),
+        leave: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        empty: splat(0f32),
+        past_turn: splat_u(0u32),
+        is_last: splat_u(0u32),
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct Hit {
     pub found: U,
     pub exhausted: U,
@@ -460,22 +493,52 @@ lanes! { fn height_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u3
     let bottom_25 = add(h_11.z, mul(sub(h_11.w, h_11.z), f_9.x));
     return add(top_18, mul(sub(bottom_25, top_18), f_9.y));
 } }
-lanes! { fn path_uv(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Vec2<F> {
-    return Vec2 { x: add(path_a0.uv.x, mul(path_a0.duv.x, t_a1)), y: add(path_a0.uv.y, mul(path_a0.duv.y, t_a1)) };
+lanes! { fn voxel_path(r: &Resources<'_>, path_a0: &Path) -> VoxelPath {
+    let size_1 = r.volume_size();
+    return VoxelPath { origin: Vec3 { x: sub(mul(path_a0.uv.x, splat(size_1.x)), splat(0.5f32)), y: sub(mul(path_a0.uv.y, splat(size_1.y)), splat(0.5f32)), z: sub(mul(path_a0.h.x, splat(size_1.z)), splat(0.5f32)) }, step: Vec3 { x: mul(path_a0.duv.x, splat(size_1.x)), y: mul(path_a0.duv.y, splat(size_1.y)), z: mul(path_a0.h.y, splat(size_1.z)) }, bend: mul(path_a0.h.z, splat(size_1.z)), };
 } }
-lanes! { fn path_height(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
-    return add(path_a0.h.x, mul(t_a1, add(path_a0.h.y, mul(t_a1, path_a0.h.z))));
-} }
-lanes! { fn path_slope(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
-    return add(path_a0.h.y, mul(mul(splat(2.0f32), t_a1), path_a0.h.z));
-} }
-lanes! { fn field_heights_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, params_a2: Vec4<f32>) -> F {
+lanes! { fn turning_point(r: &Resources<'_>, within: M, way_a0: &VoxelPath) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
-    let e_3 = path_height(r, path_a0, t_a1);
-    let e_4 = path_uv(r, path_a0, t_a1);
-    let e_6 = height_at(r, ex, e_4, path_a0.level);
-    return sub(e_3, e_6);
+    let c1 = eq(way_a0.bend, splat(0.0f32));
+    ret = splat(3e38f32);
+    ex = and_not(ex, c1);
+    let t_12 = div(sub(splat(0.0f32), way_a0.step.z), mul(splat(2.0f32), way_a0.bend));
+    return sel(ex, sel(gt(t_12, splat(0.0f32)), t_12, splat(3e38f32)), ret);
+} }
+lanes! { fn search_texel_llls(r: &Resources<'_>, within: M, path_a0: &Path, place_a1: Vec2<I>, layer_a2: I, level_a3: i32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    if (path_a0.ray == 1u32) {
+        let texel_8 = map_texel_of_each(&r.shadow_search_map, ex, place_a1.x, place_a1.y, layer_a2, splat_i(level_a3));
+        let e_13 = decoded(r, texel_8, &r.surface_settings.maps[2]);
+        return e_13;
+    }
+    let e_15 = map_texel_of_each(&r.search_map, ex, place_a1.x, place_a1.y, layer_a2, splat_i(level_a3));
+    let e_20 = decoded(r, e_15, &r.surface_settings.maps[1]);
+    return e_20;
+} }
+lanes! { fn search_texel_llsl(r: &Resources<'_>, within: M, path_a0: &Path, place_a1: Vec2<I>, layer_a2: i32, level_a3: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    if (path_a0.ray == 1u32) {
+        let texel_8 = map_texel_of_each(&r.shadow_search_map, ex, place_a1.x, place_a1.y, splat_i(layer_a2), level_a3);
+        let e_13 = decoded(r, texel_8, &r.surface_settings.maps[2]);
+        return e_13;
+    }
+    let e_15 = map_texel_of_each(&r.search_map, ex, place_a1.x, place_a1.y, splat_i(layer_a2), level_a3);
+    let e_20 = decoded(r, e_15, &r.surface_settings.maps[1]);
+    return e_20;
+} }
+lanes! { fn search_texel_llss(r: &Resources<'_>, path_a0: &Path, place_a1: Vec2<I>, layer_a2: i32, level_a3: i32) -> Vec4<F> {
+    if (path_a0.ray == 1u32) {
+        let texel_8 = map_texel(&r.shadow_search_map, place_a1.x, place_a1.y, layer_a2, level_a3);
+        let e_13 = decoded(r, texel_8, &r.surface_settings.maps[2]);
+        return e_13;
+    }
+    let e_15 = map_texel(&r.search_map, place_a1.x, place_a1.y, layer_a2, level_a3);
+    let e_20 = decoded(r, e_15, &r.surface_settings.maps[1]);
+    return e_20;
 } }
 lanes! { fn slice_begin(r: &Resources<'_>, slice_a0: I) -> Vec2<I> {
     let size_5 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
@@ -483,6 +546,149 @@ lanes! { fn slice_begin(r: &Resources<'_>, slice_a0: I) -> Vec2<I> {
     let k_15 = min_i(max_i(slice_a0, splat_i(0i32)), splat_i(size_5.z.wrapping_sub(1i32)));
     let row_21 = i_of_f(div(add(f_of_i(k_15), splat(0.5f32)), splat((in_row_10 as f32))));
     return Vec2 { x: mul_i(sub_i(k_15, mul_i(row_21, splat_i(in_row_10))), splat_i(size_5.x)), y: mul_i(row_21, splat_i(size_5.y)) };
+} }
+lanes! { fn continued_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32, wrap_a2: u32) -> I {
+    let mut ex = within;
+    let mut ret: I = splat_i(0i32);
+    let mut both_v0: M = splat_m(false);
+    if (wrap_a2 == 1u32) {
+        return min_i(max_i(i_a0, splat_i(0i32)), splat_i(n_a1.wrapping_sub(1i32)));
+    }
+    both_v0 = and(ge_i(i_a0, splat_i(0i32)), lt_i(i_a0, splat_i(n_a1)));
+    let e_15 = both_v0;
+    let c1 = e_15;
+    ret = i_a0;
+    ex = and_not(ex, c1);
+    let period_20 = (if (wrap_a2 == 0u32) { n_a1 } else { 2i32.wrapping_mul(n_a1) });
+    if none(ex) { return ret; }
+    let rest_21 = rem_i(i_a0, splat_i(period_20));
+    let e_26 = unfolded(r, sel_i(lt_i(rest_21, splat_i(0i32)), add_i(rest_21, splat_i(period_20)), rest_21), n_a1, period_20);
+    return sel_i(ex, e_26, ret);
+} }
+lanes! { fn wrap_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> I {
+    let mut ex = within;
+    let mut ret: I = splat_i(0i32);
+    let e_5 = continued_index(r, ex, i_a0, n_a1, r.surface_settings.wrap);
+    return e_5;
+} }
+lanes! { fn wrap_cell(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> I {
+    let mut ex = within;
+    let mut ret: I = splat_i(0i32);
+    if (r.surface_settings.wrap == 0u32) {
+        let e_7 = wrap_index(r, ex, i_a0, n_a1);
+        return e_7;
+    }
+    let pair_8 = wrap_pair(r, ex, i_a0, n_a1);
+    return min_i(pair_8.x, pair_8.y);
+} }
+lanes! { fn voxel_texel(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> Vec2<I> {
+    let mut ex = within;
+    let mut ret: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
+    let size_5 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
+    let e_7 = slice_begin(r, cell_a0.z);
+    let e_10 = wrap_cell(r, ex, cell_a0.x, size_5.x);
+    let e_13 = wrap_cell(r, ex, cell_a0.y, size_5.y);
+    return Vec2 { x: add_i(e_7.x, e_10), y: add_i(e_7.y, e_13) };
+} }
+lanes! { fn rises_on(r: &Resources<'_>, within: M, way_a0: &VoxelPath, has_turned_a1: M) -> M {
+    let mut ex = within;
+    let mut ret: M = splat_m(false);
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let c1 = has_turned_a1;
+    ret = gt(way_a0.bend, splat(0.0f32));
+    ex = and_not(ex, c1);
+    both_v1 = and(eq(way_a0.step.z, splat(0.0f32)), gt(way_a0.bend, splat(0.0f32)));
+    let e_22 = both_v1;
+    both_v0 = or(gt(way_a0.step.z, splat(0.0f32)), e_22);
+    let e_24 = both_v0;
+    return sel_m(ex, e_24, ret);
+} }
+lanes! { fn meets_plane(r: &Resources<'_>, within: M, way_a0: &VoxelPath, plane_a1: F, rises_a2: M, has_turned_a3: M) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let gap_6 = sub(plane_a1, way_a0.origin.z);
+    let discriminant_16 = add(mul(way_a0.step.z, way_a0.step.z), mul(mul(splat(4.0f32), way_a0.bend), gap_6));
+    let c1 = not(ge(discriminant_16, splat(0.0f32)));
+    ret = splat(3e38f32);
+    ex = and_not(ex, c1);
+    let root_25 = sel(rises_a2, sqrt(discriminant_16), sub(splat(0.0f32), sqrt(discriminant_16)));
+    let c2 = has_turned_a3;
+    ret = sel(and(ex, c2), div(sub(root_25, way_a0.step.z), mul(splat(2.0f32), way_a0.bend)), ret);
+    ex = and_not(ex, c2);
+    let both_35 = add(way_a0.step.z, root_25);
+    return sel(ex, sel(ne(both_35, splat(0.0f32)), div(mul(splat(2.0f32), gap_6), both_35), splat(3e38f32)), ret);
+} }
+lanes! { fn voxel_leave(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, reach_a2: F, has_turned_a3: M) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let none_6 = Vec2 { x: 0.0f32, y: 0.0f32 };
+    let last_11 = Vec2 { x: add(splat(1.0f32), reach_a2), y: add(splat(1.0f32), reach_a2) };
+    let ahead_22 = Vec2 { x: add(cell_a1.x, sel(gt(way_a0.step.x, splat(none_6.x)), last_11.x, sub(splat(0.0f32), reach_a2))), y: add(cell_a1.y, sel(gt(way_a0.step.y, splat(none_6.y)), last_11.y, sub(splat(0.0f32), reach_a2))) };
+    let beside_28 = Vec2 { x: div(sub(ahead_22.x, way_a0.origin.x), way_a0.step.x), y: div(sub(ahead_22.y, way_a0.origin.y), way_a0.step.y) };
+    let across_36 = Vec2 { x: sel(gt(abs(way_a0.step.x), splat(none_6.x)), beside_28.x, splat(3e38f32)), y: sel(gt(abs(way_a0.step.y), splat(none_6.y)), beside_28.y, splat(3e38f32)) };
+    let rises_37 = rises_on(r, ex, way_a0, has_turned_a3);
+    let plane_44 = add(cell_a1.z, sel(rises_37, add(splat(1.0f32), reach_a2), sub(splat(0.0f32), reach_a2)));
+    let e_45 = meets_plane(r, ex, way_a0, plane_44, rises_37, has_turned_a3);
+    return Vec3 { x: across_36.x, y: across_36.y, z: e_45 };
+} }
+lanes! { fn part_from_llllll(r: &Resources<'_>, within: M, path_a0: &Path, way_a1: &VoxelPath, turn_a2: F, cell_a3: Vec3<F>, begin_a4: F, past_turn_a5: U) -> CellPart {
+    let mut ex = within;
+    let mut ret: CellPart = zero_cell_part();
+    let e_7 = voxel_texel(r, ex, Vec3 { x: i_of_f(cell_a3.x), y: i_of_f(cell_a3.y), z: i_of_f(cell_a3.z) });
+    let e_10 = search_texel_llss(r, path_a0, e_7, 0i32, 0i32);
+    let empty_13 = sub(e_10.x, splat(1.0f32));
+    let leave_18 = voxel_leave(r, ex, way_a1, cell_a3, max_with(empty_13, splat(0.0f32)), eq_u(past_turn_a5, splat_u(1u32)));
+    let side_23 = min(min(leave_18.x, leave_18.y), leave_18.z);
+    let last_29 = sel(eq_u(past_turn_a5, splat_u(1u32)), path_a0.exit, min(turn_a2, path_a0.exit));
+    let end_31 = max(min(side_23, last_29), begin_a4);
+    return CellPart { cell: cell_a3, begin: begin_a4, end: end_31, leave: leave_18, empty: empty_13, past_turn: past_turn_a5, is_last: sel_u(ge(end_31, path_a0.exit), splat_u(1u32), splat_u(0u32)), };
+} }
+lanes! { fn part_from_llllls(r: &Resources<'_>, within: M, path_a0: &Path, way_a1: &VoxelPath, turn_a2: F, cell_a3: Vec3<F>, begin_a4: F, past_turn_a5: u32) -> CellPart {
+    let mut ex = within;
+    let mut ret: CellPart = zero_cell_part();
+    let e_7 = voxel_texel(r, ex, Vec3 { x: i_of_f(cell_a3.x), y: i_of_f(cell_a3.y), z: i_of_f(cell_a3.z) });
+    let e_10 = search_texel_llss(r, path_a0, e_7, 0i32, 0i32);
+    let empty_13 = sub(e_10.x, splat(1.0f32));
+    let leave_18 = voxel_leave(r, ex, way_a1, cell_a3, max_with(empty_13, splat(0.0f32)), splat_m((past_turn_a5 == 1u32)));
+    let side_23 = min(min(leave_18.x, leave_18.y), leave_18.z);
+    let last_29 = sel(splat_m((past_turn_a5 == 1u32)), path_a0.exit, min(turn_a2, path_a0.exit));
+    let end_31 = max(min(side_23, last_29), begin_a4);
+    return CellPart { cell: cell_a3, begin: begin_a4, end: end_31, leave: leave_18, empty: empty_13, past_turn: splat_u(past_turn_a5), is_last: sel_u(ge(end_31, path_a0.exit), splat_u(1u32), splat_u(0u32)), };
+} }
+lanes! { fn part_from_llllss(r: &Resources<'_>, within: M, path_a0: &Path, way_a1: &VoxelPath, turn_a2: F, cell_a3: Vec3<F>, begin_a4: f32, past_turn_a5: u32) -> CellPart {
+    let mut ex = within;
+    let mut ret: CellPart = zero_cell_part();
+    let e_7 = voxel_texel(r, ex, Vec3 { x: i_of_f(cell_a3.x), y: i_of_f(cell_a3.y), z: i_of_f(cell_a3.z) });
+    let e_10 = search_texel_llss(r, path_a0, e_7, 0i32, 0i32);
+    let empty_13 = sub(e_10.x, splat(1.0f32));
+    let leave_18 = voxel_leave(r, ex, way_a1, cell_a3, max_with(empty_13, splat(0.0f32)), splat_m((past_turn_a5 == 1u32)));
+    let side_23 = min(min(leave_18.x, leave_18.y), leave_18.z);
+    let last_29 = sel(splat_m((past_turn_a5 == 1u32)), path_a0.exit, min(turn_a2, path_a0.exit));
+    let end_31 = max(min(side_23, last_29), splat(begin_a4));
+    return CellPart { cell: cell_a3, begin: splat(begin_a4), end: end_31, leave: leave_18, empty: empty_13, past_turn: splat_u(past_turn_a5), is_last: sel_u(ge(end_31, path_a0.exit), splat_u(1u32), splat_u(0u32)), };
+} }
+lanes! { fn voxel_place_on(r: &Resources<'_>, way_a0: &VoxelPath, t_a1: F) -> Vec3<F> {
+    return Vec3 { x: add(way_a0.origin.x, mul(add(way_a0.step.x, splat(0.0f32)), t_a1)), y: add(way_a0.origin.y, mul(add(way_a0.step.y, splat(0.0f32)), t_a1)), z: add(way_a0.origin.z, mul(add(way_a0.step.z, mul(way_a0.bend, t_a1)), t_a1)) };
+} }
+lanes! { fn first_part(r: &Resources<'_>, within: M, path_a0: &Path, way_a1: &VoxelPath, turn_a2: F) -> CellPart {
+    let mut ex = within;
+    let mut ret: CellPart = zero_cell_part();
+    let e_4 = voxel_place_on(r, way_a1, splat(0.0f32));
+    let e_8 = part_from_llllss(r, ex, path_a0, way_a1, turn_a2, Vec3 { x: floor(e_4.x), y: floor(e_4.y), z: floor(e_4.z) }, 0.0f32, 0u32);
+    return e_8;
+} }
+lanes! { fn gap_in_cell(r: &Resources<'_>, way_a0: &VoxelPath, cell_a1: Vec3<F>, corners_a2: &VoxelCell, t_a3: F, span_a4: F) -> Quartic {
+    let e_5 = voxel_place_on(r, way_a0, t_a3);
+    let at_6 = Vec3 { x: sub(e_5.x, cell_a1.x), y: sub(e_5.y, cell_a1.y), z: sub(e_5.z, cell_a1.z) };
+    let slope_14 = mul(add(way_a0.step.z, mul(mul(splat(2.0f32), way_a0.bend), t_a3)), span_a4);
+    let bend_17 = mul(way_a0.bend, mul(span_a4, span_a4));
+    let dx_20 = mul(way_a0.step.x, span_a4);
+    let dy_23 = mul(way_a0.step.y, span_a4);
+    let low_26 = along_slice(r, Vec4 { x: corners_a2.low.x, y: corners_a2.low.y, z: corners_a2.low.z, w: corners_a2.low.w }, Vec2 { x: at_6.x, y: at_6.y }, dx_20, dy_23);
+    let e_29 = along_slice(r, Vec4 { x: corners_a2.high.x, y: corners_a2.high.y, z: corners_a2.high.z, w: corners_a2.high.w }, Vec2 { x: at_6.x, y: at_6.y }, dx_20, dy_23);
+    let rise_30 = Vec3 { x: sub(e_29.x, low_26.x), y: sub(e_29.y, low_26.y), z: sub(e_29.z, low_26.z) };
+    return Quartic { a: sub(splat(0.5f32), add(low_26.x, mul(rise_30.x, at_6.z))), b: sub(splat(0.0f32), add(add(low_26.y, mul(rise_30.y, at_6.z)), mul(rise_30.x, slope_14))), c: sub(splat(0.0f32), add(add(add(low_26.z, mul(rise_30.z, at_6.z)), mul(rise_30.y, slope_14)), mul(rise_30.x, bend_17))), d: sub(splat(0.0f32), add(mul(rise_30.z, slope_14), mul(rise_30.y, bend_17))), e: sub(splat(0.0f32), mul(rise_30.z, bend_17)), };
 } }
 lanes! { fn slice_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, slice_a1: I) -> Vec4<F> {
     let mut ex = within;
@@ -505,6 +711,84 @@ lanes! { fn voxel_cell(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> VoxelC
     let e_3 = slice_cell(r, ex, Vec2 { x: cell_a0.x, y: cell_a0.y }, cell_a0.z);
     let e_8 = slice_cell(r, ex, Vec2 { x: cell_a0.x, y: cell_a0.y }, add_i(cell_a0.z, splat_i(1i32)));
     return VoxelCell { low: e_3, high: e_8, };
+} }
+lanes! { fn voxel_cell_at(r: &Resources<'_>, way_a0: &VoxelPath, cell_a1: Vec3<F>, reach_a2: F, t_a3: F) -> Vec3<F> {
+    let far_4 = Vec3 { x: reach_a2, y: reach_a2, z: reach_a2 };
+    let e_5 = voxel_place_on(r, way_a0, t_a3);
+    return Vec3 { x: min(max(floor(e_5.x), sub(cell_a1.x, far_4.x)), add(cell_a1.x, far_4.x)), y: min(max(floor(e_5.y), sub(cell_a1.y, far_4.y)), add(cell_a1.y, far_4.y)), z: min(max(floor(e_5.z), sub(cell_a1.z, far_4.z)), add(cell_a1.z, far_4.z)) };
+} }
+lanes! { fn next_voxel_cell(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, reach_a2: F, leave_a3: Vec3<F>, rises_a4: M, t_a5: F) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut next_v0: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut both_v1: M = splat_m(false);
+    let e_6 = voxel_cell_at(r, way_a0, cell_a1, reach_a2, t_a5);
+    next_v0 = e_6;
+    let far_9 = add(reach_a2, splat(1.0f32));
+    both_v1 = and(le(leave_a3.x, leave_a3.y), le(leave_a3.x, leave_a3.z));
+    let e_19 = both_v1;
+    let (b1, c2) = (ex, e_19);
+    ex = and(b1, c2);
+    if any(ex) {
+        next_v0.x = sel(ex, add(cell_a1.x, sel(gt(way_a0.step.x, splat(0.0f32)), far_9, sub(splat(0.0f32), far_9))), next_v0.x);
+    }
+    ex = and_not(b1, c2);
+    if any(ex) {
+        let (b3, c4) = (ex, le(leave_a3.y, leave_a3.z));
+        ex = and(b3, c4);
+        if any(ex) {
+            next_v0.y = sel(ex, add(cell_a1.y, sel(gt(way_a0.step.y, splat(0.0f32)), far_9, sub(splat(0.0f32), far_9))), next_v0.y);
+        }
+        ex = and_not(b3, c4);
+        if any(ex) {
+            next_v0.z = sel(ex, add(cell_a1.z, sel(rises_a4, far_9, sub(splat(0.0f32), far_9))), next_v0.z);
+        }
+        ex = b3;
+    }
+    ex = b1;
+    let e_49 = next_v0;
+    return e_49;
+} }
+lanes! { fn next_part(r: &Resources<'_>, within: M, path_a0: &Path, way_a1: &VoxelPath, turn_a2: F, before_a3: &CellPart) -> CellPart {
+    let mut ex = within;
+    let mut ret: CellPart = zero_cell_part();
+    let mut both_v0: M = splat_m(false);
+    let reach_6 = max_with(before_a3.empty, splat(0.0f32));
+    let has_turned_9 = eq_u(before_a3.past_turn, splat_u(1u32));
+    let side_16 = min(min(before_a3.leave.x, before_a3.leave.y), before_a3.leave.z);
+    both_v0 = and(not(has_turned_9), gt(side_16, min(turn_a2, path_a0.exit)));
+    let e_24 = both_v0;
+    let (b1, c2) = (ex, e_24);
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_26 = voxel_cell_at(r, way_a1, Vec3 { x: before_a3.cell.x, y: before_a3.cell.y, z: before_a3.cell.z }, reach_6, before_a3.end);
+        let e_28 = part_from_llllls(r, ex, path_a0, way_a1, turn_a2, e_26, before_a3.end, 1u32);
+        ret = e_28;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let e_30 = rises_on(r, ex, way_a1, has_turned_9);
+    let next_31 = next_voxel_cell(r, ex, way_a1, Vec3 { x: before_a3.cell.x, y: before_a3.cell.y, z: before_a3.cell.z }, reach_6, Vec3 { x: before_a3.leave.x, y: before_a3.leave.y, z: before_a3.leave.z }, e_30, before_a3.end);
+    let e_33 = part_from_llllll(r, ex, path_a0, way_a1, turn_a2, next_31, before_a3.end, before_a3.past_turn);
+    return sel_cell_part(ex, &e_33, &ret);
+} }
+lanes! { fn path_uv(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Vec2<F> {
+    return Vec2 { x: add(path_a0.uv.x, mul(path_a0.duv.x, t_a1)), y: add(path_a0.uv.y, mul(path_a0.duv.y, t_a1)) };
+} }
+lanes! { fn path_height(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return add(path_a0.h.x, mul(t_a1, add(path_a0.h.y, mul(t_a1, path_a0.h.z))));
+} }
+lanes! { fn path_slope(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return add(path_a0.h.y, mul(mul(splat(2.0f32), t_a1), path_a0.h.z));
+} }
+lanes! { fn field_heights_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, params_a2: Vec4<f32>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_3 = path_height(r, path_a0, t_a1);
+    let e_4 = path_uv(r, path_a0, t_a1);
+    let e_6 = height_at(r, ex, e_4, path_a0.level);
+    return sub(e_3, e_6);
 } }
 lanes! { fn in_slice(r: &Resources<'_>, corners_a0: Vec4<F>, part_a1: Vec2<F>) -> F {
     let top_8 = add(corners_a0.x, mul(sub(corners_a0.y, corners_a0.x), part_a1.x));
@@ -719,30 +1003,6 @@ lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
     let parts_5 = (e_4 as f32);
     return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, splat(size_2.x)), splat(0.5f32)), splat(parts_5)), y: mul(sub(mul(path_a0.uv.y, splat(size_2.y)), splat(0.5f32)), splat(parts_5)) }, step: Vec2 { x: mul(mul(path_a0.duv.x, splat(size_2.x)), splat(parts_5)), y: mul(mul(path_a0.duv.y, splat(size_2.y)), splat(parts_5)) }, };
 } }
-lanes! { fn continued_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32, wrap_a2: u32) -> I {
-    let mut ex = within;
-    let mut ret: I = splat_i(0i32);
-    let mut both_v0: M = splat_m(false);
-    if (wrap_a2 == 1u32) {
-        return min_i(max_i(i_a0, splat_i(0i32)), splat_i(n_a1.wrapping_sub(1i32)));
-    }
-    both_v0 = and(ge_i(i_a0, splat_i(0i32)), lt_i(i_a0, splat_i(n_a1)));
-    let e_15 = both_v0;
-    let c1 = e_15;
-    ret = i_a0;
-    ex = and_not(ex, c1);
-    let period_20 = (if (wrap_a2 == 0u32) { n_a1 } else { 2i32.wrapping_mul(n_a1) });
-    if none(ex) { return ret; }
-    let rest_21 = rem_i(i_a0, splat_i(period_20));
-    let e_26 = unfolded(r, sel_i(lt_i(rest_21, splat_i(0i32)), add_i(rest_21, splat_i(period_20)), rest_21), n_a1, period_20);
-    return sel_i(ex, e_26, ret);
-} }
-lanes! { fn wrap_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> I {
-    let mut ex = within;
-    let mut ret: I = splat_i(0i32);
-    let e_5 = continued_index(r, ex, i_a0, n_a1, r.surface_settings.wrap);
-    return e_5;
-} }
 lanes! { fn slope_of(r: &Resources<'_>, within: M, value_a0: F) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
@@ -751,40 +1011,6 @@ lanes! { fn slope_of(r: &Resources<'_>, within: M, value_a0: F) -> F {
     ret = div(mul(sub(splat(1.0f32), value_a0), add(splat(1.0f32), value_a0)), squared_3);
     ex = and_not(ex, c1);
     return sel(ex, splat((-1.0f32)), ret);
-} }
-lanes! { fn search_texel_llls(r: &Resources<'_>, within: M, path_a0: &Path, place_a1: Vec2<I>, layer_a2: I, level_a3: i32) -> Vec4<F> {
-    let mut ex = within;
-    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    if (path_a0.ray == 1u32) {
-        let texel_8 = map_texel_of_each(&r.shadow_search_map, ex, place_a1.x, place_a1.y, layer_a2, splat_i(level_a3));
-        let e_13 = decoded(r, texel_8, &r.surface_settings.maps[2]);
-        return e_13;
-    }
-    let e_15 = map_texel_of_each(&r.search_map, ex, place_a1.x, place_a1.y, layer_a2, splat_i(level_a3));
-    let e_20 = decoded(r, e_15, &r.surface_settings.maps[1]);
-    return e_20;
-} }
-lanes! { fn search_texel_llsl(r: &Resources<'_>, within: M, path_a0: &Path, place_a1: Vec2<I>, layer_a2: i32, level_a3: I) -> Vec4<F> {
-    let mut ex = within;
-    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    if (path_a0.ray == 1u32) {
-        let texel_8 = map_texel_of_each(&r.shadow_search_map, ex, place_a1.x, place_a1.y, splat_i(layer_a2), level_a3);
-        let e_13 = decoded(r, texel_8, &r.surface_settings.maps[2]);
-        return e_13;
-    }
-    let e_15 = map_texel_of_each(&r.search_map, ex, place_a1.x, place_a1.y, splat_i(layer_a2), level_a3);
-    let e_20 = decoded(r, e_15, &r.surface_settings.maps[1]);
-    return e_20;
-} }
-lanes! { fn search_texel_llss(r: &Resources<'_>, path_a0: &Path, place_a1: Vec2<I>, layer_a2: i32, level_a3: i32) -> Vec4<F> {
-    if (path_a0.ray == 1u32) {
-        let texel_8 = map_texel(&r.shadow_search_map, place_a1.x, place_a1.y, layer_a2, level_a3);
-        let e_13 = decoded(r, texel_8, &r.surface_settings.maps[2]);
-        return e_13;
-    }
-    let e_15 = map_texel(&r.search_map, place_a1.x, place_a1.y, layer_a2, level_a3);
-    let e_20 = decoded(r, e_15, &r.surface_settings.maps[1]);
-    return e_20;
 } }
 lanes! { fn cone_slope(r: &Resources<'_>, within: M, path_a0: &Path, texel_a1: Vec2<F>) -> F {
     let mut ex = within;
@@ -1657,79 +1883,9 @@ lanes! { fn refine_half_texel(r: &Resources<'_>, within: M, path_a0: &Path, foun
     let e_49 = hit_on_path(r, ex, path_a0, add(backward_23, mul(sub(forward_27, backward_23), e_45)), splat_u(0u32), cost_43);
     return sel_hit(ex, &e_49, &ret);
 } }
-lanes! { fn voxel_path(r: &Resources<'_>, path_a0: &Path) -> VoxelPath {
-    let size_1 = r.volume_size();
-    return VoxelPath { origin: Vec3 { x: sub(mul(path_a0.uv.x, splat(size_1.x)), splat(0.5f32)), y: sub(mul(path_a0.uv.y, splat(size_1.y)), splat(0.5f32)), z: sub(mul(path_a0.h.x, splat(size_1.z)), splat(0.5f32)) }, step: Vec3 { x: mul(path_a0.duv.x, splat(size_1.x)), y: mul(path_a0.duv.y, splat(size_1.y)), z: mul(path_a0.h.y, splat(size_1.z)) }, bend: mul(path_a0.h.z, splat(size_1.z)), };
-} }
-lanes! { fn turning_point(r: &Resources<'_>, within: M, way_a0: &VoxelPath) -> F {
-    let mut ex = within;
-    let mut ret: F = splat(0f32);
-    let c1 = eq(way_a0.bend, splat(0.0f32));
-    ret = splat(3e38f32);
-    ex = and_not(ex, c1);
-    let t_12 = div(sub(splat(0.0f32), way_a0.step.z), mul(splat(2.0f32), way_a0.bend));
-    return sel(ex, sel(gt(t_12, splat(0.0f32)), t_12, splat(3e38f32)), ret);
-} }
-lanes! { fn voxel_place_on(r: &Resources<'_>, way_a0: &VoxelPath, t_a1: F) -> Vec3<F> {
-    return Vec3 { x: add(way_a0.origin.x, mul(add(way_a0.step.x, splat(0.0f32)), t_a1)), y: add(way_a0.origin.y, mul(add(way_a0.step.y, splat(0.0f32)), t_a1)), z: add(way_a0.origin.z, mul(add(way_a0.step.z, mul(way_a0.bend, t_a1)), t_a1)) };
-} }
-lanes! { fn rises_on(r: &Resources<'_>, within: M, way_a0: &VoxelPath, has_turned_a1: M) -> M {
-    let mut ex = within;
-    let mut ret: M = splat_m(false);
-    let mut both_v0: M = splat_m(false);
-    let mut both_v1: M = splat_m(false);
-    let c1 = has_turned_a1;
-    ret = gt(way_a0.bend, splat(0.0f32));
-    ex = and_not(ex, c1);
-    both_v1 = and(eq(way_a0.step.z, splat(0.0f32)), gt(way_a0.bend, splat(0.0f32)));
-    let e_22 = both_v1;
-    both_v0 = or(gt(way_a0.step.z, splat(0.0f32)), e_22);
-    let e_24 = both_v0;
-    return sel_m(ex, e_24, ret);
-} }
-lanes! { fn meets_plane(r: &Resources<'_>, within: M, way_a0: &VoxelPath, plane_a1: F, rises_a2: M, has_turned_a3: M) -> F {
-    let mut ex = within;
-    let mut ret: F = splat(0f32);
-    let gap_6 = sub(plane_a1, way_a0.origin.z);
-    let discriminant_16 = add(mul(way_a0.step.z, way_a0.step.z), mul(mul(splat(4.0f32), way_a0.bend), gap_6));
-    let c1 = not(ge(discriminant_16, splat(0.0f32)));
-    ret = splat(3e38f32);
-    ex = and_not(ex, c1);
-    let root_25 = sel(rises_a2, sqrt(discriminant_16), sub(splat(0.0f32), sqrt(discriminant_16)));
-    let c2 = has_turned_a3;
-    ret = sel(and(ex, c2), div(sub(root_25, way_a0.step.z), mul(splat(2.0f32), way_a0.bend)), ret);
-    ex = and_not(ex, c2);
-    let both_35 = add(way_a0.step.z, root_25);
-    return sel(ex, sel(ne(both_35, splat(0.0f32)), div(mul(splat(2.0f32), gap_6), both_35), splat(3e38f32)), ret);
-} }
-lanes! { fn voxel_leave(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, reach_a2: F, has_turned_a3: M) -> Vec3<F> {
-    let mut ex = within;
-    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let none_6 = Vec2 { x: 0.0f32, y: 0.0f32 };
-    let last_11 = Vec2 { x: add(splat(1.0f32), reach_a2), y: add(splat(1.0f32), reach_a2) };
-    let ahead_22 = Vec2 { x: add(cell_a1.x, sel(gt(way_a0.step.x, splat(none_6.x)), last_11.x, sub(splat(0.0f32), reach_a2))), y: add(cell_a1.y, sel(gt(way_a0.step.y, splat(none_6.y)), last_11.y, sub(splat(0.0f32), reach_a2))) };
-    let beside_28 = Vec2 { x: div(sub(ahead_22.x, way_a0.origin.x), way_a0.step.x), y: div(sub(ahead_22.y, way_a0.origin.y), way_a0.step.y) };
-    let across_36 = Vec2 { x: sel(gt(abs(way_a0.step.x), splat(none_6.x)), beside_28.x, splat(3e38f32)), y: sel(gt(abs(way_a0.step.y), splat(none_6.y)), beside_28.y, splat(3e38f32)) };
-    let rises_37 = rises_on(r, ex, way_a0, has_turned_a3);
-    let plane_44 = add(cell_a1.z, sel(rises_37, add(splat(1.0f32), reach_a2), sub(splat(0.0f32), reach_a2)));
-    let e_45 = meets_plane(r, ex, way_a0, plane_44, rises_37, has_turned_a3);
-    return Vec3 { x: across_36.x, y: across_36.y, z: e_45 };
-} }
 lanes! { fn greatest_value(r: &Resources<'_>, cell_a0: &VoxelCell) -> F {
     let most_3 = Vec4 { x: max(cell_a0.low.x, cell_a0.high.x), y: max(cell_a0.low.y, cell_a0.high.y), z: max(cell_a0.low.z, cell_a0.high.z), w: max(cell_a0.low.w, cell_a0.high.w) };
     return max(max(most_3.x, most_3.y), max(most_3.z, most_3.w));
-} }
-lanes! { fn gap_in_cell(r: &Resources<'_>, way_a0: &VoxelPath, cell_a1: Vec3<F>, corners_a2: &VoxelCell, t_a3: F, span_a4: F) -> Quartic {
-    let e_5 = voxel_place_on(r, way_a0, t_a3);
-    let at_6 = Vec3 { x: sub(e_5.x, cell_a1.x), y: sub(e_5.y, cell_a1.y), z: sub(e_5.z, cell_a1.z) };
-    let slope_14 = mul(add(way_a0.step.z, mul(mul(splat(2.0f32), way_a0.bend), t_a3)), span_a4);
-    let bend_17 = mul(way_a0.bend, mul(span_a4, span_a4));
-    let dx_20 = mul(way_a0.step.x, span_a4);
-    let dy_23 = mul(way_a0.step.y, span_a4);
-    let low_26 = along_slice(r, Vec4 { x: corners_a2.low.x, y: corners_a2.low.y, z: corners_a2.low.z, w: corners_a2.low.w }, Vec2 { x: at_6.x, y: at_6.y }, dx_20, dy_23);
-    let e_29 = along_slice(r, Vec4 { x: corners_a2.high.x, y: corners_a2.high.y, z: corners_a2.high.z, w: corners_a2.high.w }, Vec2 { x: at_6.x, y: at_6.y }, dx_20, dy_23);
-    let rise_30 = Vec3 { x: sub(e_29.x, low_26.x), y: sub(e_29.y, low_26.y), z: sub(e_29.z, low_26.z) };
-    return Quartic { a: sub(splat(0.5f32), add(low_26.x, mul(rise_30.x, at_6.z))), b: sub(splat(0.0f32), add(add(low_26.y, mul(rise_30.y, at_6.z)), mul(rise_30.x, slope_14))), c: sub(splat(0.0f32), add(add(add(low_26.z, mul(rise_30.z, at_6.z)), mul(rise_30.y, slope_14)), mul(rise_30.x, bend_17))), d: sub(splat(0.0f32), add(mul(rise_30.z, slope_14), mul(rise_30.y, bend_17))), e: sub(splat(0.0f32), mul(rise_30.z, bend_17)), };
 } }
 lanes! { fn is_above_zero(r: &Resources<'_>, q_a0: &Quartic) -> M {
     let p1_5 = add(q_a0.a, mul(splat(0.25f32), q_a0.b));
@@ -1887,43 +2043,6 @@ lanes! { fn root_in_voxel_cell(r: &Resources<'_>, within: M, way_a0: &VoxelPath,
     let gap_12 = gap_in_cell(r, way_a0, cell_a1, &corners_5, t_a2, span_a3);
     let e_13 = first_root_of_quartic(r, ex, &gap_12);
     return sel_root_in_cell(ex, &RootInCell { root: e_13, gap: gap_12.a, }, &ret);
-} }
-lanes! { fn voxel_cell_at(r: &Resources<'_>, way_a0: &VoxelPath, cell_a1: Vec3<F>, reach_a2: F, t_a3: F) -> Vec3<F> {
-    let far_4 = Vec3 { x: reach_a2, y: reach_a2, z: reach_a2 };
-    let e_5 = voxel_place_on(r, way_a0, t_a3);
-    return Vec3 { x: min(max(floor(e_5.x), sub(cell_a1.x, far_4.x)), add(cell_a1.x, far_4.x)), y: min(max(floor(e_5.y), sub(cell_a1.y, far_4.y)), add(cell_a1.y, far_4.y)), z: min(max(floor(e_5.z), sub(cell_a1.z, far_4.z)), add(cell_a1.z, far_4.z)) };
-} }
-lanes! { fn next_voxel_cell(r: &Resources<'_>, within: M, way_a0: &VoxelPath, cell_a1: Vec3<F>, reach_a2: F, leave_a3: Vec3<F>, rises_a4: M, t_a5: F) -> Vec3<F> {
-    let mut ex = within;
-    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let mut next_v0: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let mut both_v1: M = splat_m(false);
-    let e_6 = voxel_cell_at(r, way_a0, cell_a1, reach_a2, t_a5);
-    next_v0 = e_6;
-    let far_9 = add(reach_a2, splat(1.0f32));
-    both_v1 = and(le(leave_a3.x, leave_a3.y), le(leave_a3.x, leave_a3.z));
-    let e_19 = both_v1;
-    let (b1, c2) = (ex, e_19);
-    ex = and(b1, c2);
-    if any(ex) {
-        next_v0.x = sel(ex, add(cell_a1.x, sel(gt(way_a0.step.x, splat(0.0f32)), far_9, sub(splat(0.0f32), far_9))), next_v0.x);
-    }
-    ex = and_not(b1, c2);
-    if any(ex) {
-        let (b3, c4) = (ex, le(leave_a3.y, leave_a3.z));
-        ex = and(b3, c4);
-        if any(ex) {
-            next_v0.y = sel(ex, add(cell_a1.y, sel(gt(way_a0.step.y, splat(0.0f32)), far_9, sub(splat(0.0f32), far_9))), next_v0.y);
-        }
-        ex = and_not(b3, c4);
-        if any(ex) {
-            next_v0.z = sel(ex, add(cell_a1.z, sel(rises_a4, far_9, sub(splat(0.0f32), far_9))), next_v0.z);
-        }
-        ex = b3;
-    }
-    ex = b1;
-    let e_49 = next_v0;
-    return e_49;
 } }
 stage! { fn first_root_on_path(r: &Resources<'_>, within: M, path_a0: &Path, from_t_a1: F, to_t_a2: F, limit_a3: u32) -> SearchResult {
     let mut ex = within;
@@ -3860,25 +3979,6 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
     let e_141 = cost_v4;
     return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_139, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_141, }, &ret);
 } }
-lanes! { fn wrap_cell(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> I {
-    let mut ex = within;
-    let mut ret: I = splat_i(0i32);
-    if (r.surface_settings.wrap == 0u32) {
-        let e_7 = wrap_index(r, ex, i_a0, n_a1);
-        return e_7;
-    }
-    let pair_8 = wrap_pair(r, ex, i_a0, n_a1);
-    return min_i(pair_8.x, pair_8.y);
-} }
-lanes! { fn voxel_texel(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> Vec2<I> {
-    let mut ex = within;
-    let mut ret: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
-    let size_5 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
-    let e_7 = slice_begin(r, cell_a0.z);
-    let e_10 = wrap_cell(r, ex, cell_a0.x, size_5.x);
-    let e_13 = wrap_cell(r, ex, cell_a0.y, size_5.y);
-    return Vec2 { x: add_i(e_7.x, e_10), y: add_i(e_7.y, e_13) };
-} }
 stage! { fn search_voxels(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
@@ -4408,6 +4508,63 @@ lanes! { fn search_view_dependent_free(r: &Resources<'_>, within: M, path_a0: &P
     let e_87 = map_read(r, path_a0, 1u32);
     return sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: min(free_80, path_a0.exit), far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(1.0f32), cost: Vec3 { x: add_u(splat_u(0u32), e_87.x), y: add_u(splat_u(1u32), e_87.y), z: add_u(splat_u(0u32), e_87.z) }, }, &ret);
 } }
+stage! { fn search_translucent(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+    let mut ex = within;
+    let mut ret: SearchResult = zero_search_result();
+    let mut alive = ex;
+    let mut part_v0: CellPart = zero_cell_part();
+    let mut cost_v1: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let way_2 = voxel_path(r, path_a0);
+    let turn_3 = turning_point(r, ex, &way_2);
+    let limit_5 = (params_a1.z as u32);
+    let e_6 = first_part(r, ex, path_a0, &way_2, turn_3);
+    part_v0 = e_6;
+    let b2 = ex;
+    'l1: loop {
+        let e_11 = cost_v1.y;
+        let c3 = lt_u(e_11, splat_u(limit_5));
+        ex = and(ex, c3);
+        let e_13 = cost_v1;
+        if none(ex) { break 'l1; }
+        let e_17 = map_read(r, path_a0, 1u32);
+        let (m4, y5) = (ex, Vec3 { x: add_u(add_u(e_13.x, splat_u(0u32)), e_17.x), y: add_u(add_u(e_13.y, splat_u(1u32)), e_17.y), z: add_u(add_u(e_13.z, splat_u(0u32)), e_17.z) });
+        cost_v1 = Vec3 { x: sel_u(m4, y5.x, cost_v1.x), y: sel_u(m4, y5.y, cost_v1.y), z: sel_u(m4, y5.z, cost_v1.z) };
+        let e_20 = part_v0.empty;
+        let (b6, c7) = (ex, lt(e_20, splat(0.0f32)));
+        ex = and(b6, c7);
+        if any(ex) {
+            let e_25 = part_v0.begin;
+            let e_27 = part_v0.begin;
+            let e_28 = cost_v1;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: e_25, far: e_27, near_gap: splat(0.0f32), far_gap: splat(1.0f32), cost: e_28, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b6, c7);
+        let e_33 = part_v0.is_last;
+        if none(ex) { break 'l1; }
+        let (b8, c9) = (ex, eq_u(e_33, splat_u(1u32)));
+        ex = and(b8, c9);
+        if any(ex) {
+            let e_38 = part_v0.end;
+            let e_40 = part_v0.end;
+            let e_41 = cost_v1;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_38, far: e_40, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_41, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b8, c9);
+        let e_45 = part_v0;
+        if none(ex) { break 'l1; }
+        let e_46 = next_part(r, ex, path_a0, &way_2, turn_3, &e_45);
+        part_v0 = sel_cell_part(ex, &e_46, &part_v0);
+    }
+    ex = and(b2, alive);
+    let e_49 = part_v0.begin;
+    let e_51 = part_v0.begin;
+    let e_52 = cost_v1;
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_49, far: e_51, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_52, }, &ret);
+} }
 lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
@@ -4472,9 +4629,13 @@ lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Search
             let e_95 = search_view_dependent(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_95;
         }
-        _ => {
+        15u32 => {
             let e_101 = search_view_dependent_free(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_101;
+        }
+        _ => {
+            let e_107 = search_translucent(r, ex, path_a0, r.surface_settings.choices[6].params);
+            return e_107;
         }
     }
 } }
@@ -4549,9 +4710,13 @@ stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0
             let e_95 = search_view_dependent(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_95;
         }
-        _ => {
+        15u32 => {
             let e_101 = search_view_dependent_free(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_101;
+        }
+        _ => {
+            let e_107 = search_translucent(r, ex, path_a0, r.surface_settings.choices[10].params);
+            return e_107;
         }
     }
 } }

@@ -308,6 +308,7 @@ impl Shared for SurfaceSettings {
         self.jump.write(&mut bytes[1156..]);
         self.volume.write(&mut bytes[1168..]);
         self.cutoff.write(&mut bytes[1184..]);
+        self.translucent.write(&mut bytes[1192..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -359,6 +360,7 @@ impl Shared for SurfaceSettings {
             jump: Shared::read(&bytes[1156..]),
             volume: Shared::read(&bytes[1168..]),
             cutoff: Shared::read(&bytes[1184..]),
+            translucent: Shared::read(&bytes[1192..]),
         }
     }
 }
@@ -398,7 +400,7 @@ impl Shared for ShellNode {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-/// A pixel as it is read back: 23 words, and one for padding.
+/// A pixel as it is read back: 24 words.
 pub struct Record {
     pub color: rt::Vec4<f32>,
     pub position: rt::Vec3<f32>,
@@ -416,6 +418,7 @@ pub struct Record {
     pub bytes: u32,
     pub lit: f32,
     pub z: f32,
+    pub transmittance: f32,
 }
 
 impl Shared for Record {
@@ -436,6 +439,7 @@ impl Shared for Record {
         self.bytes.write(&mut bytes[80..]);
         self.lit.write(&mut bytes[84..]);
         self.z.write(&mut bytes[88..]);
+        self.transmittance.write(&mut bytes[92..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -454,6 +458,31 @@ impl Shared for Record {
             bytes: Shared::read(&bytes[80..]),
             lit: Shared::read(&bytes[84..]),
             z: Shared::read(&bytes[88..]),
+            transmittance: Shared::read(&bytes[92..]),
+        }
+    }
+}
+
+impl Shared for Gathered {
+    const SIZE: usize = 32;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.light.write(&mut bytes[0..]);
+        self.transmittance.write(&mut bytes[12..]);
+        self.entry.write(&mut bytes[16..]);
+        self.until_m.write(&mut bytes[20..]);
+        self.reach_m.write(&mut bytes[24..]);
+        self.pending.write(&mut bytes[28..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            light: Shared::read(&bytes[0..]),
+            transmittance: Shared::read(&bytes[12..]),
+            entry: Shared::read(&bytes[16..]),
+            until_m: Shared::read(&bytes[20..]),
+            reach_m: Shared::read(&bytes[24..]),
+            pending: Shared::read(&bytes[28..]),
         }
     }
 }

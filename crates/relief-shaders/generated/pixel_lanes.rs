@@ -624,6 +624,7 @@ pub struct PixelOut {
     pub level: U,
     pub z: F,
     pub surface: U,
+    pub transmittance: F,
 }
 lanes! { fn sel_pixel_out(m: M, a: &PixelOut, b: &PixelOut) -> PixelOut {
     PixelOut {
@@ -644,6 +645,7 @@ lanes! { fn sel_pixel_out(m: M, a: &PixelOut, b: &PixelOut) -> PixelOut {
         level: sel_u(m, a.level, b.level),
         z: sel(m, a.z, b.z),
         surface: sel_u(m, a.surface, b.surface),
+        transmittance: sel(m, a.transmittance, b.transmittance),
     }
 } }
 lanes! { fn zero_pixel_out() -> PixelOut {
@@ -665,6 +667,7 @@ lanes! { fn zero_pixel_out() -> PixelOut {
         level: splat_u(0u32),
         z: splat(0f32),
         surface: splat_u(0u32),
+        transmittance: splat(0f32),
     }
 } }
 
@@ -1219,6 +1222,7 @@ lanes! { pub fn load_pixel_out(block: &PixelOutBlock, part: usize) -> PixelOut {
         level: load_u(&block.level.as_chunks().0[part]),
         z: load(&block.z.as_chunks().0[part]),
         surface: load_u(&block.surface.as_chunks().0[part]),
+        transmittance: load(&block.transmittance.as_chunks().0[part]),
     }
 } }
 lanes! { pub fn store_pixel_out(block: &mut PixelOutBlock, part: usize, which: M, value: &PixelOut) {
@@ -1248,6 +1252,7 @@ lanes! { pub fn store_pixel_out(block: &mut PixelOutBlock, part: usize, which: M
     store_u(&mut block.level.as_chunks_mut().0[part], which, value.level);
     store(&mut block.z.as_chunks_mut().0[part], which, value.z);
     store_u(&mut block.surface.as_chunks_mut().0[part], which, value.surface);
+    store(&mut block.transmittance.as_chunks_mut().0[part], which, value.transmittance);
 } }
 
 lanes! { fn quadratic(r: &Resources<'_>, c_a0: Vec3<F>, s_a1: F) -> F {
@@ -2051,6 +2056,70 @@ lanes! { fn angle_to_image(r: &Resources<'_>, within: M, image_a0: &Image, point
     let off_39 = abs(sub(place_12.z, e_37));
     return add(angle_10, sel(le(mul(mul(off_39, width_20), div(deeper_33, wider_27)), splat(2.0f32)), splat(0.0f32), splat(2.0f32)));
 } }
+lanes! { fn near_uv(r: &Resources<'_>, uv_a0: Vec2<F>) -> Vec2<F> {
+    if (r.surface_settings.wrap == 0u32) {
+        return Vec2 { x: sub(uv_a0.x, floor(uv_a0.x)), y: sub(uv_a0.y, floor(uv_a0.y)) };
+    }
+    if (r.surface_settings.wrap == 2u32) {
+        return Vec2 { x: sub(uv_a0.x, mul(splat(2.0f32), floor(mul(splat(0.5f32), uv_a0.x)))), y: sub(uv_a0.y, mul(splat(2.0f32), floor(mul(splat(0.5f32), uv_a0.y)))) };
+    }
+    return uv_a0;
+} }
+lanes! { fn inside_unit(r: &Resources<'_>, within: M, x0_a0: F, dx_a1: F, interval_a2: Vec2<F>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    let (b1, c2) = (ex, eq(dx_a1, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        both_v0 = or(lt(x0_a0, splat(0.0f32)), gt(x0_a0, splat(1.0f32)));
+        let e_13 = both_v0;
+        let (b3, c4) = (ex, e_13);
+        ex = and(b3, c4);
+        if any(ex) {
+            ret = Vec2 { x: splat(1.0f32), y: splat((-1.0f32)) };
+            ex = no_lane();
+        }
+        ex = and_not(b3, c4);
+        let y5 = interval_a2;
+        ret = Vec2 { x: sel(ex, y5.x, ret.x), y: sel(ex, y5.y, ret.y) };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let a_19 = div(sub(splat(0.0f32), x0_a0), dx_a1);
+    let b_22 = div(sub(splat(1.0f32), x0_a0), dx_a1);
+    let y6 = Vec2 { x: max(interval_a2.x, min(a_19, b_22)), y: min(interval_a2.y, max(a_19, b_22)) };
+    return Vec2 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y) };
+} }
+lanes! { fn slice_begin(r: &Resources<'_>, slice_a0: I) -> Vec2<I> {
+    let size_5 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
+    let in_row_10 = (r.surface_settings.volume.w as i32);
+    let k_15 = min_i(max_i(slice_a0, splat_i(0i32)), splat_i(size_5.z.wrapping_sub(1i32)));
+    let row_21 = i_of_f(div(add(f_of_i(k_15), splat(0.5f32)), splat((in_row_10 as f32))));
+    return Vec2 { x: mul_i(sub_i(k_15, mul_i(row_21, splat_i(in_row_10))), splat_i(size_5.x)), y: mul_i(row_21, splat_i(size_5.y)) };
+} }
+lanes! { fn slice_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, slice_a1: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let size_6 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
+    let begin_7 = slice_begin(r, slice_a1);
+    let e_13 = wrap_pair(r, ex, cell_a0.x, splat_i(size_6.x));
+    let i_14 = Vec2 { x: add_i(begin_7.x, e_13.x), y: add_i(begin_7.x, e_13.y) };
+    let e_20 = wrap_pair(r, ex, cell_a0.y, splat_i(size_6.y));
+    let j_21 = Vec2 { x: add_i(begin_7.y, e_20.x), y: add_i(begin_7.y, e_20.y) };
+    let e_27 = height_texel(&r.height_map, i_14.x, j_21.x, 0i32);
+    let e_34 = height_texel(&r.height_map, i_14.y, j_21.x, 0i32);
+    let e_41 = height_texel(&r.height_map, i_14.x, j_21.y, 0i32);
+    let e_48 = height_texel(&r.height_map, i_14.y, j_21.y, 0i32);
+    return Vec4 { x: e_27.x, y: e_34.x, z: e_41.x, w: e_48.x };
+} }
+lanes! { fn voxel_cell(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> VoxelCell {
+    let mut ex = within;
+    let mut ret: VoxelCell = zero_voxel_cell();
+    let e_3 = slice_cell(r, ex, Vec2 { x: cell_a0.x, y: cell_a0.y }, cell_a0.z);
+    let e_8 = slice_cell(r, ex, Vec2 { x: cell_a0.x, y: cell_a0.y }, add_i(cell_a0.z, splat_i(1i32)));
+    return VoxelCell { low: e_3, high: e_8, };
+} }
 stage! { pub(super) fn pixel_direction(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
     return Vec3 { x: add(add(splat(r.frame.corner.x), mul(splat(r.frame.right.x), pixel_a0.x)), mul(splat(r.frame.down.x), pixel_a0.y)), y: add(add(splat(r.frame.corner.y), mul(splat(r.frame.right.y), pixel_a0.x)), mul(splat(r.frame.down.y), pixel_a0.y)), z: add(add(splat(r.frame.corner.z), mul(splat(r.frame.right.z), pixel_a0.x)), mul(splat(r.frame.down.z), pixel_a0.y)) };
 } }
@@ -2170,35 +2239,6 @@ lanes! { fn field_heights_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1
     let e_4 = path_uv(r, path_a0, t_a1);
     let e_6 = height_at_ll(r, ex, e_4, path_a0.level);
     return sub(e_3, e_6);
-} }
-lanes! { fn slice_begin(r: &Resources<'_>, slice_a0: I) -> Vec2<I> {
-    let size_5 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
-    let in_row_10 = (r.surface_settings.volume.w as i32);
-    let k_15 = min_i(max_i(slice_a0, splat_i(0i32)), splat_i(size_5.z.wrapping_sub(1i32)));
-    let row_21 = i_of_f(div(add(f_of_i(k_15), splat(0.5f32)), splat((in_row_10 as f32))));
-    return Vec2 { x: mul_i(sub_i(k_15, mul_i(row_21, splat_i(in_row_10))), splat_i(size_5.x)), y: mul_i(row_21, splat_i(size_5.y)) };
-} }
-lanes! { fn slice_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, slice_a1: I) -> Vec4<F> {
-    let mut ex = within;
-    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let size_6 = Vec3 { x: (r.surface_settings.volume.x as i32), y: (r.surface_settings.volume.y as i32), z: (r.surface_settings.volume.z as i32) };
-    let begin_7 = slice_begin(r, slice_a1);
-    let e_13 = wrap_pair(r, ex, cell_a0.x, splat_i(size_6.x));
-    let i_14 = Vec2 { x: add_i(begin_7.x, e_13.x), y: add_i(begin_7.x, e_13.y) };
-    let e_20 = wrap_pair(r, ex, cell_a0.y, splat_i(size_6.y));
-    let j_21 = Vec2 { x: add_i(begin_7.y, e_20.x), y: add_i(begin_7.y, e_20.y) };
-    let e_27 = height_texel(&r.height_map, i_14.x, j_21.x, 0i32);
-    let e_34 = height_texel(&r.height_map, i_14.y, j_21.x, 0i32);
-    let e_41 = height_texel(&r.height_map, i_14.x, j_21.y, 0i32);
-    let e_48 = height_texel(&r.height_map, i_14.y, j_21.y, 0i32);
-    return Vec4 { x: e_27.x, y: e_34.x, z: e_41.x, w: e_48.x };
-} }
-lanes! { fn voxel_cell(r: &Resources<'_>, within: M, cell_a0: Vec3<I>) -> VoxelCell {
-    let mut ex = within;
-    let mut ret: VoxelCell = zero_voxel_cell();
-    let e_3 = slice_cell(r, ex, Vec2 { x: cell_a0.x, y: cell_a0.y }, cell_a0.z);
-    let e_8 = slice_cell(r, ex, Vec2 { x: cell_a0.x, y: cell_a0.y }, add_i(cell_a0.z, splat_i(1i32)));
-    return VoxelCell { low: e_3, high: e_8, };
 } }
 lanes! { fn in_slice(r: &Resources<'_>, corners_a0: Vec4<F>, part_a1: Vec2<F>) -> F {
     let top_8 = add(corners_a0.x, mul(sub(corners_a0.y, corners_a0.x), part_a1.x));
@@ -2516,32 +2556,6 @@ lanes! { fn where_positive(r: &Resources<'_>, within: M, interval_a0: Vec2<F>, w
     ex = and_not(ex, c2);
     let y4 = Vec2 { x: interval_a0.x, y: min(interval_a0.y, t_17) };
     return Vec2 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y) };
-} }
-lanes! { fn inside_unit(r: &Resources<'_>, within: M, x0_a0: F, dx_a1: F, interval_a2: Vec2<F>) -> Vec2<F> {
-    let mut ex = within;
-    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
-    let mut both_v0: M = splat_m(false);
-    let (b1, c2) = (ex, eq(dx_a1, splat(0.0f32)));
-    ex = and(b1, c2);
-    if any(ex) {
-        both_v0 = or(lt(x0_a0, splat(0.0f32)), gt(x0_a0, splat(1.0f32)));
-        let e_13 = both_v0;
-        let (b3, c4) = (ex, e_13);
-        ex = and(b3, c4);
-        if any(ex) {
-            ret = Vec2 { x: splat(1.0f32), y: splat((-1.0f32)) };
-            ex = no_lane();
-        }
-        ex = and_not(b3, c4);
-        let y5 = interval_a2;
-        ret = Vec2 { x: sel(ex, y5.x, ret.x), y: sel(ex, y5.y, ret.y) };
-        ex = no_lane();
-    }
-    ex = and_not(b1, c2);
-    let a_19 = div(sub(splat(0.0f32), x0_a0), dx_a1);
-    let b_22 = div(sub(splat(1.0f32), x0_a0), dx_a1);
-    let y6 = Vec2 { x: max(interval_a2.x, min(a_19, b_22)), y: min(interval_a2.y, max(a_19, b_22)) };
-    return Vec2 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y) };
 } }
 lanes! { fn path_from(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Path {
     let mut rest_v0: Path = zero_path();
@@ -4044,15 +4058,6 @@ lanes! { fn field_height_stage(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, hei
             return e_19;
         }
     }
-} }
-lanes! { fn near_uv(r: &Resources<'_>, uv_a0: Vec2<F>) -> Vec2<F> {
-    if (r.surface_settings.wrap == 0u32) {
-        return Vec2 { x: sub(uv_a0.x, floor(uv_a0.x)), y: sub(uv_a0.y, floor(uv_a0.y)) };
-    }
-    if (r.surface_settings.wrap == 2u32) {
-        return Vec2 { x: sub(uv_a0.x, mul(splat(2.0f32), floor(mul(splat(0.5f32), uv_a0.x)))), y: sub(uv_a0.y, mul(splat(2.0f32), floor(mul(splat(0.5f32), uv_a0.y)))) };
-    }
-    return uv_a0;
 } }
 lanes! { fn from_hit(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> Path {
     let mut ex = within;
@@ -5741,6 +5746,398 @@ stage! { pub(super) fn hit_on_segment(r: &Resources<'_>, within: M, pixel_a0: &P
     let e_20 = first_v0;
     return e_20;
 } }
+lanes! { fn placed_over(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let aside_4 = Vec2 { x: sub(hit_a1.uv.x, at_a0.uv.x), y: sub(hit_a1.uv.y, at_a0.uv.y) };
+    let level_7 = field_height_stage(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, hit_a1.height, at_a0.level);
+    let height_15 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), level_7));
+    placed_v0 = *at_a0;
+    placed_v0.point = Vec3 { x: add(add(add(at_a0.point.x, mul(at_a0.tangent.x, aside_4.x)), mul(at_a0.bitangent.x, aside_4.y)), mul(at_a0.normal.x, height_15)), y: add(add(add(at_a0.point.y, mul(at_a0.tangent.y, aside_4.x)), mul(at_a0.bitangent.y, aside_4.y)), mul(at_a0.normal.y, height_15)), z: add(add(add(at_a0.point.z, mul(at_a0.tangent.z, aside_4.x)), mul(at_a0.bitangent.z, aside_4.y)), mul(at_a0.normal.z, height_15)) };
+    placed_v0.uv = Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y };
+    let e_31 = placed_v0;
+    return e_31;
+} }
+lanes! { fn surface_plane_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let e_5 = placed_over(r, ex, at_a1, hit_a3);
+    return e_5;
+} }
+lanes! { fn placed_at(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, weights_a2: Vec3<F>, point_a3: Vec3<F>, uv_a4: Vec2<F>) -> Entered {
+    let mut placed_v0: Entered = zero_entered();
+    let e_6 = frame_at(r, pixel_a0, weights_a2, point_a3, uv_a4, Vec3 { x: at_a1.facing.x, y: at_a1.facing.y, z: at_a1.facing.z });
+    placed_v0 = e_6;
+    placed_v0.level = at_a1.level;
+    placed_v0.footprint = at_a1.footprint;
+    placed_v0.fade = at_a1.fade;
+    let e_14 = placed_v0;
+    return e_14;
+} }
+lanes! { fn surface_prism_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_6 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let middle_7 = middle_of(r, pixel_a0, along_6);
+    let prism_8 = prism_of(r, pixel_a0, along_6, middle_7, params_a4);
+    let s_12 = sub(add(path_a2.start, hit_a3.t), middle_7);
+    let e_15 = point_of_way(r, ex, pixel_a0, &prism_8, Vec3 { x: mul(along_6.x, s_12), y: mul(along_6.y, s_12), z: mul(along_6.z, s_12) }, hit_a3.height);
+    let e_20 = add(path_a2.start, hit_a3.t);
+    let e_24 = placed_at(r, pixel_a0, at_a1, Vec3 { x: e_15.weights.x, y: e_15.weights.y, z: e_15.weights.z }, Vec3 { x: add(pixel_a0.origin.x, mul(along_6.x, e_20)), y: add(pixel_a0.origin.y, mul(along_6.y, e_20)), z: add(pixel_a0.origin.z, mul(along_6.z, e_20)) }, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
+    return e_24;
+} }
+lanes! { fn quadric_frame(r: &Resources<'_>, within: M, at_a0: &Entered, aside_a1: Vec2<F>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let mut both_v1: M = splat_m(false);
+    placed_v0 = *at_a0;
+    let slope_5 = quadric_slope(r, Vec3 { x: at_a0.of_surface.x, y: at_a0.of_surface.y, z: at_a0.of_surface.z }, aside_a1);
+    both_v1 = and(eq(slope_5.x, splat(0.0f32)), eq(slope_5.y, splat(0.0f32)));
+    let e_15 = both_v1;
+    let (b1, c2) = (ex, e_15);
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_16 = placed_v0;
+        ret = e_16;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let area_24 = sub(mul(at_a0.metric.x, at_a0.metric.z), mul(at_a0.metric.y, at_a0.metric.y));
+    let along_t_32 = div(sub(mul(slope_5.x, at_a0.metric.z), mul(slope_5.y, at_a0.metric.y)), area_24);
+    let along_b_40 = div(sub(mul(slope_5.y, at_a0.metric.x), mul(slope_5.x, at_a0.metric.y)), area_24);
+    placed_v0.tangent = Vec3 { x: add(at_a0.tangent.x, mul(at_a0.normal.x, slope_5.x)), y: add(at_a0.tangent.y, mul(at_a0.normal.y, slope_5.x)), z: add(at_a0.tangent.z, mul(at_a0.normal.z, slope_5.x)) };
+    placed_v0.bitangent = Vec3 { x: add(at_a0.bitangent.x, mul(at_a0.normal.x, slope_5.y)), y: add(at_a0.bitangent.y, mul(at_a0.normal.y, slope_5.y)), z: add(at_a0.bitangent.z, mul(at_a0.normal.z, slope_5.y)) };
+    let e_60 = Vec3 { x: sub(sub(at_a0.normal.x, mul(at_a0.tangent.x, along_t_32)), mul(at_a0.bitangent.x, along_b_40)), y: sub(sub(at_a0.normal.y, mul(at_a0.tangent.y, along_t_32)), mul(at_a0.bitangent.y, along_b_40)), z: sub(sub(at_a0.normal.z, mul(at_a0.tangent.z, along_t_32)), mul(at_a0.bitangent.z, along_b_40)) };
+    let length3 = sqrt(add(add(mul(e_60.x, e_60.x), mul(e_60.y, e_60.y)), mul(e_60.z, e_60.z)));
+    let e_61 = Vec3 { x: div(e_60.x, length3), y: div(e_60.y, length3), z: div(e_60.z, length3) };
+    placed_v0.normal = e_61;
+    let e_63 = placed_v0.tangent;
+    let e_65 = placed_v0.tangent;
+    let tt_66 = add(add(add(mul(e_63.x, e_65.x), mul(e_63.y, e_65.y)), mul(e_63.z, e_65.z)), splat(0.0f32));
+    let e_68 = placed_v0.tangent;
+    let e_70 = placed_v0.bitangent;
+    let tb_71 = add(add(add(mul(e_68.x, e_70.x), mul(e_68.y, e_70.y)), mul(e_68.z, e_70.z)), splat(0.0f32));
+    let e_73 = placed_v0.bitangent;
+    let e_75 = placed_v0.bitangent;
+    let bb_76 = add(add(add(mul(e_73.x, e_75.x), mul(e_73.y, e_75.y)), mul(e_73.z, e_75.z)), splat(0.0f32));
+    placed_v0.metric = Vec4 { x: tt_66, y: tb_71, z: bb_76, w: at_a0.metric.w };
+    let e_80 = placed_v0;
+    return sel_entered(ex, &e_80, &ret);
+} }
+lanes! { fn surface_quadric_perpendicular_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let e_8 = quadric_frame(r, ex, at_a1, Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) });
+    placed_v0 = e_8;
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_13 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let e_16 = add(path_a2.start, hit_a3.t);
+    placed_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(e_13.x, e_16)), y: add(pixel_a0.origin.y, mul(e_13.y, e_16)), z: add(pixel_a0.origin.z, mul(e_13.z, e_16)) };
+    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
+    let e_21 = placed_v0;
+    return e_21;
+} }
+lanes! { fn surface_quadric_vertical_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let aside_7 = Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) };
+    let level_11 = field_height_stage(r, ex, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, hit_a3.height, at_a1.level);
+    let height_19 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), level_11));
+    let e_20 = r.base_height();
+    let e_24 = r.traced_scale_m();
+    let e_28 = quadric_at(r, Vec3 { x: at_a1.of_surface.x, y: at_a1.of_surface.y, z: at_a1.of_surface.z }, aside_7);
+    let lifted_29 = add(mul(sub(splat(e_20), at_a1.of_surface.w), splat(e_24)), e_28);
+    let e_30 = quadric_frame(r, ex, at_a1, aside_7);
+    placed_v0 = e_30;
+    let e_43 = add(height_19, lifted_29);
+    placed_v0.point = Vec3 { x: add(add(add(at_a1.point.x, mul(at_a1.tangent.x, aside_7.x)), mul(at_a1.bitangent.x, aside_7.y)), mul(at_a1.normal.x, e_43)), y: add(add(add(at_a1.point.y, mul(at_a1.tangent.y, aside_7.x)), mul(at_a1.bitangent.y, aside_7.y)), mul(at_a1.normal.y, e_43)), z: add(add(add(at_a1.point.z, mul(at_a1.tangent.z, aside_7.x)), mul(at_a1.bitangent.z, aside_7.y)), mul(at_a1.normal.z, e_43)) };
+    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
+    let e_48 = placed_v0;
+    return e_48;
+} }
+stage! { fn surface_tetrahedra_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut nearest_v0: Tetrahedron = zero_tetrahedron();
+    let mut beside_v1: F = splat(0f32);
+    let mut number_v2: u32 = 1u32;
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_6 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let middle_7 = middle_of(r, pixel_a0, along_6);
+    let t_11 = sub(add(path_a2.start, hit_a3.t), middle_7);
+    let e_13 = tetrahedron(r, ex, pixel_a0, along_6, middle_7, 0u32);
+    nearest_v0 = e_13;
+    let e_17 = nearest_v0.inside.x;
+    let e_21 = nearest_v0.inside.y;
+    beside_v1 = max(sub(e_17, t_11), sub(t_11, e_21));
+    'l2: loop {
+        let e_27 = number_v2;
+        if (e_27 < 3u32) {
+        } else {
+            break 'l2;
+        }
+        let e_30 = number_v2;
+        let other_31 = tetrahedron(r, ex, pixel_a0, along_6, middle_7, e_30);
+        let aside_38 = max(sub(other_31.inside.x, t_11), sub(t_11, other_31.inside.y));
+        let e_39 = beside_v1;
+        let c3 = lt(aside_38, e_39);
+        nearest_v0 = sel_tetrahedron(c3, &other_31, &nearest_v0);
+        beside_v1 = sel(c3, aside_38, beside_v1);
+        let e_41 = number_v2;
+        number_v2 = e_41.wrapping_add(1u32);
+    }
+    let e_45 = nearest_v0.weights;
+    let e_47 = nearest_v0.change;
+    let weights_49 = Vec4 { x: add(e_45.x, mul(e_47.x, t_11)), y: add(e_45.y, mul(e_47.y, t_11)), z: add(e_45.z, mul(e_47.z, t_11)), w: add(e_45.w, mul(e_47.w, t_11)) };
+    let e_53 = add(path_a2.start, hit_a3.t);
+    let point_55 = Vec3 { x: add(pixel_a0.origin.x, mul(along_6.x, e_53)), y: add(pixel_a0.origin.y, mul(along_6.y, e_53)), z: add(pixel_a0.origin.z, mul(along_6.z, e_53)) };
+    let e_58 = placed_at(r, pixel_a0, at_a1, Vec3 { x: weights_49.x, y: weights_49.y, z: weights_49.z }, point_55, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
+    return e_58;
+} }
+lanes! { fn surface_facets_place(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    return *at_a1;
+} }
+lanes! { fn surface_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let e_5 = placed_over(r, ex, at_a1, hit_a3);
+    return e_5;
+} }
+lanes! { fn rise_of_mask(r: &Resources<'_>, within: M, uv_a0: Vec2<F>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let e_2 = height_size(r, splat_u(0u32));
+    let at_7 = Vec2 { x: sub(mul(uv_a0.x, e_2.x), splat(0.5f32)), y: sub(mul(uv_a0.y, e_2.y), splat(0.5f32)) };
+    let cell_8 = cell_of(r, at_7);
+    let h_11 = object_cell_stage_ls(r, ex, Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) }, 0u32);
+    let part_12 = Vec2 { x: sub(at_7.x, cell_8.x), y: sub(at_7.y, cell_8.y) };
+    return Vec2 { x: add(mul(sub(h_11.y, h_11.x), sub(splat(1.0f32), part_12.y)), mul(sub(h_11.w, h_11.z), part_12.y)), y: add(mul(sub(h_11.z, h_11.x), sub(splat(1.0f32), part_12.x)), mul(sub(h_11.w, h_11.y), part_12.x)) };
+} }
+lanes! { fn normal_of_mask(r: &Resources<'_>, within: M, image_a0: &Image, uv_a1: Vec2<F>, within_a2: Vec3<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let rise_3 = rise_of_mask(r, ex, uv_a1);
+    let place_7 = Vec2 { x: div(sub(uv_a1.x, image_a0.corner.x), image_a0.extent.x), y: div(sub(uv_a1.y, image_a0.corner.y), image_a0.extent.y) };
+    let e_14 = Vec3 { x: sub(image_a0.u.x, mul(image_a0.depth.x, place_7.x)), y: sub(image_a0.u.y, mul(image_a0.depth.y, place_7.x)), z: sub(image_a0.u.z, mul(image_a0.depth.z, place_7.x)) };
+    let length1 = sqrt(add(add(mul(e_14.x, e_14.x), mul(e_14.y, e_14.y)), mul(e_14.z, e_14.z)));
+    let along_u_15 = Vec3 { x: div(e_14.x, length1), y: div(e_14.y, length1), z: div(e_14.z, length1) };
+    let e_22 = Vec3 { x: sub(image_a0.v.x, mul(image_a0.depth.x, place_7.y)), y: sub(image_a0.v.y, mul(image_a0.depth.y, place_7.y)), z: sub(image_a0.v.z, mul(image_a0.depth.z, place_7.y)) };
+    let length2 = sqrt(add(add(mul(e_22.x, e_22.x), mul(e_22.y, e_22.y)), mul(e_22.z, e_22.z)));
+    let along_v_23 = Vec3 { x: div(e_22.x, length2), y: div(e_22.y, length2), z: div(e_22.z, length2) };
+    let outward_33 = Vec3 { x: sub(sub(splat(0.0f32), mul(along_u_15.x, rise_3.x)), mul(along_v_23.x, rise_3.y)), y: sub(sub(splat(0.0f32), mul(along_u_15.y, rise_3.x)), mul(along_v_23.y, rise_3.y)), z: sub(sub(splat(0.0f32), mul(along_u_15.z, rise_3.x)), mul(along_v_23.z, rise_3.y)) };
+    let square_34 = add(add(add(mul(outward_33.x, outward_33.x), mul(outward_33.y, outward_33.y)), mul(outward_33.z, outward_33.z)), splat(0.0f32));
+    let c3 = gt(square_34, splat(0.0f32));
+    let e_37 = sqrt(square_34);
+    ret = Vec3 { x: div(outward_33.x, e_37), y: div(outward_33.y, e_37), z: div(outward_33.z, e_37) };
+    ex = and_not(ex, c3);
+    let y4 = within_a2;
+    return Vec3 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y), z: sel(ex, y4.z, ret.z) };
+} }
+lanes! { fn placed_in_image(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let image_6 = image_of_object_l(r, ex, u_of_f(path_a2.base));
+    placed_v0 = *at_a1;
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_11 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let e_14 = add(path_a2.start, hit_a3.t);
+    placed_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(e_11.x, e_14)), y: add(pixel_a0.origin.y, mul(e_11.y, e_14)), z: add(pixel_a0.origin.z, mul(e_11.z, e_14)) };
+    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
+    let e_20 = placed_v0.point;
+    let depth_21 = depth_in_image(r, &image_6, e_20);
+    let e_23 = placed_v0.point;
+    let nearer_25 = stretch_in_image(r, ex, &image_6, e_23, hit_a3.height);
+    let e_27 = tangent_of_image(r, &image_6);
+    placed_v0.tangent = Vec3 { x: div(mul(e_27.x, depth_21), nearer_25), y: div(mul(e_27.y, depth_21), nearer_25), z: div(mul(e_27.z, depth_21), nearer_25) };
+    let e_32 = bitangent_of_image(r, &image_6);
+    placed_v0.bitangent = Vec3 { x: div(mul(e_32.x, depth_21), nearer_25), y: div(mul(e_32.y, depth_21), nearer_25), z: div(mul(e_32.z, depth_21), nearer_25) };
+    let e_38 = placed_v0.point;
+    let e_39 = toward_image(r, ex, &image_6, e_38);
+    placed_v0.normal = e_39;
+    if (r.surface_settings.has_normal == 1u32) {
+        placed_v0.normal = Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z };
+    }
+    placed_v0.metric = Vec4 { x: path_a2.metric.x, y: path_a2.metric.y, z: path_a2.metric.z, w: path_a2.metric.w };
+    placed_v0.facing = Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z };
+    if (r.surface_settings.cells == 4u32) {
+        let e_59 = normal_of_mask(r, ex, &image_6, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z });
+        placed_v0.normal = e_59;
+        let e_62 = placed_v0.normal;
+        placed_v0.facing = e_62;
+    }
+    let e_63 = placed_v0;
+    return e_63;
+} }
+lanes! { fn surface_object_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let e_5 = placed_in_image(r, ex, pixel_a0, at_a1, path_a2, hit_a3);
+    return e_5;
+} }
+stage! { fn normal_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, frames_a1: &Frames) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut sum_v0: Vec3<F> = Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) };
+    let mut k_v1: u32 = 0u32;
+    let mut seen_v2: Entered = zero_entered();
+    'l1: loop {
+        let e_9 = k_v1;
+        if (e_9 < 3u32) {
+        } else {
+            break 'l1;
+        }
+        let e_12 = k_v1;
+        let e_13 = frame_number(r, frames_a1, e_12);
+        let image_14 = image_of_object_l(r, ex, e_13);
+        seen_v2 = *at_a0;
+        let e_17 = tangent_of_image(r, &image_14);
+        seen_v2.tangent = e_17;
+        let e_19 = bitangent_of_image(r, &image_14);
+        seen_v2.bitangent = e_19;
+        seen_v2.normal = Vec3 { x: image_14.toward.x, y: image_14.toward.y, z: image_14.toward.z };
+        let e_23 = place_in_image(r, &image_14, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+        let e_25 = sum_v0;
+        let e_26 = seen_v2;
+        let e_27 = finest_normal(r, ex, &e_26, Vec2 { x: e_23.x, y: e_23.y });
+        let e_28 = k_v1;
+        let e_29 = frame_weight(r, frames_a1, e_28);
+        sum_v0 = Vec3 { x: add(e_25.x, mul(e_27.x, e_29)), y: add(e_25.y, mul(e_27.y, e_29)), z: add(e_25.z, mul(e_27.z, e_29)) };
+        let e_32 = k_v1;
+        k_v1 = e_32.wrapping_add(1u32);
+    }
+    let e_35 = sum_v0;
+    let e_36 = sum_v0;
+    let square_37 = add(add(add(mul(e_35.x, e_36.x), mul(e_35.y, e_36.y)), mul(e_35.z, e_36.z)), splat(0.0f32));
+    let c2 = gt(square_37, splat(0.0f32));
+    let e_40 = sum_v0;
+    let e_41 = sqrt(square_37);
+    ret = Vec3 { x: div(e_40.x, e_41), y: div(e_40.y, e_41), z: div(e_40.z, e_41) };
+    ex = and_not(ex, c2);
+    let y3 = Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z };
+    return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
+} }
+lanes! { fn surface_frames_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let mut both_v1: bool = false;
+    let e_5 = placed_in_image(r, ex, pixel_a0, at_a1, path_a2, hit_a3);
+    placed_v0 = e_5;
+    if (r.surface_settings.has_vertex_normals == 1u32) {
+        both_v1 = (r.surface_settings.cells != 4u32);
+    } else {
+        both_v1 = false;
+    }
+    let e_20 = both_v1;
+    if e_20 {
+        let e_22 = placed_v0;
+        let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+        let e_24 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+        let e_26 = frames_around(r, ex, Vec3 { x: neg(e_24.x), y: neg(e_24.y), z: neg(e_24.z) });
+        let e_27 = normal_of_frames(r, ex, &e_22, &e_26);
+        placed_v0.normal = e_27;
+    }
+    let e_28 = placed_v0;
+    return e_28;
+} }
+lanes! { fn surface_object_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut of_image_v0: Path = zero_path();
+    let mut placed_v1: Entered = zero_entered();
+    let e_6 = slice_at(r, ex, Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z });
+    of_image_v0 = *path_a2;
+    of_image_v0.base = f_of_u(e_6.number);
+    let e_11 = of_image_v0;
+    let e_12 = placed_in_image(r, ex, pixel_a0, at_a1, &e_11, hit_a3);
+    placed_v1 = e_12;
+    if (r.surface_settings.cells == 4u32) {
+        let e_20 = image_of_object_l(r, ex, e_6.number);
+        let e_23 = normal_of_mask(r, ex, &e_20, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, Vec3 { x: at_a1.normal.x, y: at_a1.normal.y, z: at_a1.normal.z });
+        placed_v1.normal = e_23;
+        let e_26 = placed_v1.normal;
+        placed_v1.facing = e_26;
+    }
+    let e_27 = placed_v1;
+    return e_27;
+} }
+lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    match r.surface_settings.choices[1].number {
+        0u32 => {
+            let e_14 = surface_plane_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_14;
+        }
+        1u32 => {
+            let e_20 = surface_prism_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_20;
+        }
+        2u32 => {
+            let e_26 = surface_quadric_perpendicular_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_26;
+        }
+        3u32 => {
+            let e_32 = surface_quadric_vertical_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_32;
+        }
+        4u32 => {
+            let e_38 = surface_tetrahedra_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_38;
+        }
+        5u32 => {
+            let e_44 = surface_facets_place(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_44;
+        }
+        6u32 => {
+            let e_50 = surface_slices_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_50;
+        }
+        7u32 => {
+            let e_56 = surface_object_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_56;
+        }
+        8u32 => {
+            let e_62 = surface_frames_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_62;
+        }
+        _ => {
+            let e_68 = surface_object_slices_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_68;
+        }
+    }
+} }
+stage! { pub(super) fn place_on_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let e_4 = surface_place_stage(r, ex, pixel_a0, at_a1, path_a2, hit_a3);
+    placed_v0 = e_4;
+    let e_7 = depth_on_ray(r, pixel_a0, path_a2, hit_a3);
+    placed_v0.depth = e_7;
+    let e_8 = placed_v0;
+    return e_8;
+} }
+lanes! { fn toward_light(r: &Resources<'_>, number_a0: u32, position_a1: Vec3<F>) -> Toward {
+    if (r.frame.lights[number_a0 as usize].place.w > 0.5f32) {
+        let toward_12 = Vec3 { x: sub(splat(r.frame.lights[number_a0 as usize].place.x), position_a1.x), y: sub(splat(r.frame.lights[number_a0 as usize].place.y), position_a1.y), z: sub(splat(r.frame.lights[number_a0 as usize].place.z), position_a1.z) };
+        let squared_13 = add(add(add(mul(toward_12.x, toward_12.x), mul(toward_12.y, toward_12.y)), mul(toward_12.z, toward_12.z)), splat(0.0f32));
+        let distance_14 = sqrt(squared_13);
+        let falloff_18 = div(splat(1.0f32), max_with(squared_13, splat(1e-6f32)));
+        let length1 = sqrt(add(add(mul(toward_12.x, toward_12.x), mul(toward_12.y, toward_12.y)), mul(toward_12.z, toward_12.z)));
+        let e_19 = Vec3 { x: div(toward_12.x, length1), y: div(toward_12.y, length1), z: div(toward_12.z, length1) };
+        return Toward { direction: e_19, falloff: falloff_18, distance: distance_14, radius: div(splat(r.frame.lights[number_a0 as usize].color.w), distance_14), number: splat_u(number_a0), };
+    }
+    let length2 = (((r.frame.lights[number_a0 as usize].place.x * r.frame.lights[number_a0 as usize].place.x) + (r.frame.lights[number_a0 as usize].place.y * r.frame.lights[number_a0 as usize].place.y)) + (r.frame.lights[number_a0 as usize].place.z * r.frame.lights[number_a0 as usize].place.z)).sqrt();
+    let e_26 = Vec3 { x: r.frame.lights[number_a0 as usize].place.x / length2, y: r.frame.lights[number_a0 as usize].place.y / length2, z: r.frame.lights[number_a0 as usize].place.z / length2 };
+    return Toward { direction: Vec3 { x: splat(e_26.x), y: splat(e_26.y), z: splat(e_26.z) }, falloff: splat(1.0f32), distance: splat(3e38f32), radius: splat(r.frame.lights[number_a0 as usize].color.w), number: splat_u(number_a0), };
+} }
 lanes! { fn quarter_sine(r: &Resources<'_>, turn_a0: F) -> F {
     let x_2 = mul(turn_a0, splat(6.2831855f32));
     let s_3 = mul(x_2, x_2);
@@ -6045,78 +6442,6 @@ lanes! { fn shadow_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: 
         }
     }
 } }
-stage! { fn normal_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, frames_a1: &Frames) -> Vec3<F> {
-    let mut ex = within;
-    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let mut sum_v0: Vec3<F> = Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) };
-    let mut k_v1: u32 = 0u32;
-    let mut seen_v2: Entered = zero_entered();
-    'l1: loop {
-        let e_9 = k_v1;
-        if (e_9 < 3u32) {
-        } else {
-            break 'l1;
-        }
-        let e_12 = k_v1;
-        let e_13 = frame_number(r, frames_a1, e_12);
-        let image_14 = image_of_object_l(r, ex, e_13);
-        seen_v2 = *at_a0;
-        let e_17 = tangent_of_image(r, &image_14);
-        seen_v2.tangent = e_17;
-        let e_19 = bitangent_of_image(r, &image_14);
-        seen_v2.bitangent = e_19;
-        seen_v2.normal = Vec3 { x: image_14.toward.x, y: image_14.toward.y, z: image_14.toward.z };
-        let e_23 = place_in_image(r, &image_14, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
-        let e_25 = sum_v0;
-        let e_26 = seen_v2;
-        let e_27 = finest_normal(r, ex, &e_26, Vec2 { x: e_23.x, y: e_23.y });
-        let e_28 = k_v1;
-        let e_29 = frame_weight(r, frames_a1, e_28);
-        sum_v0 = Vec3 { x: add(e_25.x, mul(e_27.x, e_29)), y: add(e_25.y, mul(e_27.y, e_29)), z: add(e_25.z, mul(e_27.z, e_29)) };
-        let e_32 = k_v1;
-        k_v1 = e_32.wrapping_add(1u32);
-    }
-    let e_35 = sum_v0;
-    let e_36 = sum_v0;
-    let square_37 = add(add(add(mul(e_35.x, e_36.x), mul(e_35.y, e_36.y)), mul(e_35.z, e_36.z)), splat(0.0f32));
-    let c2 = gt(square_37, splat(0.0f32));
-    let e_40 = sum_v0;
-    let e_41 = sqrt(square_37);
-    ret = Vec3 { x: div(e_40.x, e_41), y: div(e_40.y, e_41), z: div(e_40.z, e_41) };
-    ex = and_not(ex, c2);
-    let y3 = Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z };
-    return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
-} }
-lanes! { fn rise_of_mask(r: &Resources<'_>, within: M, uv_a0: Vec2<F>) -> Vec2<F> {
-    let mut ex = within;
-    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
-    let e_2 = height_size(r, splat_u(0u32));
-    let at_7 = Vec2 { x: sub(mul(uv_a0.x, e_2.x), splat(0.5f32)), y: sub(mul(uv_a0.y, e_2.y), splat(0.5f32)) };
-    let cell_8 = cell_of(r, at_7);
-    let h_11 = object_cell_stage_ls(r, ex, Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) }, 0u32);
-    let part_12 = Vec2 { x: sub(at_7.x, cell_8.x), y: sub(at_7.y, cell_8.y) };
-    return Vec2 { x: add(mul(sub(h_11.y, h_11.x), sub(splat(1.0f32), part_12.y)), mul(sub(h_11.w, h_11.z), part_12.y)), y: add(mul(sub(h_11.z, h_11.x), sub(splat(1.0f32), part_12.x)), mul(sub(h_11.w, h_11.y), part_12.x)) };
-} }
-lanes! { fn normal_of_mask(r: &Resources<'_>, within: M, image_a0: &Image, uv_a1: Vec2<F>, within_a2: Vec3<F>) -> Vec3<F> {
-    let mut ex = within;
-    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let rise_3 = rise_of_mask(r, ex, uv_a1);
-    let place_7 = Vec2 { x: div(sub(uv_a1.x, image_a0.corner.x), image_a0.extent.x), y: div(sub(uv_a1.y, image_a0.corner.y), image_a0.extent.y) };
-    let e_14 = Vec3 { x: sub(image_a0.u.x, mul(image_a0.depth.x, place_7.x)), y: sub(image_a0.u.y, mul(image_a0.depth.y, place_7.x)), z: sub(image_a0.u.z, mul(image_a0.depth.z, place_7.x)) };
-    let length1 = sqrt(add(add(mul(e_14.x, e_14.x), mul(e_14.y, e_14.y)), mul(e_14.z, e_14.z)));
-    let along_u_15 = Vec3 { x: div(e_14.x, length1), y: div(e_14.y, length1), z: div(e_14.z, length1) };
-    let e_22 = Vec3 { x: sub(image_a0.v.x, mul(image_a0.depth.x, place_7.y)), y: sub(image_a0.v.y, mul(image_a0.depth.y, place_7.y)), z: sub(image_a0.v.z, mul(image_a0.depth.z, place_7.y)) };
-    let length2 = sqrt(add(add(mul(e_22.x, e_22.x), mul(e_22.y, e_22.y)), mul(e_22.z, e_22.z)));
-    let along_v_23 = Vec3 { x: div(e_22.x, length2), y: div(e_22.y, length2), z: div(e_22.z, length2) };
-    let outward_33 = Vec3 { x: sub(sub(splat(0.0f32), mul(along_u_15.x, rise_3.x)), mul(along_v_23.x, rise_3.y)), y: sub(sub(splat(0.0f32), mul(along_u_15.y, rise_3.x)), mul(along_v_23.y, rise_3.y)), z: sub(sub(splat(0.0f32), mul(along_u_15.z, rise_3.x)), mul(along_v_23.z, rise_3.y)) };
-    let square_34 = add(add(add(mul(outward_33.x, outward_33.x), mul(outward_33.y, outward_33.y)), mul(outward_33.z, outward_33.z)), splat(0.0f32));
-    let c3 = gt(square_34, splat(0.0f32));
-    let e_37 = sqrt(square_34);
-    ret = Vec3 { x: div(outward_33.x, e_37), y: div(outward_33.y, e_37), z: div(outward_33.z, e_37) };
-    ex = and_not(ex, c3);
-    let y4 = within_a2;
-    return Vec3 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y), z: sel(ex, y4.z, ret.z) };
-} }
 lanes! { fn object_blend_color(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
@@ -6174,326 +6499,6 @@ lanes! { fn occlusion_roughness_metalness(r: &Resources<'_>, within: M, uv_a0: V
 } }
 stage! { pub(super) fn pixel_eye(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
     return Vec3 { x: add(add(splat(r.frame.eye.x), mul(splat(r.frame.eye_right.x), pixel_a0.x)), mul(splat(r.frame.eye_down.x), pixel_a0.y)), y: add(add(splat(r.frame.eye.y), mul(splat(r.frame.eye_right.y), pixel_a0.x)), mul(splat(r.frame.eye_down.y), pixel_a0.y)), z: add(add(splat(r.frame.eye.z), mul(splat(r.frame.eye_right.z), pixel_a0.x)), mul(splat(r.frame.eye_down.z), pixel_a0.y)) };
-} }
-lanes! { fn placed_over(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let mut placed_v0: Entered = zero_entered();
-    let aside_4 = Vec2 { x: sub(hit_a1.uv.x, at_a0.uv.x), y: sub(hit_a1.uv.y, at_a0.uv.y) };
-    let level_7 = field_height_stage(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, hit_a1.height, at_a0.level);
-    let height_15 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), level_7));
-    placed_v0 = *at_a0;
-    placed_v0.point = Vec3 { x: add(add(add(at_a0.point.x, mul(at_a0.tangent.x, aside_4.x)), mul(at_a0.bitangent.x, aside_4.y)), mul(at_a0.normal.x, height_15)), y: add(add(add(at_a0.point.y, mul(at_a0.tangent.y, aside_4.x)), mul(at_a0.bitangent.y, aside_4.y)), mul(at_a0.normal.y, height_15)), z: add(add(add(at_a0.point.z, mul(at_a0.tangent.z, aside_4.x)), mul(at_a0.bitangent.z, aside_4.y)), mul(at_a0.normal.z, height_15)) };
-    placed_v0.uv = Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y };
-    let e_31 = placed_v0;
-    return e_31;
-} }
-lanes! { fn surface_plane_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let e_5 = placed_over(r, ex, at_a1, hit_a3);
-    return e_5;
-} }
-lanes! { fn placed_at(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, weights_a2: Vec3<F>, point_a3: Vec3<F>, uv_a4: Vec2<F>) -> Entered {
-    let mut placed_v0: Entered = zero_entered();
-    let e_6 = frame_at(r, pixel_a0, weights_a2, point_a3, uv_a4, Vec3 { x: at_a1.facing.x, y: at_a1.facing.y, z: at_a1.facing.z });
-    placed_v0 = e_6;
-    placed_v0.level = at_a1.level;
-    placed_v0.footprint = at_a1.footprint;
-    placed_v0.fade = at_a1.fade;
-    let e_14 = placed_v0;
-    return e_14;
-} }
-lanes! { fn surface_prism_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let along_6 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
-    let middle_7 = middle_of(r, pixel_a0, along_6);
-    let prism_8 = prism_of(r, pixel_a0, along_6, middle_7, params_a4);
-    let s_12 = sub(add(path_a2.start, hit_a3.t), middle_7);
-    let e_15 = point_of_way(r, ex, pixel_a0, &prism_8, Vec3 { x: mul(along_6.x, s_12), y: mul(along_6.y, s_12), z: mul(along_6.z, s_12) }, hit_a3.height);
-    let e_20 = add(path_a2.start, hit_a3.t);
-    let e_24 = placed_at(r, pixel_a0, at_a1, Vec3 { x: e_15.weights.x, y: e_15.weights.y, z: e_15.weights.z }, Vec3 { x: add(pixel_a0.origin.x, mul(along_6.x, e_20)), y: add(pixel_a0.origin.y, mul(along_6.y, e_20)), z: add(pixel_a0.origin.z, mul(along_6.z, e_20)) }, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
-    return e_24;
-} }
-lanes! { fn quadric_frame(r: &Resources<'_>, within: M, at_a0: &Entered, aside_a1: Vec2<F>) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let mut placed_v0: Entered = zero_entered();
-    let mut both_v1: M = splat_m(false);
-    placed_v0 = *at_a0;
-    let slope_5 = quadric_slope(r, Vec3 { x: at_a0.of_surface.x, y: at_a0.of_surface.y, z: at_a0.of_surface.z }, aside_a1);
-    both_v1 = and(eq(slope_5.x, splat(0.0f32)), eq(slope_5.y, splat(0.0f32)));
-    let e_15 = both_v1;
-    let (b1, c2) = (ex, e_15);
-    ex = and(b1, c2);
-    if any(ex) {
-        let e_16 = placed_v0;
-        ret = e_16;
-        ex = no_lane();
-    }
-    ex = and_not(b1, c2);
-    let area_24 = sub(mul(at_a0.metric.x, at_a0.metric.z), mul(at_a0.metric.y, at_a0.metric.y));
-    let along_t_32 = div(sub(mul(slope_5.x, at_a0.metric.z), mul(slope_5.y, at_a0.metric.y)), area_24);
-    let along_b_40 = div(sub(mul(slope_5.y, at_a0.metric.x), mul(slope_5.x, at_a0.metric.y)), area_24);
-    placed_v0.tangent = Vec3 { x: add(at_a0.tangent.x, mul(at_a0.normal.x, slope_5.x)), y: add(at_a0.tangent.y, mul(at_a0.normal.y, slope_5.x)), z: add(at_a0.tangent.z, mul(at_a0.normal.z, slope_5.x)) };
-    placed_v0.bitangent = Vec3 { x: add(at_a0.bitangent.x, mul(at_a0.normal.x, slope_5.y)), y: add(at_a0.bitangent.y, mul(at_a0.normal.y, slope_5.y)), z: add(at_a0.bitangent.z, mul(at_a0.normal.z, slope_5.y)) };
-    let e_60 = Vec3 { x: sub(sub(at_a0.normal.x, mul(at_a0.tangent.x, along_t_32)), mul(at_a0.bitangent.x, along_b_40)), y: sub(sub(at_a0.normal.y, mul(at_a0.tangent.y, along_t_32)), mul(at_a0.bitangent.y, along_b_40)), z: sub(sub(at_a0.normal.z, mul(at_a0.tangent.z, along_t_32)), mul(at_a0.bitangent.z, along_b_40)) };
-    let length3 = sqrt(add(add(mul(e_60.x, e_60.x), mul(e_60.y, e_60.y)), mul(e_60.z, e_60.z)));
-    let e_61 = Vec3 { x: div(e_60.x, length3), y: div(e_60.y, length3), z: div(e_60.z, length3) };
-    placed_v0.normal = e_61;
-    let e_63 = placed_v0.tangent;
-    let e_65 = placed_v0.tangent;
-    let tt_66 = add(add(add(mul(e_63.x, e_65.x), mul(e_63.y, e_65.y)), mul(e_63.z, e_65.z)), splat(0.0f32));
-    let e_68 = placed_v0.tangent;
-    let e_70 = placed_v0.bitangent;
-    let tb_71 = add(add(add(mul(e_68.x, e_70.x), mul(e_68.y, e_70.y)), mul(e_68.z, e_70.z)), splat(0.0f32));
-    let e_73 = placed_v0.bitangent;
-    let e_75 = placed_v0.bitangent;
-    let bb_76 = add(add(add(mul(e_73.x, e_75.x), mul(e_73.y, e_75.y)), mul(e_73.z, e_75.z)), splat(0.0f32));
-    placed_v0.metric = Vec4 { x: tt_66, y: tb_71, z: bb_76, w: at_a0.metric.w };
-    let e_80 = placed_v0;
-    return sel_entered(ex, &e_80, &ret);
-} }
-lanes! { fn surface_quadric_perpendicular_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let mut placed_v0: Entered = zero_entered();
-    let e_8 = quadric_frame(r, ex, at_a1, Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) });
-    placed_v0 = e_8;
-    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let e_13 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
-    let e_16 = add(path_a2.start, hit_a3.t);
-    placed_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(e_13.x, e_16)), y: add(pixel_a0.origin.y, mul(e_13.y, e_16)), z: add(pixel_a0.origin.z, mul(e_13.z, e_16)) };
-    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
-    let e_21 = placed_v0;
-    return e_21;
-} }
-lanes! { fn surface_quadric_vertical_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let mut placed_v0: Entered = zero_entered();
-    let aside_7 = Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) };
-    let level_11 = field_height_stage(r, ex, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, hit_a3.height, at_a1.level);
-    let height_19 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), level_11));
-    let e_20 = r.base_height();
-    let e_24 = r.traced_scale_m();
-    let e_28 = quadric_at(r, Vec3 { x: at_a1.of_surface.x, y: at_a1.of_surface.y, z: at_a1.of_surface.z }, aside_7);
-    let lifted_29 = add(mul(sub(splat(e_20), at_a1.of_surface.w), splat(e_24)), e_28);
-    let e_30 = quadric_frame(r, ex, at_a1, aside_7);
-    placed_v0 = e_30;
-    let e_43 = add(height_19, lifted_29);
-    placed_v0.point = Vec3 { x: add(add(add(at_a1.point.x, mul(at_a1.tangent.x, aside_7.x)), mul(at_a1.bitangent.x, aside_7.y)), mul(at_a1.normal.x, e_43)), y: add(add(add(at_a1.point.y, mul(at_a1.tangent.y, aside_7.x)), mul(at_a1.bitangent.y, aside_7.y)), mul(at_a1.normal.y, e_43)), z: add(add(add(at_a1.point.z, mul(at_a1.tangent.z, aside_7.x)), mul(at_a1.bitangent.z, aside_7.y)), mul(at_a1.normal.z, e_43)) };
-    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
-    let e_48 = placed_v0;
-    return e_48;
-} }
-stage! { fn surface_tetrahedra_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let mut nearest_v0: Tetrahedron = zero_tetrahedron();
-    let mut beside_v1: F = splat(0f32);
-    let mut number_v2: u32 = 1u32;
-    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let along_6 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
-    let middle_7 = middle_of(r, pixel_a0, along_6);
-    let t_11 = sub(add(path_a2.start, hit_a3.t), middle_7);
-    let e_13 = tetrahedron(r, ex, pixel_a0, along_6, middle_7, 0u32);
-    nearest_v0 = e_13;
-    let e_17 = nearest_v0.inside.x;
-    let e_21 = nearest_v0.inside.y;
-    beside_v1 = max(sub(e_17, t_11), sub(t_11, e_21));
-    'l2: loop {
-        let e_27 = number_v2;
-        if (e_27 < 3u32) {
-        } else {
-            break 'l2;
-        }
-        let e_30 = number_v2;
-        let other_31 = tetrahedron(r, ex, pixel_a0, along_6, middle_7, e_30);
-        let aside_38 = max(sub(other_31.inside.x, t_11), sub(t_11, other_31.inside.y));
-        let e_39 = beside_v1;
-        let c3 = lt(aside_38, e_39);
-        nearest_v0 = sel_tetrahedron(c3, &other_31, &nearest_v0);
-        beside_v1 = sel(c3, aside_38, beside_v1);
-        let e_41 = number_v2;
-        number_v2 = e_41.wrapping_add(1u32);
-    }
-    let e_45 = nearest_v0.weights;
-    let e_47 = nearest_v0.change;
-    let weights_49 = Vec4 { x: add(e_45.x, mul(e_47.x, t_11)), y: add(e_45.y, mul(e_47.y, t_11)), z: add(e_45.z, mul(e_47.z, t_11)), w: add(e_45.w, mul(e_47.w, t_11)) };
-    let e_53 = add(path_a2.start, hit_a3.t);
-    let point_55 = Vec3 { x: add(pixel_a0.origin.x, mul(along_6.x, e_53)), y: add(pixel_a0.origin.y, mul(along_6.y, e_53)), z: add(pixel_a0.origin.z, mul(along_6.z, e_53)) };
-    let e_58 = placed_at(r, pixel_a0, at_a1, Vec3 { x: weights_49.x, y: weights_49.y, z: weights_49.z }, point_55, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
-    return e_58;
-} }
-lanes! { fn surface_facets_place(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    return *at_a1;
-} }
-lanes! { fn surface_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let e_5 = placed_over(r, ex, at_a1, hit_a3);
-    return e_5;
-} }
-lanes! { fn placed_in_image(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let mut placed_v0: Entered = zero_entered();
-    let image_6 = image_of_object_l(r, ex, u_of_f(path_a2.base));
-    placed_v0 = *at_a1;
-    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let e_11 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
-    let e_14 = add(path_a2.start, hit_a3.t);
-    placed_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(e_11.x, e_14)), y: add(pixel_a0.origin.y, mul(e_11.y, e_14)), z: add(pixel_a0.origin.z, mul(e_11.z, e_14)) };
-    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
-    let e_20 = placed_v0.point;
-    let depth_21 = depth_in_image(r, &image_6, e_20);
-    let e_23 = placed_v0.point;
-    let nearer_25 = stretch_in_image(r, ex, &image_6, e_23, hit_a3.height);
-    let e_27 = tangent_of_image(r, &image_6);
-    placed_v0.tangent = Vec3 { x: div(mul(e_27.x, depth_21), nearer_25), y: div(mul(e_27.y, depth_21), nearer_25), z: div(mul(e_27.z, depth_21), nearer_25) };
-    let e_32 = bitangent_of_image(r, &image_6);
-    placed_v0.bitangent = Vec3 { x: div(mul(e_32.x, depth_21), nearer_25), y: div(mul(e_32.y, depth_21), nearer_25), z: div(mul(e_32.z, depth_21), nearer_25) };
-    let e_38 = placed_v0.point;
-    let e_39 = toward_image(r, ex, &image_6, e_38);
-    placed_v0.normal = e_39;
-    if (r.surface_settings.has_normal == 1u32) {
-        placed_v0.normal = Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z };
-    }
-    placed_v0.metric = Vec4 { x: path_a2.metric.x, y: path_a2.metric.y, z: path_a2.metric.z, w: path_a2.metric.w };
-    placed_v0.facing = Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z };
-    if (r.surface_settings.cells == 4u32) {
-        let e_59 = normal_of_mask(r, ex, &image_6, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z });
-        placed_v0.normal = e_59;
-        let e_62 = placed_v0.normal;
-        placed_v0.facing = e_62;
-    }
-    let e_63 = placed_v0;
-    return e_63;
-} }
-lanes! { fn surface_object_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let e_5 = placed_in_image(r, ex, pixel_a0, at_a1, path_a2, hit_a3);
-    return e_5;
-} }
-lanes! { fn surface_frames_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let mut placed_v0: Entered = zero_entered();
-    let mut both_v1: bool = false;
-    let e_5 = placed_in_image(r, ex, pixel_a0, at_a1, path_a2, hit_a3);
-    placed_v0 = e_5;
-    if (r.surface_settings.has_vertex_normals == 1u32) {
-        both_v1 = (r.surface_settings.cells != 4u32);
-    } else {
-        both_v1 = false;
-    }
-    let e_20 = both_v1;
-    if e_20 {
-        let e_22 = placed_v0;
-        let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-        let e_24 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
-        let e_26 = frames_around(r, ex, Vec3 { x: neg(e_24.x), y: neg(e_24.y), z: neg(e_24.z) });
-        let e_27 = normal_of_frames(r, ex, &e_22, &e_26);
-        placed_v0.normal = e_27;
-    }
-    let e_28 = placed_v0;
-    return e_28;
-} }
-lanes! { fn surface_object_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let mut of_image_v0: Path = zero_path();
-    let mut placed_v1: Entered = zero_entered();
-    let e_6 = slice_at(r, ex, Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z });
-    of_image_v0 = *path_a2;
-    of_image_v0.base = f_of_u(e_6.number);
-    let e_11 = of_image_v0;
-    let e_12 = placed_in_image(r, ex, pixel_a0, at_a1, &e_11, hit_a3);
-    placed_v1 = e_12;
-    if (r.surface_settings.cells == 4u32) {
-        let e_20 = image_of_object_l(r, ex, e_6.number);
-        let e_23 = normal_of_mask(r, ex, &e_20, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, Vec3 { x: at_a1.normal.x, y: at_a1.normal.y, z: at_a1.normal.z });
-        placed_v1.normal = e_23;
-        let e_26 = placed_v1.normal;
-        placed_v1.facing = e_26;
-    }
-    let e_27 = placed_v1;
-    return e_27;
-} }
-lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    match r.surface_settings.choices[1].number {
-        0u32 => {
-            let e_14 = surface_plane_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
-            return e_14;
-        }
-        1u32 => {
-            let e_20 = surface_prism_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
-            return e_20;
-        }
-        2u32 => {
-            let e_26 = surface_quadric_perpendicular_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
-            return e_26;
-        }
-        3u32 => {
-            let e_32 = surface_quadric_vertical_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
-            return e_32;
-        }
-        4u32 => {
-            let e_38 = surface_tetrahedra_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
-            return e_38;
-        }
-        5u32 => {
-            let e_44 = surface_facets_place(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
-            return e_44;
-        }
-        6u32 => {
-            let e_50 = surface_slices_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
-            return e_50;
-        }
-        7u32 => {
-            let e_56 = surface_object_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
-            return e_56;
-        }
-        8u32 => {
-            let e_62 = surface_frames_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
-            return e_62;
-        }
-        _ => {
-            let e_68 = surface_object_slices_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
-            return e_68;
-        }
-    }
-} }
-stage! { pub(super) fn place_on_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
-    let mut ex = within;
-    let mut ret: Entered = zero_entered();
-    let mut placed_v0: Entered = zero_entered();
-    let e_4 = surface_place_stage(r, ex, pixel_a0, at_a1, path_a2, hit_a3);
-    placed_v0 = e_4;
-    let e_7 = depth_on_ray(r, pixel_a0, path_a2, hit_a3);
-    placed_v0.depth = e_7;
-    let e_8 = placed_v0;
-    return e_8;
-} }
-lanes! { fn toward_light(r: &Resources<'_>, number_a0: u32, position_a1: Vec3<F>) -> Toward {
-    if (r.frame.lights[number_a0 as usize].place.w > 0.5f32) {
-        let toward_12 = Vec3 { x: sub(splat(r.frame.lights[number_a0 as usize].place.x), position_a1.x), y: sub(splat(r.frame.lights[number_a0 as usize].place.y), position_a1.y), z: sub(splat(r.frame.lights[number_a0 as usize].place.z), position_a1.z) };
-        let squared_13 = add(add(add(mul(toward_12.x, toward_12.x), mul(toward_12.y, toward_12.y)), mul(toward_12.z, toward_12.z)), splat(0.0f32));
-        let distance_14 = sqrt(squared_13);
-        let falloff_18 = div(splat(1.0f32), max_with(squared_13, splat(1e-6f32)));
-        let length1 = sqrt(add(add(mul(toward_12.x, toward_12.x), mul(toward_12.y, toward_12.y)), mul(toward_12.z, toward_12.z)));
-        let e_19 = Vec3 { x: div(toward_12.x, length1), y: div(toward_12.y, length1), z: div(toward_12.z, length1) };
-        return Toward { direction: e_19, falloff: falloff_18, distance: distance_14, radius: div(splat(r.frame.lights[number_a0 as usize].color.w), distance_14), number: splat_u(number_a0), };
-    }
-    let length2 = (((r.frame.lights[number_a0 as usize].place.x * r.frame.lights[number_a0 as usize].place.x) + (r.frame.lights[number_a0 as usize].place.y * r.frame.lights[number_a0 as usize].place.y)) + (r.frame.lights[number_a0 as usize].place.z * r.frame.lights[number_a0 as usize].place.z)).sqrt();
-    let e_26 = Vec3 { x: r.frame.lights[number_a0 as usize].place.x / length2, y: r.frame.lights[number_a0 as usize].place.y / length2, z: r.frame.lights[number_a0 as usize].place.z / length2 };
-    return Toward { direction: Vec3 { x: splat(e_26.x), y: splat(e_26.y), z: splat(e_26.z) }, falloff: splat(1.0f32), distance: splat(3e38f32), radius: splat(r.frame.lights[number_a0 as usize].color.w), number: splat_u(number_a0), };
 } }
 lanes! { fn point_of_light(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, number_a2: u32, k_a3: u32, count_a4: u32) -> Toward {
     let toward_6 = toward_light(r, number_a2, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
@@ -6774,23 +6779,23 @@ stage! { pub(super) fn shade_hit(r: &Resources<'_>, within: M, origin_a0: Vec3<F
     let (b1, c2) = (ex, eq_u(hit_a2.found, splat_u(0u32)));
     ex = and(b1, c2);
     if any(ex) {
-        ret = PixelOut { color: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, hit: splat_u(0u32), exhausted: splat_u(0u32), uv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, height: splat(0.0f32), position: Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) }, normal: Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) }, depth: splat(0.0f32), t: splat(0.0f32), cell: Vec2 { x: splat_i(0i32), y: splat_i(0i32) }, reads: hit_a2.cost.x, steps: hit_a2.cost.y, bytes: hit_a2.cost.z, lit: splat(0.0f32), level: splat_u(0u32), z: splat(0.0f32), surface: splat_u(0u32), };
+        ret = PixelOut { color: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, hit: splat_u(0u32), exhausted: splat_u(0u32), uv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, height: splat(0.0f32), position: Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) }, normal: Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) }, depth: splat(0.0f32), t: splat(0.0f32), cell: Vec2 { x: splat_i(0i32), y: splat_i(0i32) }, reads: hit_a2.cost.x, steps: hit_a2.cost.y, bytes: hit_a2.cost.z, lit: splat(0.0f32), level: splat_u(0u32), z: splat(0.0f32), surface: splat_u(0u32), transmittance: splat(1.0f32), };
         ex = no_lane();
     }
     ex = and_not(b1, c2);
     if none(ex) { return ret; }
-    let height_45 = field_height_stage(r, ex, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, hit_a2.height, at_a1.level);
-    let e_47 = Vec3 { x: sub(origin_a0.x, at_a1.point.x), y: sub(origin_a0.y, at_a1.point.y), z: sub(origin_a0.z, at_a1.point.z) };
-    let length3 = sqrt(add(add(mul(e_47.x, e_47.x), mul(e_47.y, e_47.y)), mul(e_47.z, e_47.z)));
-    let view_48 = Vec3 { x: div(e_47.x, length3), y: div(e_47.y, length3), z: div(e_47.z, length3) };
-    let seen_49 = field_normals_stage(r, ex, at_a1, hit_a2, view_48);
-    let e_50 = object_color_stage(r, ex, at_a1, hit_a2, view_48);
-    let color_51 = reflected_light(r, ex, at_a1, hit_a2, &seen_49, view_48, e_50, visible_a3);
-    let depth_58 = add(add(add(mul(sub(at_a1.point.x, origin_a0.x), splat(r.frame.forward.x)), mul(sub(at_a1.point.y, origin_a0.y), splat(r.frame.forward.y))), mul(sub(at_a1.point.z, origin_a0.z), splat(r.frame.forward.z))), splat(0.0f32));
-    let e_61 = height_size(r, splat_u(0u32));
-    let cell_67 = cell_of(r, Vec2 { x: sub(mul(hit_a2.uv.x, e_61.x), splat(0.5f32)), y: sub(mul(hit_a2.uv.y, e_61.y), splat(0.5f32)) });
-    let e_87 = z_of(r, at_a1.depth);
-    return sel_pixel_out(ex, &PixelOut { color: Vec4 { x: color_51.x, y: color_51.y, z: color_51.z, w: splat(1.0f32) }, hit: splat_u(1u32), exhausted: hit_a2.exhausted, uv: Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, height: height_45, position: Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z }, normal: Vec3 { x: seen_49.normal.x, y: seen_49.normal.y, z: seen_49.normal.z }, depth: depth_58, t: hit_a2.t, cell: Vec2 { x: i_of_small(cell_67.x), y: i_of_small(cell_67.y) }, reads: hit_a2.cost.x, steps: hit_a2.cost.y, bytes: hit_a2.cost.z, lit: visible_a3[0].x, level: at_a1.level, z: e_87, surface: splat_u(r.surface_settings.number), }, &ret);
+    let height_46 = field_height_stage(r, ex, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, hit_a2.height, at_a1.level);
+    let e_48 = Vec3 { x: sub(origin_a0.x, at_a1.point.x), y: sub(origin_a0.y, at_a1.point.y), z: sub(origin_a0.z, at_a1.point.z) };
+    let length3 = sqrt(add(add(mul(e_48.x, e_48.x), mul(e_48.y, e_48.y)), mul(e_48.z, e_48.z)));
+    let view_49 = Vec3 { x: div(e_48.x, length3), y: div(e_48.y, length3), z: div(e_48.z, length3) };
+    let seen_50 = field_normals_stage(r, ex, at_a1, hit_a2, view_49);
+    let e_51 = object_color_stage(r, ex, at_a1, hit_a2, view_49);
+    let color_52 = reflected_light(r, ex, at_a1, hit_a2, &seen_50, view_49, e_51, visible_a3);
+    let depth_59 = add(add(add(mul(sub(at_a1.point.x, origin_a0.x), splat(r.frame.forward.x)), mul(sub(at_a1.point.y, origin_a0.y), splat(r.frame.forward.y))), mul(sub(at_a1.point.z, origin_a0.z), splat(r.frame.forward.z))), splat(0.0f32));
+    let e_62 = height_size(r, splat_u(0u32));
+    let cell_68 = cell_of(r, Vec2 { x: sub(mul(hit_a2.uv.x, e_62.x), splat(0.5f32)), y: sub(mul(hit_a2.uv.y, e_62.y), splat(0.5f32)) });
+    let e_88 = z_of(r, at_a1.depth);
+    return sel_pixel_out(ex, &PixelOut { color: Vec4 { x: color_52.x, y: color_52.y, z: color_52.z, w: splat(1.0f32) }, hit: splat_u(1u32), exhausted: hit_a2.exhausted, uv: Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, height: height_46, position: Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z }, normal: Vec3 { x: seen_50.normal.x, y: seen_50.normal.y, z: seen_50.normal.z }, depth: depth_59, t: hit_a2.t, cell: Vec2 { x: i_of_small(cell_68.x), y: i_of_small(cell_68.y) }, reads: hit_a2.cost.x, steps: hit_a2.cost.y, bytes: hit_a2.cost.z, lit: visible_a3[0].x, level: at_a1.level, z: e_88, surface: splat_u(r.surface_settings.number), transmittance: splat(1.0f32), }, &ret);
 } }
 stage! { pub(super) fn visible_light(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, number_a2: u32) -> F {
     let mut ex = within;

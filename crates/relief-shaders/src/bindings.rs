@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program. Of the other groups a program binds the
 /// variables that it uses.
-pub static BINDINGS: [Binding; 43] = [
+pub static BINDINGS: [Binding; 44] = [
     uniform(0, "surface_settings", "SurfaceSettings", "settings of the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(2, "color_map", false, "linear colours; a single texel if the settings turn them off"),
@@ -123,6 +123,7 @@ pub static BINDINGS: [Binding; 43] = [
     storage(2, 2, "records", "Record", false, "every pixel's record"),
     storage(2, 3, "sums", "vec4f", false, "the colours of every pixel's samples so far, added up"),
     storage(2, 4, "shell_nodes", "ShellNode", true, "the BVH of the base mesh's shells"),
+    storage(2, 5, "gathered", "Gathered", false, "what every pixel sees of each translucent surface"),
     storage(1, 3, "shown_records", "Record", true, "every pixel's record, to be shown"),
     Binding { group: 1, number: 4, name: "picture", kind: BindingKind::Picture, holds: "the linear picture" },
     Binding {

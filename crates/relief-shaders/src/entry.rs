@@ -87,6 +87,8 @@ pub struct TracingRole {
     pub joins_slices: bool,
     /// Whether it knows only paths that come in at the top of the relief.
     pub begins_at_top: bool,
+    /// Whether nothing is hit: renderers gather the light that a translucent volume scatters along the path.
+    pub gathers: bool,
 }
 
 impl TracingRole {
@@ -98,6 +100,7 @@ impl TracingRole {
         solids: Solids::Heights,
         joins_slices: false,
         begins_at_top: false,
+        gathers: false,
     };
 }
 

@@ -241,6 +241,14 @@ pub static METHODS: &[Method] = &[
         "the first hit with a volume: grass, mail and cloth, voxel by voxel",
     ),
     survey(
+        "translucent",
+        "translucent",
+        "none",
+        DEFAULTS,
+        "5.2",
+        "volumes that light shines through: absorption, scattering and shadows on themselves",
+    ),
+    survey(
         "generalised",
         "generalised",
         "none",

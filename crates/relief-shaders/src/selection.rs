@@ -131,7 +131,7 @@ impl Selection {
             *self = self.with_companions_of_geometry()?;
         }
         if place == SEARCH {
-            *self = self.with_field_of_search();
+            *self = self.with_field_of_search().with_surface_of_search();
         }
         if place == SEARCH || place == SHADOW {
             *self = self.with_search_for_shadows();

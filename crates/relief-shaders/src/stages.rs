@@ -149,6 +149,7 @@ pub static STAGES: [Stage; 12] = [
                 inputs: &[("at", "Entered"), ("hit", "Hit"), ("view", "vec3f")],
                 returns: "SeenNormals",
             },
+            Call { name: "patch_normal", inputs: &[("at", "Entered"), ("hit", "Hit")], returns: "vec3f" },
             Call {
                 name: "light_ray",
                 inputs: &[("at", "Entered"), ("hit", "Hit"), ("light", "Toward")],

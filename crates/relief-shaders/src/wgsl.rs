@@ -144,8 +144,16 @@ pub enum Root {
     DrawShells,
     /// Draws objects of images with the `z` of the hits: `draw_box_vertex`, `draw_depth_fragment`.
     DrawObjects,
+    /// Draws the shells of a translucent surface, to be blended with premultiplied alpha from the farthest to the
+    /// nearest: `draw_box_vertex`, `draw_translucent_fragment`.
+    DrawTranslucent,
     /// Shades the traced hits: `shade_main`.
     Shade,
+    /// Gathers the light of a translucent surface in front of the shaded hits: `gather_main`.
+    Gather,
+    /// Says how far rays go before light is gathered, and lays what was gathered over the shaded hits:
+    /// `begin_gather_main`, `compose_main`.
+    Compose,
     /// Adds the shaded colours to the samples before: `resolve_main`.
     Resolve,
     /// Makes a picture of the shaded colours: `show_main`.
@@ -165,7 +173,7 @@ pub enum Root {
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 22] = [
+    pub const ALL: [Root; 25] = [
         Root::Functions,
         Root::Trace,
         Root::TraceShells,
@@ -181,7 +189,10 @@ impl Root {
         Root::DrawDepth,
         Root::DrawShells,
         Root::DrawObjects,
+        Root::DrawTranslucent,
         Root::Shade,
+        Root::Gather,
+        Root::Compose,
         Root::Resolve,
         Root::Show,
         Root::Probe,
@@ -210,7 +221,10 @@ impl Root {
             Root::DrawDepth => &["draw_vertex", "draw_depth_fragment"],
             Root::DrawShells => &["draw_box_vertex", "draw_box_fragment"],
             Root::DrawObjects => &["draw_box_vertex", "draw_depth_fragment"],
+            Root::DrawTranslucent => &["draw_box_vertex", "draw_translucent_fragment"],
             Root::Shade => &["shade_main"],
+            Root::Gather => &["gather_main"],
+            Root::Compose => &["begin_gather_main", "compose_main"],
             Root::Resolve => &["resolve_main"],
             Root::Show => &["show_main"],
             Root::Probe => &["probe_main"],

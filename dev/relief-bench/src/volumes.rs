@@ -1,5 +1,7 @@
 //! `volumes`: rays through volumes beside the judge in `f64`, and what each method over volumes costs.
 
+mod translucent;
+
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -31,12 +33,12 @@ const PAIRS: [(&str, &str); 4] =
 #[derive(Args)]
 pub struct Arguments {
     /// What is measured
-    #[arg(value_enum, default_values = ["judge", "methods"])]
+    #[arg(value_enum, default_values = ["judge", "methods", "translucent"])]
     parts: Vec<Part>,
     /// Rays over each volume
     #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     rays: usize,
-    /// Rays over each motif, in the table of methods
+    /// Rays over each motif in the table of methods, and over each volume of `translucent`
     #[arg(long, value_name = "N", default_value_t = 100_000)]
     rays_of_methods: usize,
 }
@@ -47,15 +49,19 @@ enum Part {
     Judge,
     /// Errors, reads, bytes and times of every method over cloth, mail and grass
     Methods,
+    /// Optical depths and transmittances of `translucent` beside the judge
+    Translucent,
 }
 
-/// Prints the tables. Fails where a ray of `voxels` passes the surface or hits beside it.
+/// Prints the tables. Fails where a ray of `voxels` passes the surface or hits beside it, or where an
+/// optical depth is off.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     let mut holds = true;
     for part in &arguments.parts {
         match part {
             Part::Judge => holds &= judge(arguments.rays)?,
             Part::Methods => methods(arguments.rays_of_methods)?,
+            Part::Translucent => holds &= translucent::run(arguments.rays_of_methods)?,
         }
     }
     Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })

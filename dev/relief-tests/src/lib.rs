@@ -19,6 +19,7 @@ pub mod probes;
 pub mod shadows;
 pub mod slices;
 pub mod spheres;
+pub mod translucent;
 pub mod volume_rays;
 
 use std::path::PathBuf;

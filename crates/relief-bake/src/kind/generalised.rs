@@ -13,7 +13,7 @@
 //! fiftieth part are stored as the code before. What is stored is [`ways_to_solid`].
 
 use relief_core::registry::{Param, Publication};
-use relief_core::{Rounding, Watch};
+use relief_core::{Rounding, Volume, Watch};
 
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::volumes::params::{VOLUME_PARAMS, volume_notes, volume_of};
@@ -109,7 +109,7 @@ fn bake(
     notes.push(("elevations", directions.elevations.to_string()));
     let size = [source.map.width(), source.map.height(), directions.count()];
     sink.begin(&Texture { name: "", size, mips: Vec::new(), channels: channels.to_vec(), notes })?;
-    let distance = volume_distance(&volume, &Watch::none())?;
+    let distance = volume_distance(&volume, Volume::SURFACE as f32, &Watch::none())?;
     for direction in 0..directions.count() {
         let toward = directions.toward(direction);
         let mut ways = ways_to_solid(&volume, &distance, toward, f64::from(most), watch)?;

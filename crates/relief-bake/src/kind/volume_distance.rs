@@ -11,15 +11,16 @@
 //!
 //! # Guarantee
 //!
-//! *In every cell that is less than the distance away along every axis, the field is below ½.*
+//! *In every cell that is less than the distance away along every axis, the field is below `above`:
+//! by default ½, the surface.*
 //!
-//! Proof. In a cell the field is the trilinear mean of its corners, so it reaches ½ only where a
+//! Proof. In a cell the field is the trilinear mean of its corners, so it reaches a value only where a
 //! corner does. The distance is the least over all such cells, by the greatest of the differences
 //! along the axes, with the volume's wrap. Distances are integers up to 255, which every format
 //! stores exactly; a greater one is stored as 255, which promises less.
 
-use relief_core::registry::Publication;
-use relief_core::{Rounding, Watch};
+use relief_core::registry::{Param, Publication};
+use relief_core::{Rounding, Volume, Watch};
 
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::volumes::params::{VOLUME_PARAMS, volume_notes, volume_of};
@@ -36,15 +37,27 @@ pub const KIND: Kind = Kind {
             mapping on the GPU",
         section: "5.2",
     },
-    params: &[VOLUME_PARAMS[0], VOLUME_PARAMS[1], VOLUME_PARAMS[2], BITS_TO_NEAREST],
+    params: &[VOLUME_PARAMS[0], VOLUME_PARAMS[1], VOLUME_PARAMS[2], BITS_TO_NEAREST, ABOVE],
     guarantee: "In every cell less than the distance away, along every axis, the trilinear field is below \
-        one half. Exact in every format.",
+        `above`, by default one half. Exact in every format.",
     is_picture: false,
     of_volume: true,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     working_maps: |_| 2.0,
     bake,
+};
+
+/// The parameter for the least value of what is not empty.
+const ABOVE: Param = Param {
+    name: "above",
+    summary: "least value of a cell's corner that is not empty: the surface's, or any for translucent volumes",
+    unit: "",
+    min: 1e-6,
+    max: 1.0,
+    default: Volume::SURFACE as f32,
+    integer: false,
+    names: &[],
 };
 
 fn bake(
@@ -59,7 +72,7 @@ fn bake(
     let size = [source.map.width(), source.map.height(), 1];
     let notes = volume_notes(&volume);
     sink.begin(&Texture { name: "", size, mips: Vec::new(), channels: channels.to_vec(), notes })?;
-    let distance = volume_distance(&volume, watch)?;
+    let distance = volume_distance(&volume, settings.get(4), watch)?;
     let mut plane: Vec<f32> = distance.texels().iter().map(|&cells| f32::from(cells)).collect();
     Ok(to_nearest(sink, &channels, settings.count(3), &mut [&mut plane])?)
 }

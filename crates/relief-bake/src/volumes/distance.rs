@@ -48,10 +48,11 @@ impl VolumeDistance {
 }
 
 /// Computes for each dual cell of a volume the distance to the nearest cell in which the field may
-/// reach ½: a cell with a corner of ½ or more. The distance is the greatest of the differences along
+/// reach a value: a cell with a corner of that value or more. The value is [`Volume::SURFACE`] for what
+/// is solid, or the least number above 0 for what is translucent. The distance is the greatest of the differences along
 /// the three axes, in cells (Chebyshev distance). So in all cells less than the distance away, along
-/// every axis, the field stays below ½: a walk may leave the box of these cells in one step. Distance
-/// 0 marks a cell in which the field may reach ½. 255 stands for 255 or more, and for a volume
+/// every axis, the field stays below the value: a walk may leave the box of these cells in one step. Distance
+/// 0 marks a cell in which the field may reach it. 255 stands for 255 or more, and for a volume
 /// without solid.
 ///
 /// Distances wrap along `u` and `v` as the volume does. Along the height there is nothing beyond the
@@ -63,7 +64,7 @@ impl VolumeDistance {
 /// use relief_core::{Volume, Watch, Wrap};
 ///
 /// let floor = Volume::from_fn([8, 8, 8], Wrap::Repeat, |[_, _, h]| if h < 0.2 { 1.0 } else { 0.0 })?;
-/// let distance = volume_distance(&floor, &Watch::none())?;
+/// let distance = volume_distance(&floor, 0.5, &Watch::none())?;
 /// // Slices 0 and 1 are solid, so that cell 1 is the last to reach the surface.
 /// assert_eq!([0, 1, 2, 5].map(|k| distance.cell(3, 3, k)), [0, 0, 1, 4]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -72,7 +73,7 @@ impl VolumeDistance {
 /// # Errors
 ///
 /// When it is cancelled.
-pub fn volume_distance(volume: &Volume, watch: &Watch) -> Result<VolumeDistance, Cancelled> {
+pub fn volume_distance(volume: &Volume, value: f32, watch: &Watch) -> Result<VolumeDistance, Cancelled> {
     let (wrap, layout) = (volume.wrap(), volume.layout());
     let [columns, rows, slices] = volume.size().map(|side| side as usize);
     let mut distances = vec![VolumeDistance::MOST; columns * rows * slices];
@@ -80,8 +81,7 @@ pub fn volume_distance(volume: &Volume, watch: &Watch) -> Result<VolumeDistance,
         let (j, k) = ((at % rows) as i64, (at / rows) as i64);
         for (i, cell) in (0i64..).zip(cells) {
             let reaches = (0..8).any(|corner| {
-                let value = volume.voxel(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
-                f64::from(value) >= Volume::SURFACE
+                volume.voxel(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2)) >= value
             });
             *cell = if reaches { 0 } else { VolumeDistance::MOST };
         }

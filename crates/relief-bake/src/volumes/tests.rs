@@ -261,7 +261,7 @@ fn distances_are_as_a_brute_force_finds() {
                 let values: Vec<f32> =
                     (0..size.iter().product()).map(|_| if rng.unit() < share { 0.5 } else { 0.4 }).collect();
                 let volume = Volume::new(size, &values, wrap).expect("a volume");
-                let distance = volume_distance(&volume, &Watch::none()).expect("nobody cancels");
+                let distance = volume_distance(&volume, 0.5, &Watch::none()).expect("nobody cancels");
                 let [width, rows, slices] = size.map(i64::from);
                 let reaches = |i: i64, j: i64, k: i64| {
                     let cell = volume.cell([i, j, k]);
@@ -324,7 +324,7 @@ fn ways_end_at_the_first_hit_of_the_judge() {
             let values: Vec<f32> =
                 (0..size.iter().product()).map(|_| rng.unit() as f32 * rng.unit() as f32).collect();
             let volume = Volume::new(size, &values, wrap).expect("a volume");
-            let distance = volume_distance(&volume, &Watch::none()).expect("nobody cancels");
+            let distance = volume_distance(&volume, 0.5, &Watch::none()).expect("nobody cancels");
             let width = volume.layout().atlas_size()[0];
             let (mut hits, mut misses) = (0, 0);
             for direction in 0..directions.count() {

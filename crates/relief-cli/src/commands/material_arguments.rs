@@ -56,8 +56,8 @@ pub struct MaterialArguments {
     /// Emission map in sRGB: the light that the surface gives by itself [default: none]
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", hide_short_help = true)]
     emission: Option<PathBuf>,
-    /// Material parameter, repeatable: base=0.9,0.6,0.2 (linear, 0 to 1) or base=#c08040 (sRGB), roughness=0.3 or metallic=1
-    /// (0 to 1), emission=2,1,0.5 (linear); these multiply the maps. With diffuse=R,G,B,
+    /// Material parameter, repeatable: base=0.9,0.6,0.2 (linear, 0 to 1) or base=#c08040 (sRGB),
+    /// roughness=0.3 or metallic=1 (0 to 1), emission=2,1,0.5 (linear); these multiply the maps. With diffuse=R,G,B,
     /// specular=R,G,B or shininess=N (1 to 1024) the shading is blinn-phong [default: base 0.4, 1
     /// under a colour map; roughness 0.5 and metallic 0, 1 under a map]
     #[arg(
@@ -78,6 +78,17 @@ pub struct MaterialArguments {
         hide_short_help = true
     )]
     transmission: Option<f32>,
+    /// How dense a translucent volume is: its optical depth on a metre of way where it is 1. Twice as
+    /// much is twice as dense; of light straight through M metres exp(-N M) is left. For --method
+    /// translucent [default: 8 over the scale]
+    #[arg(
+        long,
+        value_name = "N",
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+        hide_short_help = true
+    )]
+    extinction: Option<f64>,
     /// Index of refraction, 1 to 4; also sets how much is reflected [default: 1.5]
     #[arg(
         long,
@@ -105,6 +116,7 @@ impl MaterialArguments {
             emission: self.emission.clone(),
             material: self.material.iter().cloned().reduce(MaterialSpec::merged),
             transmission: self.transmission,
+            extinction: self.extinction,
             ior: self.ior,
             ..surface
         }

@@ -54,8 +54,9 @@ pub struct Arguments {
     /// uv.x, uv.y, height (0 to 1), P.x, P.y, P.z (position), N.x, N.y, N.z (normal), depth (along
     /// the view axis), reads (of maps), steps (of search and refinement), bytes (that the reads
     /// fetch), lit (share of the first light that arrives), level (of detail), z (depth buffer, see
-    /// --clip) and surface (its number). Where the CPU renders `exact`, reads and steps count nodes
-    /// and cells of the exact tracer
+    /// --clip), surface (its number) and transmittance (share of its light that comes through
+    /// translucent surfaces). Where the CPU renders `exact`, reads and steps count nodes and cells of
+    /// the exact tracer
     #[arg(long, value_name = "FILE.exr")]
     aov: Option<PathBuf>,
     /// Render one picture per frame number from A to B, inclusive, as in 0..47. The number replaces

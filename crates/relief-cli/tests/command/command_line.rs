@@ -231,7 +231,7 @@ fn every_listed_name_renders() {
         let [search, refine] = ["search", "refine"].map(|key| pair[key].as_str().expect("a name"));
         let flags = format!("--search {search} --refine {refine}");
         let Some(reason) = pair["refused"].as_str() else {
-            let is_of_volumes = ["voxels", "generalised"].contains(&search);
+            let is_of_volumes = ["voxels", "generalised", "translucent"].contains(&search);
             let of = if is_of_volumes { "--volume sponge.ktx2" } else { "--height map.png" };
             let about = render_of(of, &flags);
             assert!(about["covered"].as_u64() > Some(50), "{about}");

@@ -120,7 +120,7 @@ fn distances_are_baked_from_volumes_alone() {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let baked = read_ktx2(&room.path().join("out/cube.volume-distance.ktx2"), 1 << 20).expect("a texture");
     let distance =
-        relief_bake::volumes::volume_distance(&volume, &relief_core::Watch::none()).expect("distances");
+        relief_bake::volumes::volume_distance(&volume, 0.5, &relief_core::Watch::none()).expect("distances");
     let values = &baked.levels[0].planes[0];
     assert!(
         distance

@@ -1,5 +1,6 @@
 //! `relief volume` and `relief motif`: volumes come back as they were made, and bad input is refused.
 
+use crate::common::aov::Aov;
 use crate::common::command::{Folder, json_of};
 use crate::common::maps::{Map, encoded};
 use crate::common::meshes::obj;
@@ -194,6 +195,45 @@ fn what_takes_no_volume_says_what_does() {
             ["'cone',", "or 'none'", "--height:", "--raw"].into_iter().find(|it| ran.stderr.contains(it));
         assert_eq!(wrong, None, "{line}: {}", ran.stderr);
     }
+}
+
+/// A volume that light shines through: how dense it is, what is refused, and what is behind it.
+#[test]
+fn a_translucent_volume_lets_through_what_its_extinction_says() {
+    let folder = Folder::new();
+    folder.relief("volume sponge --size 9x9x9 -o sponge.ktx2").fine();
+    let small = "--backend cpu --size 24x18 --samples 1 --tile-size 1,1 --scale 0.1";
+    let mean = |flags: &str| {
+        folder
+            .relief(&format!("render sponge.ktx2 --method translucent {small} {flags} -o a.png --aov a.exr"))
+            .fine();
+        let aov = Aov::read(&folder.path("a.exr"));
+        let values = aov.plane("transmittance");
+        values.iter().map(|value| f64::from(*value)).sum::<f64>() / values.len() as f64
+    };
+    let [clear, thin, usual, dense] = ["--extinction 0", "--extinction 5", "", "--extinction 500"].map(mean);
+    assert!(
+        clear == 1.0 && 1.0 > thin && thin > usual && usual > dense && dense > 0.0,
+        "{clear} {thin} {usual} {dense}"
+    );
+    // Without the flag it is 8 over the scale.
+    assert_eq!(usual, mean("--extinction 80"));
+    assert_eq!(usual, mean("--set search.extinction=80"));
+    folder.write("hills.png", Map::hills().png());
+    for (line, expected) in [
+        ("--method translucent --extinction -1", "from 0 to 1e12"),
+        ("--method translucent --extinction nan", "from 0 to 1e12"),
+        ("--method translucent --extinction 5 --set search.extinction=6", "extinction"),
+        ("--method voxels --extinction 5", "translucent"),
+        ("--method translucent --surface plane", "'prism'"),
+        ("--method translucent --shadow soft", "'map'"),
+    ] {
+        let ran = folder.relief(&format!("render sponge.ktx2 {small} {line} -o b.png"));
+        assert!(ran.code == Some(2) && ran.stderr.contains(expected), "{line}: {ran:?}");
+        assert!(!folder.path("b.png").exists(), "{line}");
+    }
+    let ran = folder.relief(&format!("render hills.png {small} --method translucent -o b.png"));
+    assert!(ran.code == Some(2) && ran.stderr.contains("give a volume"), "{ran:?}");
 }
 
 /// Blades thinner than a voxel break into pieces, which the command says; thick links do not.

@@ -1,6 +1,7 @@
 //! Volumes: a solid on a surface that is no height field, as values on a grid of voxels.
 
 mod field;
+mod integral;
 mod layout;
 mod trace;
 

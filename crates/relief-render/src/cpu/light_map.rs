@@ -43,7 +43,8 @@ impl LightMap {
         let reserved = count.and_then(|count| keys.try_reserve_exact(count).ok().map(|()| count));
         keys.resize(reserved.ok_or(CpuError::OutOfMemory)?, 0.0f32);
         for (layer, frame) in keys.chunks_exact_mut((side * side).max(1)).zip(&views.frames) {
-            let surfaces = job.surfaces.iter().zip(accelerations);
+            let opaque = |(surface, _): &(&JobSurface, _)| !surface.selection.is_translucent();
+            let surfaces = job.surfaces.iter().zip(accelerations).filter(opaque);
             let ready: Vec<PreparedSurface> = surfaces
                 .map(|(surface, acceleration)| {
                     PreparedSurface::new(surface, *frame, None, acceleration.clone())

@@ -30,6 +30,7 @@ mod shading;
 mod shells;
 pub(crate) mod tessellated;
 mod tiled;
+mod translucent;
 
 /// Pixels of a band of rows: enough work for all cores, and little memory.
 const BAND_PIXELS: u32 = 1 << 18;
@@ -192,9 +193,10 @@ impl CpuRenderer {
         let surfaces = each.map(|(surface, acceleration)| {
             PreparedSurface::new(surface, job.frame, light_map, acceleration.clone())
         });
+        let (translucent, opaque) = surfaces.partition(|surface| surface.is_translucent);
         let needs_scene = |surface: &JobSurface| surface.selection.rays_through_scene().is_some();
         let scene = job.surfaces.iter().any(needs_scene).then(|| SceneRays::new(job, accelerations));
-        Ok(PreparedScene { surfaces: surfaces.collect(), scene, lanes: self.lanes })
+        Ok(PreparedScene { opaque, translucent, scene, lanes: self.lanes })
     }
 }
 
@@ -224,7 +226,8 @@ impl<'a> Progress<'a> {
 
 /// Surfaces of a picture, and the geometry that may block their lights.
 struct PreparedScene<'a> {
-    surfaces: Vec<PreparedSurface<'a>>,
+    opaque: Vec<PreparedSurface<'a>>,
+    translucent: Vec<PreparedSurface<'a>>,
     /// The whole scene, if shadow rays go through all of it.
     scene: Option<SceneRays<'a>>,
     lanes: Lanes,
@@ -232,9 +235,8 @@ struct PreparedScene<'a> {
 
 impl<'a> PreparedScene<'a> {
     fn rows(&'a self, job: &'a Job, samples: &'a [Sample], first: u32) -> Rows<'a> {
-        let tiled = Tiled::new(&self.surfaces, samples, [job.width, job.height], self.lanes);
-        let (scene, lanes) = (self.scene.as_ref(), self.lanes);
-        Rows { tiled, samples, surfaces: &self.surfaces, scene, first, lanes }
+        let tiled = Tiled::new(&self.opaque, samples, [job.width, job.height], self.lanes);
+        Rows { tiled, samples, prepared: self, first }
     }
 }
 
@@ -242,18 +244,20 @@ impl<'a> PreparedScene<'a> {
 struct Rows<'a> {
     tiled: Tiled<'a>,
     samples: &'a [Sample],
-    surfaces: &'a [PreparedSurface<'a>],
-    scene: Option<&'a SceneRays<'a>>,
+    prepared: &'a PreparedScene<'a>,
     first: u32,
-    lanes: Lanes,
 }
 
 impl Rows<'_> {
     /// Renders the rows into `pixels`.
     fn render(&self, pixels: &mut [PixelOut], done: &Progress) -> Result<(), Cancelled> {
-        let look = |seen: &VisibleBlock, put: &mut dyn FnMut(usize, PixelOut)| self.shade(seen, put);
+        let PreparedScene { opaque, translucent, .. } = self.prepared;
+        let any = opaque.first().or(translucent.first());
+        let look = |seen: &VisibleBlock, put: &mut dyn FnMut(usize, PixelOut)| {
+            if translucent.is_empty() { self.shade(seen, put) } else { self.shade_behind(seen, put) }
+        };
         self.tiled.each(pixels, self.first, done, look, |pixel, number, shown| {
-            *pixel = match (self.surfaces.first(), self.samples) {
+            *pixel = match (any, self.samples) {
                 (Some(surface), samples) if samples.len() > 1 => {
                     // The colour of the samples before.
                     let before = if number == 0 { uncovered().color } else { pixel.color };
@@ -265,15 +269,29 @@ impl Rows<'_> {
         })
     }
 
-    /// Shades a block's points, surface by surface.
+    /// Shades a block's points behind the translucent surfaces.
+    fn shade_behind(&self, block: &VisibleBlock, put: &mut dyn FnMut(usize, PixelOut)) {
+        let translucent = &self.prepared.translucent;
+        self.shade(block, &mut |place, pixel| {
+            let shown = if block.points.which >> place & 1 == 1 {
+                translucent::composed(translucent, block.points.points.map(|row| row[place]), pixel)
+            } else {
+                pixel
+            };
+            put(place, shown);
+        });
+    }
+
+    /// Shades a block's points on opaque surfaces, surface by surface.
     fn shade(&self, block: &VisibleBlock, put: &mut dyn FnMut(usize, PixelOut)) {
+        let PreparedScene { opaque, scene, lanes, .. } = self.prepared;
         for place in places(places_where(|place| block.nearest[place].is_none())) {
             put(place, uncovered());
         }
-        for (number, (surface, seen)) in self.surfaces.iter().zip(block.surfaces).enumerate() {
+        for (number, (surface, seen)) in opaque.iter().zip(block.surfaces).enumerate() {
             let own = places_where(|place| block.nearest[place] == Some(number));
             if own != 0 {
-                surface.shade(seen, own, self.scene, self.lanes, put);
+                surface.shade(seen, own, scene.as_ref(), *lanes, put);
             }
         }
     }

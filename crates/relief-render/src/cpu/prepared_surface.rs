@@ -88,6 +88,8 @@ pub struct PreparedSurface<'a> {
     /// Number of points on a light if shadow rays go through the whole scene.
     pub(super) rays_through_scene: Option<u32>,
     pub(super) lights: u32,
+    /// Whether light is gathered through it, and nothing is hit.
+    pub(super) is_translucent: bool,
     /// Whether it is a depth object, whose segments are not parts of one path.
     pub(super) is_object: bool,
     /// Whether the relief nowhere lies above its base, or there is none.
@@ -138,6 +140,7 @@ impl<'a> PreparedSurface<'a> {
             points_of_lights: surface.selection.points_of_lights(),
             rays_through_scene: surface.selection.rays_through_scene(),
             lights: frame.light_count,
+            is_translucent: surface.selection.is_translucent(),
             is_object: surface.selection.object_cells().is_some(),
             is_carved: !surface.selection.paths().has_relief()
                 || surface.settings.bias_m + surface.settings.scale_m <= 0.0,
@@ -290,7 +293,8 @@ impl<'a> PreparedSurface<'a> {
 
 /// All surfaces of a scene, for rays from lights.
 pub struct SceneRays<'a> {
-    pub surfaces: Vec<PreparedSurface<'a>>,
+    pub opaque: Vec<PreparedSurface<'a>>,
+    pub translucent: Vec<PreparedSurface<'a>>,
     /// Distance in metres that leads out of the scene from any of its points.
     pub reach_m: f32,
 }
@@ -308,7 +312,8 @@ impl<'a> SceneRays<'a> {
         let ready = job.surfaces.iter().zip(accelerations);
         let surfaces = ready
             .map(|(surface, acceleration)| PreparedSurface::for_light(surface, frame, acceleration.clone()));
-        Self { surfaces: surfaces.collect(), reach_m: reach_m as f32 }
+        let (translucent, opaque) = surfaces.partition(|surface| surface.is_translucent);
+        Self { opaque, translucent, reach_m: reach_m as f32 }
     }
 }
 

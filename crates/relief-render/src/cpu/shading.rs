@@ -105,18 +105,19 @@ impl PreparedSurface<'_> {
         let (at, hit) = (placed.get(place as usize), seen.hits.get(place as usize));
         let three = |v: ShaderVec3<f32>| Vec3::new(v.x, v.y, v.z);
         let end = three(at.point);
-        let is_lit = |point: &u32| {
+        let part_lit = |point: u32| {
             // A single ray goes to the light's centre.
-            let of = if count > 1 { [*point, count] } else { [0, 0] };
+            let of = if count > 1 { [point, count] } else { [0, 0] };
             let toward = self.program.point_of_light(at, hit, light, of);
             let direction = three(toward.direction);
             let way = toward.distance.min(scene.reach_m);
             let [origin, direction] = [end + direction * way, -direction].map(|v| v.to_array().into());
-            let is_hidden = |surface: &PreparedSurface| {
-                surface.hides(ShaderRay { origin, direction }, way - self.shorter_m)
-            };
-            !scene.surfaces.iter().any(is_hidden)
+            let (aim, way) = (ShaderRay { origin, direction }, way - self.shorter_m);
+            if scene.opaque.iter().any(|surface| surface.hides(aim, way)) {
+                return 0.0;
+            }
+            scene.translucent.iter().map(|surface| surface.lets_through(aim, way)).product()
         };
-        (0..count).filter(is_lit).count() as f32 / count as f32
+        (0..count).map(part_lit).sum::<f32>() / count as f32
     }
 }

@@ -60,6 +60,8 @@ pub struct Points {
 
 /// Hits of a block's points on all surfaces, with the nearest surface of each point.
 pub struct VisibleBlock<'a> {
+    /// The block's points.
+    pub points: &'a Points,
     /// Hits on each surface.
     pub surfaces: &'a [BlockHits],
     /// Number of the nearest surface, for points that hit any.
@@ -163,7 +165,7 @@ impl<'a> Tiled<'a> {
                         let count = self.surfaces.len();
                         let (points, seen) = (&points[block], &mut seen[count * block..count * (block + 1)]);
                         let nearest = self.block(points, hits, seen);
-                        show(points, number, &VisibleBlock { surfaces: seen, nearest });
+                        show(points, number, &VisibleBlock { points, surfaces: seen, nearest });
                     }
                 }
             }

@@ -45,6 +45,17 @@ pub enum GpuError {
         /// The most columns or rows.
         limit: u32,
     },
+    /// A row of the picture, with what it sees of every translucent surface, does not fit a buffer.
+    #[error(
+        "{surfaces} translucent surfaces in a picture {width} pixels wide are more than the GPU takes; use fewer \
+         surfaces, a smaller picture or the CPU"
+    )]
+    TooManyTranslucent {
+        /// Translucent surfaces.
+        surfaces: u32,
+        /// Columns.
+        width: u32,
+    },
     /// The settings of all bands and samples do not fit the adapter's buffers.
     #[error(
         "{samples} samples of {width}x{height} pixels are more than the GPU takes; use fewer samples, a \

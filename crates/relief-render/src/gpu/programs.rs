@@ -58,6 +58,10 @@ pub struct Layouts {
     pub shells: BindGroupLayout,
     /// Group 2 of the passes that shade and resolve.
     pub traced: BindGroupLayout,
+    /// Group 2 of the passes that gather the light of translucent surfaces.
+    pub gathered: BindGroupLayout,
+    /// Group 2 of the passes before and behind these.
+    pub composed: BindGroupLayout,
     /// Group 1 of the pass that shows.
     pub shown: BindGroupLayout,
     rays: BindGroupLayout,
@@ -77,6 +81,8 @@ impl Layouts {
             mesh: of("mesh", &["mesh_faces", "mesh_corners"]),
             shells: of("shells", &["shell_nodes"]),
             traced: of("traced", &["traced_hit", "traced_what", "records", "sums"]),
+            gathered: of("gathered", &["traced_what", "gathered", "shell_nodes"]),
+            composed: of("composed", &["traced_what", "records", "gathered"]),
             shown: of("shown", &["shown_records", "picture"]),
             rays: of("rays", &List::Rays.names()),
             paths: of("paths", &List::Paths.names()),
@@ -150,13 +156,24 @@ pub struct Programs {
     trace: [[ProgramCache<Variant, RenderPipeline>; 2]; 3],
     stencil: ProgramCache<Variant, StencilPrograms>,
     shade: ProgramCache<Variant, ComputePipeline>,
+    gather: ProgramCache<Variant, ComputePipeline>,
     lists: ProgramCache<(List, Variant), ComputePipeline>,
     /// Programs that do not depend on the selection of variants.
     resolve: ProgramCache<(), ComputePipeline>,
+    compose: ProgramCache<(), Composer>,
     show: ProgramCache<(), ComputePipeline>,
     pyramid: ProgramCache<(), RenderPipeline>,
     tessellate: ProgramCache<Sampling, Tessellator>,
     compiled: u32,
+}
+
+/// Programs before and behind those that gather the light of translucent surfaces.
+#[derive(Clone, Debug)]
+pub struct Composer {
+    /// Says how far every pixel's rays go.
+    pub begin: ComputePipeline,
+    /// Lays what was gathered over the opaque surfaces.
+    pub compose: ComputePipeline,
 }
 
 /// Cache of programs by key and by text. Selections that differ only in stages that a program does
@@ -209,8 +226,10 @@ impl Programs {
             trace: std::array::from_fn(|_| [ProgramCache::new(), ProgramCache::new()]),
             stencil: ProgramCache::new(),
             shade: ProgramCache::new(),
+            gather: ProgramCache::new(),
             lists: ProgramCache::new(),
             resolve: ProgramCache::new(),
+            compose: ProgramCache::new(),
             show: ProgramCache::new(),
             pyramid: ProgramCache::new(),
             tessellate: ProgramCache::new(),
@@ -290,6 +309,37 @@ impl Programs {
         let text = || assemble(selection, Root::Shade, sampling);
         let compile = |text: &str| compute(gpu.device(), text, Root::Shade, &groups.each_ref());
         self.shade.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+    }
+
+    /// Returns the program that gathers the light of a translucent surface.
+    pub async fn gather(
+        &mut self,
+        gpu: &Gpu,
+        selection: &Selection,
+        sampling: Sampling,
+    ) -> Result<ComputePipeline, GpuError> {
+        let Layouts { mesh, gathered, .. } = &self.layouts;
+        let groups = [self.layouts.maps(sampling), mesh, gathered].map(Clone::clone);
+        let text = || assemble(selection, Root::Gather, sampling);
+        let compile = |text: &str| compute(gpu.device(), text, Root::Gather, &groups.each_ref());
+        self.gather.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+    }
+
+    /// Returns the programs before and behind those.
+    pub async fn compose(&mut self, gpu: &Gpu, sampling: Sampling) -> Result<Composer, GpuError> {
+        let Layouts { mesh, composed, .. } = &self.layouts;
+        let groups = [self.layouts.maps(sampling), mesh, composed].map(Clone::clone);
+        let text = || assemble(&Selection::default(), Root::Compose, sampling);
+        let compile = |text: &str| {
+            let device = gpu.device();
+            let module = module(device, label(Root::Compose), text);
+            let of = |entry: &'static str| {
+                let groups = groups.each_ref().map(Some);
+                compute_entry(device, &module, label(Root::Compose), Some(entry), &groups)
+            };
+            Composer { begin: of("begin_gather_main"), compose: of("compose_main") }
+        };
+        self.compose.get(gpu, &mut self.compiled, (), text, compile).await
     }
 
     /// Returns the program that adds a sample to the sums of the earlier ones.
@@ -413,8 +463,10 @@ fn label(root: Root) -> &'static str {
         Root::Light | Root::LightShells | Root::LightObjects => "light",
         Root::Stencil => "stencil",
         Root::Prepass | Root::PrepassShells | Root::PrepassObjects => "prepass",
-        Root::Draw | Root::DrawDepth | Root::DrawShells | Root::DrawObjects => "draw",
+        Root::Draw | Root::DrawDepth | Root::DrawShells | Root::DrawObjects | Root::DrawTranslucent => "draw",
         Root::Shade => "shade",
+        Root::Gather => "gather",
+        Root::Compose => "compose",
         Root::Resolve => "resolve",
         Root::Show => "show",
         Root::Probe => "probe",

@@ -20,7 +20,7 @@ use wgpu::{
 use super::draw_call::{DrawCall, check_triangles};
 use super::light_map::{Caster, Frames, LightMap};
 use super::pass_clock::{PassClock, PassKind, Timed, timed_compute};
-use super::programs::{Programs, Viewer};
+use super::programs::{Composer, Programs, Viewer};
 use super::resident::{Common, Resident};
 use super::stencil::Counted;
 use super::targets::{self, Band, Pass, Targets};
@@ -62,6 +62,14 @@ pub struct Work {
     pub built: u64,
 }
 
+/// Programs of a surface's passes.
+enum SurfaceProgram {
+    /// Tracing, then shading.
+    Trace(Tracer, ComputePipeline),
+    /// Gathering the light of a translucent surface.
+    Gather(ComputePipeline),
+}
+
 /// Programs that trace a surface.
 enum Tracer {
     /// One program.
@@ -80,11 +88,31 @@ struct DrawableSurface {
     drawn: DrawCall,
 }
 
+/// Translucent surface whose light is ready to be gathered.
+struct TranslucentSurface {
+    gather: ComputePipeline,
+    maps: BindGroup,
+    mesh: BindGroup,
+    /// What the pass writes, and the shells that it reads.
+    gathered: BindGroup,
+}
+
 /// Surfaces and programs of a picture's passes.
 struct Passes {
     surfaces: Vec<DrawableSurface>,
+    translucent: Vec<TranslucentSurface>,
+    /// Programs before and behind the translucent surfaces, if there are any.
+    compose: Option<Composer>,
     /// Program that adds up samples, if there are several.
     resolve: Option<ComputePipeline>,
+}
+
+impl Passes {
+    /// Returns groups 0 and 1 of any surface, for passes that read no surface's settings of their own.
+    fn first_groups(&self) -> Option<[&BindGroup; 2]> {
+        let opaque = self.surfaces.first().map(|surface| [&surface.maps, &surface.mesh]);
+        opaque.or_else(|| self.translucent.first().map(|surface| [&surface.maps, &surface.mesh]))
+    }
 }
 
 impl GpuRenderer {
@@ -225,7 +253,7 @@ impl GpuRenderer {
         let show = self.programs.show(&self.gpu, sampling).await?;
         // Every surface's group 0 binds the frame and the passes. Without a surface there is only
         // the background to show.
-        let maps = ready.surfaces.first().ok_or(GpuError::EmptyPicture)?.maps.clone();
+        let maps = ready.first_groups().ok_or(GpuError::EmptyPicture)?[0].clone();
         let (gpu, layouts) = (self.gpu.clone(), self.programs.layouts.clone());
         let targets = self.targets.as_mut().ok_or(GpuError::EmptyPicture)?;
         gpu.guarded(|| {
@@ -293,21 +321,32 @@ impl GpuRenderer {
         let several = samples.len() > 1;
         let resolve = if several { Some(self.programs.resolve(&gpu, sampling).await?) } else { None };
         let mut programs = Vec::new();
+        let count = job.surfaces.iter().filter(|surface| surface.selection.is_translucent()).count();
+        let compose = if count > 0 { Some(self.programs.compose(&gpu, sampling).await?) } else { None };
         for surface in &job.surfaces {
             let JobSurface { selection, two_sided, .. } = surface;
+            if selection.is_translucent() {
+                programs.push(SurfaceProgram::Gather(self.programs.gather(&gpu, selection, sampling).await?));
+                continue;
+            }
             let trace = if selection.counts_in_stencil() {
                 let programs = self.programs.stencil(&gpu, selection, sampling).await?;
                 Tracer::Counted(Counted::of(surface, programs))
             } else {
                 Tracer::Whole(self.programs.trace(&gpu, viewer, selection, sampling, *two_sided).await?)
             };
-            programs.push((trace, self.programs.shade(&gpu, selection, sampling).await?));
+            programs
+                .push(SurfaceProgram::Trace(trace, self.programs.shade(&gpu, selection, sampling).await?));
         }
         let mut light_programs = Vec::new();
         let has_lights = !job.light_views.frames.is_empty();
         for JobSurface { selection, two_sided, .. } in job.surfaces.iter().filter(|_| has_lights) {
-            light_programs
-                .push(self.programs.trace(&gpu, Viewer::Light, selection, sampling, *two_sided).await?);
+            // Translucent surfaces do not hide lights.
+            light_programs.push(if selection.is_translucent() {
+                None
+            } else {
+                Some(self.programs.trace(&gpu, Viewer::Light, selection, sampling, *two_sided).await?)
+            });
         }
         let builder = self.programs.pyramids(&gpu, &job.surfaces, sampling).await?;
         let tessellator = self.programs.tessellator(&gpu, &job.surfaces, sampling).await?;
@@ -317,12 +356,13 @@ impl GpuRenderer {
             .guarded(|| {
                 let size = [job.width, job.height];
                 let fit = |targets: &Targets| {
-                    (targets.size, targets.counts) == (size, counts) && targets.samples == samples
+                    (targets.size, targets.counts, targets.translucent) == (size, counts, count as u32)
+                        && targets.samples == samples
                 };
                 if !targets.as_ref().is_some_and(fit) {
                     // The old targets are dropped first, so that both need not fit into memory.
                     drop(targets.take());
-                    *targets = Some(Targets::new(&gpu, size, samples, counts, layouts)?);
+                    *targets = Some(Targets::new(&gpu, size, samples, counts, count as u32, layouts)?);
                     *generation += 1;
                 }
                 let targets = targets.as_ref().ok_or(GpuError::EmptyPicture)?;
@@ -357,12 +397,14 @@ impl GpuRenderer {
                 let uploaded = each.collect::<Result<Vec<_>, GpuError>>()?;
                 if let Some(map) = light_map.as_ref().filter(|_| shadows_changed) {
                     let parts = light_programs.into_iter().zip(&uploaded);
-                    let casters = parts.map(|(program, (maps, mesh))| Caster {
-                        program,
-                        maps: maps.for_lights.clone(),
-                        mesh: mesh.group.clone(),
-                        shells: mesh.shells.clone(),
-                        drawn: mesh.drawn.clone(),
+                    let casters = parts.filter_map(|(program, (maps, mesh))| {
+                        Some(Caster {
+                            program: program?,
+                            maps: maps.for_lights.clone(),
+                            mesh: mesh.group.clone(),
+                            shells: mesh.shells.clone(),
+                            drawn: mesh.drawn.clone(),
+                        })
                     });
                     map.draw(&gpu, frames, targets.whole, &casters.collect::<Vec<_>>());
                 }
@@ -371,16 +413,31 @@ impl GpuRenderer {
             .await;
         // After an error it is not known what arrived.
         let uploaded = uploaded.inspect_err(|_| self.forget())?;
-        let ready = programs.into_iter().zip(uploaded);
-        let surfaces = ready.map(|((trace, shade), (maps, mesh))| DrawableSurface {
-            trace,
-            shade,
-            maps: maps.for_camera,
-            mesh: mesh.group,
-            shells: mesh.shells,
-            drawn: mesh.drawn,
-        });
-        Ok(Passes { surfaces: surfaces.collect(), resolve })
+        let mut ready = Passes { surfaces: Vec::new(), translucent: Vec::new(), compose, resolve };
+        let targets = self.targets.as_ref().ok_or(GpuError::EmptyPicture)?;
+        for (program, (maps, mesh)) in programs.into_iter().zip(uploaded) {
+            let (maps, shells) = (maps.for_camera, mesh.shells);
+            match program {
+                SurfaceProgram::Trace(trace, shade) => {
+                    let (mesh, drawn) = (mesh.group, mesh.drawn);
+                    ready.surfaces.push(DrawableSurface { trace, shade, maps, mesh, shells, drawn });
+                }
+                SurfaceProgram::Gather(gather) => {
+                    let nodes = mesh.shell_nodes.as_ref();
+                    let gathered =
+                        nodes.and_then(|nodes| targets.gathered(&gpu, &self.programs.layouts, nodes));
+                    if let Some(gathered) = gathered {
+                        ready.translucent.push(TranslucentSurface {
+                            gather,
+                            maps,
+                            mesh: mesh.group,
+                            gathered,
+                        });
+                    }
+                }
+            }
+        }
+        Ok(ready)
     }
 
     /// Drops all data on the GPU except programs.
@@ -448,8 +505,20 @@ fn submit_band(
             let groups = [&surface.maps, &surface.mesh, &targets.traced];
             dispatch(&mut encoder, &surface.shade, &groups, targets.size[0], pass, timed(PassKind::Shade));
         }
-        if let Some((resolve, surface)) = ready.resolve.as_ref().zip(ready.surfaces.first()) {
-            let groups = [&surface.maps, &surface.mesh, &targets.traced];
+        if let (Some(composer), Some(composed), Some(first)) =
+            (&ready.compose, targets.composed(), ready.translucent.first())
+        {
+            let around = [&first.maps, &first.mesh, composed];
+            dispatch(&mut encoder, &composer.begin, &around, targets.size[0], pass, None);
+            for surface in &ready.translucent {
+                let timed = clock.and_then(|clock| clock.next(PassKind::Shade));
+                let groups = [&surface.maps, &surface.mesh, &surface.gathered];
+                dispatch(&mut encoder, &surface.gather, &groups, targets.size[0], pass, timed);
+            }
+            dispatch(&mut encoder, &composer.compose, &around, targets.size[0], pass, None);
+        }
+        if let Some((resolve, [maps, mesh])) = ready.resolve.as_ref().zip(ready.first_groups()) {
+            let groups = [maps, mesh, &targets.traced];
             dispatch(&mut encoder, resolve, &groups, targets.size[0], pass, None);
         }
         if pass.is_last {
@@ -541,5 +610,6 @@ fn pixel_of(record: Record) -> PixelOut {
         level: (record.hit >> 2) & 63,
         z: record.z,
         surface: record.hit >> 8,
+        transmittance: record.transmittance,
     }
 }

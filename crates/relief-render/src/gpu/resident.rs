@@ -146,6 +146,8 @@ pub struct ResidentMesh {
     pub group: BindGroup,
     /// Group 2 of the pass that traces, if there are shells.
     pub shells: Option<BindGroup>,
+    /// The shells' BVH, if there are any.
+    pub shell_nodes: Option<Buffer>,
     pub drawn: DrawCall,
     /// Whether the triangles changed since the last picture.
     pub is_other: bool,
@@ -233,8 +235,10 @@ impl Resident {
             self.tessellated = None;
             let (group, is_other) = self.uploaded(gpu, triangles, &layouts.mesh)?;
             shells::update(&mut self.shells, gpu, surface, &layouts.shells)?;
-            let shells = self.shells.as_ref().map(|shells| shells.group.clone());
-            return Ok(ResidentMesh { group, shells, drawn: DrawCall::of(surface), is_other });
+            let shells = self.shells.as_ref();
+            let shell_nodes = shells.map(|shells| shells.nodes.clone());
+            let shells = shells.map(|shells| shells.group.clone());
+            return Ok(ResidentMesh { group, shells, shell_nodes, drawn: DrawCall::of(surface), is_other });
         };
         (self.mesh, self.shells) = (None, None);
         if !self.tessellated.as_ref().is_some_and(|known| known.fits(gpu, of)) {
@@ -249,7 +253,13 @@ impl Resident {
         let is_other_surface = is_new || maps.changed;
         let is_other = tessellated.make(gpu, of, tessellator, &maps.for_lights, is_other_surface, clock);
         let drawn = DrawCall::Indirect(tessellated.drawn().clone());
-        Ok(ResidentMesh { group: tessellated.mesh().clone(), shells: None, drawn, is_other })
+        Ok(ResidentMesh {
+            group: tessellated.mesh().clone(),
+            shells: None,
+            shell_nodes: None,
+            drawn,
+            is_other,
+        })
     }
 
     /// Waits for the GPU and returns the number of triangles tessellated last; 0 for other

@@ -6,7 +6,7 @@ use obvhs::bvh2::Bvh2;
 use relief_shaders::cpu::ShellNode;
 use relief_shaders::surface::Proposal;
 use relief_shaders::wgsl::{SHELL_BOTH_SIDES, SHELL_TRIANGLE};
-use wgpu::{BindGroup, BindGroupLayout, BufferUsages};
+use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages};
 
 use super::layouts::group;
 use super::{Gpu, GpuError};
@@ -27,6 +27,8 @@ pub struct Shells {
     bounds: Bounds,
     /// Group 2 of the passes that trace shells.
     pub group: BindGroup,
+    /// The nodes, for passes that bind more beside them.
+    pub nodes: Buffer,
 }
 
 /// Builds and uploads the BVH of a surface's shells, unless it is cached. For surfaces without
@@ -51,7 +53,7 @@ pub fn update(
     let nodes = nodes(&hierarchy(&bounds.boxes(triangles)), bounds.both_sides);
     let nodes = gpu.filled("shell_nodes", &nodes, BufferUsages::STORAGE)?;
     let group = group(gpu.device(), "shells", layout, &[("shell_nodes", nodes.as_entire_binding())]);
-    *held = Some(Shells { triangles: Arc::clone(triangles), bounds, group });
+    *held = Some(Shells { triangles: Arc::clone(triangles), bounds, group, nodes });
     Ok(())
 }
 

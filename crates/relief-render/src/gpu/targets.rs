@@ -1,6 +1,6 @@
 //! Targets of a picture's passes: textures and buffers for a band of its rows.
 
-use relief_shaders::cpu::{PassSettings, Record, Shared, write_all};
+use relief_shaders::cpu::{Gathered, PassSettings, Record, Shared, write_all};
 use wgpu::{
     BindGroup, BindingResource, Buffer, BufferBinding, BufferSize, BufferUsages, Extent3d, Texture,
     TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView, TextureViewDescriptor,
@@ -47,6 +47,9 @@ pub struct Targets {
     pub sums: Buffer,
     /// Group 2 of the passes that shade and resolve.
     pub traced: BindGroup,
+    /// Number of translucent surfaces, and what their passes bind, if there are any.
+    pub translucent: u32,
+    gathered: Option<Gathering>,
     passes: Buffer,
     /// Buffer for reading back, created when first needed.
     readable: Option<Buffer>,
@@ -57,9 +60,19 @@ pub struct Targets {
     shown: Option<(Texture, BindGroup)>,
 }
 
+/// What passes over translucent surfaces bind.
+#[derive(Debug)]
+struct Gathering {
+    /// What every pixel sees of each.
+    gathered: Buffer,
+    /// Group 2 of the passes before and behind them.
+    composed: BindGroup,
+}
+
 impl Targets {
     /// Creates the targets of pictures of a size, which is not empty, and with the given samples.
-    /// With `counts` they have a stencil buffer, in which images of objects are counted.
+    /// With `counts` they have a stencil buffer, in which images of objects are counted. They serve so many
+    /// `translucent` surfaces.
     ///
     /// # Errors
     ///
@@ -69,9 +82,15 @@ impl Targets {
         [width, height]: [u32; 2],
         samples: Vec<Sample>,
         counts: bool,
+        translucent: u32,
         layouts: &Layouts,
     ) -> Result<Self, GpuError> {
-        let rows = (gpu.band_pixels() / width).clamp(1, height);
+        let gathered_bytes = Gathered::SIZE as u64 * u64::from(translucent);
+        let fitting = gpu.storage_capacity(gathered_bytes.max(1) as usize).min(u64::from(u32::MAX)) as u32;
+        if fitting < width {
+            return Err(GpuError::TooManyTranslucent { surfaces: translucent, width });
+        }
+        let rows = (gpu.band_pixels().min(fitting) / width).clamp(1, height);
         let texture = |label, format, usage| {
             let usage = TextureUsages::RENDER_ATTACHMENT | usage;
             let texture = target(gpu, label, [width, rows], format, usage);
@@ -109,6 +128,16 @@ impl Targets {
             ("sums", sums.as_entire_binding()),
         ];
         let traced = group(gpu.device(), "traced", &layouts.traced, &bound);
+        let gathered = (translucent > 0).then(|| {
+            let gathered = gpu.buffer("gathered", pixels * gathered_bytes, storage);
+            let bound = [
+                ("traced_what", BindingResource::TextureView(&what)),
+                ("records", records.as_entire_binding()),
+                ("gathered", gathered.as_entire_binding()),
+            ];
+            let composed = group(gpu.device(), "composed", &layouts.composed, &bound);
+            Gathering { gathered, composed }
+        });
         let passes = passes(gpu, [width, height], rows, &samples, &bands, stride);
         let size = [width, height];
         let (readable, shown) = (None, None);
@@ -124,6 +153,8 @@ impl Targets {
             records,
             sums,
             traced,
+            translucent,
+            gathered,
             passes,
             readable,
             whole,
@@ -135,6 +166,22 @@ impl Targets {
     pub fn passes(&self) -> BindingResource<'_> {
         let size = BufferSize::new(PassSettings::SIZE as u64);
         BindingResource::Buffer(BufferBinding { buffer: &self.passes, offset: 0, size })
+    }
+
+    /// Returns group 2 of the passes before and behind those over translucent surfaces, if there are any.
+    pub fn composed(&self) -> Option<&BindGroup> {
+        self.gathered.as_ref().map(|gathering| &gathering.composed)
+    }
+
+    /// Creates group 2 of the pass over a translucent surface, from the BVH of its shells.
+    pub fn gathered(&self, gpu: &Gpu, layouts: &Layouts, nodes: &Buffer) -> Option<BindGroup> {
+        let Gathering { gathered, .. } = self.gathered.as_ref()?;
+        let bound = [
+            ("traced_what", BindingResource::TextureView(&self.what)),
+            ("gathered", gathered.as_entire_binding()),
+            ("shell_nodes", nodes.as_entire_binding()),
+        ];
+        Some(group(gpu.device(), "gathered", &layouts.gathered, &bound))
     }
 
     /// Returns the bytes of a band's records, and of its sums of colours.

@@ -199,6 +199,7 @@ impl Preparer {
             }
             owners.resize(surfaces.len(), surface);
         }
+        number_translucent(&mut surfaces);
         let JobBuilder { triangles, pictures, .. } = builder;
         (self.triangles, self.pictures, self.parts) = (triangles, pictures, parts);
         let [width, height] = scene.size();
@@ -206,6 +207,16 @@ impl Preparer {
         let mut frame = frame(scene, &owners, &surfaces);
         light_views.write_into(&mut frame);
         Ok(Job { width, height, samples: scene.samples(), frame, light_views, surfaces })
+    }
+}
+
+/// Tells each translucent surface its number among them, and how many there are.
+fn number_translucent(surfaces: &mut [JobSurface]) {
+    let mut translucent: Vec<&mut JobSurface> =
+        surfaces.iter_mut().filter(|surface| surface.selection.is_translucent()).collect();
+    let count = translucent.len() as u32;
+    for (number, surface) in (0..).zip(&mut translucent) {
+        surface.settings.translucent = [number, count].into();
     }
 }
 

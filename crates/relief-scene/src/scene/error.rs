@@ -290,9 +290,12 @@ pub enum ValueProblem {
     /// A method for height maps is chosen for a depth object.
     #[error("the method shows height maps, and the surface is a depth object: choose 'depth-object'")]
     Object,
+    /// An extinction is given for what is no translucent volume.
+    #[error("is of translucent volumes: choose the method 'translucent' for a volume, or leave it out")]
+    NotTranslucent,
     /// A method for volumes is chosen for a height map.
     #[error(
-        "the method shows volumes, and the surface has a height map: give a volume, or choose another method"
+        "the method shows volumes, and the surface has a height map: give a volume (a KTX2 file), or choose another method"
     )]
     NoVolume,
     /// A method for height maps is chosen for a volume.

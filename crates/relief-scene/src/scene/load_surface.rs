@@ -476,6 +476,7 @@ impl SurfaceSpec {
             let volume = volume.with_displacement(scale_m, bias_m);
             let volume = volume.map_err(|error| of_number(ValueProblem::from(error).of("scale")))?;
             surface = surface.with_volume(volume);
+            surface = self.with_extinction(surface, scale_m).map_err(of_number)?;
         }
         if let Some(path) = &self.color {
             surface = surface.with_color(maps.color(path)?);
@@ -508,6 +509,23 @@ impl SurfaceSpec {
             None => surface,
         }
         .with_file_colors(file_colors))
+    }
+
+    /// Returns a translucent surface with its extinction. Without one its volume hides the most of what is behind,
+    /// and threads that fill a part of it let light through.
+    fn with_extinction(&self, surface: Surface, scale_m: f64) -> Result<Surface, ValueError> {
+        let mut selection = *surface.selection();
+        let is_set = self.set.contains_key(EXTINCTION);
+        let extinction = match self.extinction {
+            _ if !selection.is_translucent() => return Ok(surface),
+            Some(_) if is_set => return Err(ValueProblem::Excludes(EXTINCTION).of("extinction")),
+            None if is_set => return Ok(surface),
+            given => given.unwrap_or(EXTINCTION_OF_SCALE / scale_m.max(LEAST_SCALE_M)),
+        };
+        selection.set(EXTINCTION, extinction).map_err(|_| {
+            ValueProblem::Number { value: extinction, must: "from 0 to 1e12 per metre" }.of("extinction")
+        })?;
+        Ok(surface.with_selection(selection))
     }
 
     /// Returns whether the mesh of a file is shown without a height map.
@@ -604,6 +622,9 @@ impl SurfaceSpec {
         if self.volume.is_some() {
             selection = selection.with_volume(true);
         }
+        if self.extinction.is_some() && !selection.is_translucent() {
+            return Err(ValueProblem::NotTranslucent.of("extinction"));
+        }
         if let Some(detail) = detail {
             selection.choose(STAGES[DETAIL].key, detail).map_err(of_selection)?;
         }
@@ -665,6 +686,15 @@ impl SurfaceSpec {
         Ok(selection)
     }
 }
+
+/// Setting of the search for translucent volumes that `extinction` stands for.
+const EXTINCTION: &str = "search.extinction";
+
+/// Extinction of a translucent volume times its scale, if none is given.
+const EXTINCTION_OF_SCALE: f64 = 8.0;
+
+/// Scale in metres below which volumes are not denser, so that their extinction is accepted.
+const LEAST_SCALE_M: f64 = 1e-9;
 
 /// Returns the height map of a mesh that is shown without one: one texel at the mesh's level.
 /// Normals of the mesh's file have its wrap.

@@ -88,6 +88,11 @@ pub struct SurfaceSpec {
     /// Factor on the scale, given or not, and on a bias that is not given. From 1e-6 to 1e6.
     /// Default: 1.
     pub exaggerate: Option<f64>,
+    /// Optical depth of a metre of way in a translucent volume, where the volume is 1, from 0 on: after a way
+    /// of `1 / extinction` a share of `1 / e` of the light is left.
+    ///
+    /// Default: 8 over the scale, unless the method's setting is given. Needs the method `translucent`.
+    pub extinction: Option<f64>,
     /// Whether normals that are derived from the heights end at creases, where the slope changes
     /// abruptly. Default: `false`, normals are smooth across creases.
     pub creases: Option<bool>,
@@ -212,7 +217,8 @@ impl SurfaceSpec {
     ///   `elevation`, `nodata`, `unit`, `raw` and `fill`.
     /// * `color` and `ramp` replace each other.
     /// * Another `normal` drops `green`; another `mesh` drops `project` and `mesh-up`.
-    /// * Another method or stage drops its settings; another shadow drops its search.
+    /// * Another method or stage drops its settings; another shadow drops its search; another method drops
+    ///   `extinction`.
     /// * Another ambient variant than `environment` drops `transmission` and `ior`; `transmission` drops
     ///   another ambient variant.
     /// * `scale` without `bias` drops the old bias.
@@ -241,6 +247,9 @@ impl SurfaceSpec {
         if over.scale.is_some() {
             self.bias = None;
         }
+        if over.method.is_some() && over.method != self.method {
+            self.extinction = None;
+        }
         self.drop_replaced_stages(&over);
         if over.names_other_ambient() {
             (self.transmission, self.ior) = (None, None);
@@ -267,6 +276,7 @@ impl SurfaceSpec {
             scale: over.scale.or(self.scale),
             bias: over.bias.or(self.bias),
             exaggerate: over.exaggerate.or(self.exaggerate),
+            extinction: over.extinction.or(self.extinction),
             creases: over.creases.or(self.creases),
             textures: over.textures.or(self.textures),
             udim: over.udim.or(self.udim),
@@ -430,6 +440,7 @@ impl SurfaceSpec {
             ("scale", self.scale.is_some()),
             ("bias", self.bias.is_some()),
             ("exaggerate", self.exaggerate.is_some()),
+            ("extinction", self.extinction.is_some()),
             ("textures", self.textures.is_some()),
             ("udim", self.udim.is_some()),
             ("color", self.color.is_some()),

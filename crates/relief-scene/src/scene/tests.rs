@@ -155,6 +155,7 @@ fn every_key_is_read() {
         scale: Some(0.2),
         bias: Some(-0.1),
         exaggerate: Some(1.5),
+        extinction: None,
         creases: Some(true),
         color: Some(PathBuf::from("/somewhere/b.png")),
         normal: Some(folder.path().join("c.png")),

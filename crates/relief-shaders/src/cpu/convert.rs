@@ -223,6 +223,7 @@ impl SurfaceSettings {
             jump: 0.0,
             volume: [0; 4].into(),
             cutoff: 0.0,
+            translucent: [0; 2].into(),
         }
     }
 

@@ -127,6 +127,17 @@ impl<'a> MethodTracer<'a> {
         self.program.trace_block(paths, which, lanes, hits);
     }
 
+    /// Returns the optical depth of a translucent volume along a path, whose parameter is in metres. Beyond
+    /// 8, where hardly any light is left, a part of it may be missing. For the search `translucent`.
+    pub fn optical_depth(&self, path: &Path) -> f32 {
+        self.program.optical_depth(super::Path::from(path))
+    }
+
+    /// Returns the part of light that comes through an optical depth, from 0 on.
+    pub fn transmittance(&self, optical_depth: f32) -> f32 {
+        self.program.transmittance(optical_depth)
+    }
+
     /// Returns the method's hit on a path with every turn of its loops, for a drawing.
     ///
     /// ```

@@ -34,8 +34,8 @@ pub use bytes::{Shared, read_all, write_all};
 pub use explain::{Explanation, Mark};
 pub use generated::{
     BaseSite, BaseVertex, Choice, Corner, DicePlace, DicePoint, DiceRows, DiceTriangle, Entered, FirstHit,
-    Frame, Hit, Light, LightRay, LightView, MapSettings, Path, PixelIn, PixelOut, SearchResult, Shell,
-    SurfaceSettings, Sweep, SweptColumn, Tessellation, Toward, Voxel,
+    Frame, Gathered, Hit, Light, LightRay, LightView, MapSettings, Path, PixelIn, PixelOut, SearchResult,
+    Shell, SurfaceSettings, Sweep, SweptColumn, Tessellation, Toward, Voxel,
 };
 pub use lanes::{
     BLOCK, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, TriangleRays, places,

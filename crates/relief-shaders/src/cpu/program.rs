@@ -8,7 +8,8 @@ use super::lanes::{
     self, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, Task, TriangleRays,
 };
 use super::{
-    Bound, Entered, FirstHit, Hit, Path, PixelIn, PixelOut, SearchResult, Toward, Triangle, Vec3, Vec4,
+    Bound, Entered, FirstHit, Gathered, Hit, Path, PixelIn, PixelOut, SearchResult, Toward, Triangle, Vec3,
+    Vec4,
 };
 use crate::MAX_LIGHTS;
 
@@ -294,6 +295,54 @@ impl<'a> Program<'a> {
     #[inline]
     pub fn mirrored_light(&self, pixel: PixelIn, placed: Entered, hit: Hit) -> f32 {
         self.0.mirrored_light(pixel, placed, hit)
+    }
+
+    /// Begins a ray that gathers the light of a translucent surface, up to an opaque hit at that depth along
+    /// the view axis; without one, on and on.
+    #[inline]
+    pub fn begin_gathering(&self, direction: Vec3<f32>, opaque: Option<f32>) -> Gathered {
+        let (found, depth) = opaque.map_or((0, 0.0), |depth| (1, depth));
+        self.0.nothing_gathered(self.0.reach_of_hit(found, depth, direction))
+    }
+
+    /// Gathers the light on segment `number` of a shell. The segments of all shells are to be given in the
+    /// order in which they begin on the ray, as long as [`Self::goes_on`] holds.
+    #[inline]
+    pub fn gather(&self, before: Gathered, pixel: PixelIn, entered: Entered, number: u32) -> Gathered {
+        self.0.gather_segment(before, pixel, entered, number)
+    }
+
+    /// Finds which part of light comes through segment `number` of a shell, as the transmittance of what
+    /// is gathered. See [`Self::gather`].
+    #[inline]
+    pub fn let_through(&self, before: Gathered, pixel: PixelIn, entered: Entered, number: u32) -> Gathered {
+        self.0.pass_segment(before, pixel, entered, number)
+    }
+
+    /// Returns the optical depth of a translucent volume along a path. Beyond 8, where hardly any light is
+    /// left, a part of it may be missing.
+    #[inline]
+    pub fn optical_depth(&self, path: Path) -> f32 {
+        self.0.optical_depth(path)
+    }
+
+    /// Returns the part of light that comes through an optical depth, from 0 on.
+    #[inline]
+    pub fn transmittance(&self, optical_depth: f32) -> f32 {
+        self.0.transmittance_of(optical_depth)
+    }
+
+    /// Whether there may be more to gather: light still comes through.
+    #[inline]
+    pub fn goes_on(&self, gathered: &Gathered) -> bool {
+        self.0.goes_on(*gathered)
+    }
+
+    /// Returns a colour that is seen through what a ray gathered. The fourth part is the covered part of
+    /// the pixel.
+    #[inline]
+    pub fn seen_through(&self, behind: Vec4<f32>, gathered: Gathered) -> Vec4<f32> {
+        self.0.seen_through(behind, gathered)
     }
 
     /// Returns the colour of a pixel's samples so far, with one more sample of that weight. The

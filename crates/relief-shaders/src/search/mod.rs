@@ -21,6 +21,7 @@ mod pyramid_texels;
 mod relaxed_cone;
 mod relaxed_cone_resting;
 mod sphere;
+mod translucent;
 mod view_dependent;
 mod view_dependent_free;
 mod voxels;
@@ -43,6 +44,7 @@ pub static ENTRIES: &[Entry] = &[
     generalised::ENTRY,
     view_dependent::ENTRY,
     view_dependent_free::ENTRY,
+    translucent::ENTRY,
 ];
 
 /// The parameter of searches that end by themselves.

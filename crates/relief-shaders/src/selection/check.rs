@@ -3,6 +3,7 @@
 use relief_core::MAX_LAYERS;
 use relief_core::registry::{Guarantee, MapInput, MapLevels, MapSetting, RayClass};
 
+use super::companions::gathers_on;
 use super::{Selection, SelectionError};
 use crate::Variants;
 use crate::entry::Entry;
@@ -100,6 +101,13 @@ impl Selection {
                 return error(place, (refused.reason)(&others));
             }
         }
+        if self.is_translucent() && !gathers_on(self.choices[SURFACE].entry) {
+            let surfaces = Variants::of(SURFACE, gathers_on).or();
+            return error(
+                SEARCH,
+                format!("its light is gathered from shell to shell: choose the surface {surfaces}"),
+            );
+        }
         for place in [SEARCH, REFINE].into_iter().filter(|_| !self.blends_normals()) {
             let promises = self.choices[place].promises();
             let impossible = |rays: &&RayClass| promises.of(**rays) == Guarantee::Impossible;
@@ -171,6 +179,9 @@ impl Selection {
     /// When it does not.
     pub fn check_pair(&self) -> Result<(), SelectionError> {
         self.check_solids(&[SEARCH, REFINE])?;
+        if self.is_translucent() && !self.refine().is_idle() {
+            return Err(self.not_in_field(REFINE, &Entry::is_idle));
+        }
         self.check_taken(SEARCH, REFINE)
     }
 
@@ -206,10 +217,19 @@ impl Selection {
             (SHADOW, &shadows),
             (AMBIENT, &reads_no_heights),
         ];
-        match rules.into_iter().find(|(place, serves)| !serves(self.choices[*place].entry)) {
-            Some((place, serves)) => Err(self.not_in_field(place, serves)),
-            None => Ok(()),
+        if let Some((place, serves)) =
+            rules.into_iter().find(|(place, serves)| !serves(self.choices[*place].entry))
+        {
+            return Err(self.not_in_field(place, serves));
         }
+        let shadows = |entry: &Entry| {
+            let looks = matches!(entry.shadow(), Some(ShadowRole::LightViews { .. }));
+            looks || entry.is_idle() || matches!(entry.shadow(), Some(ShadowRole::ToLights { rays: None }))
+        };
+        if self.is_translucent() && !shadows(self.choices[SHADOW].entry) {
+            return Err(self.not_in_field(SHADOW, &shadows));
+        }
+        Ok(())
     }
 
     /// The error for a variant that cannot be used with the field; `serves` says which of its stage can.
@@ -218,7 +238,11 @@ impl Selection {
             stage: STAGES[place].title,
             key: STAGES[place].key,
             entry: self.choices[place].entry.name,
-            shown: if self.has_volume() { "a volume" } else { "heights" },
+            shown: match (self.is_translucent(), self.has_volume()) {
+                (true, _) => "a translucent volume",
+                (false, true) => "a volume",
+                (false, false) => "heights",
+            },
             others: Variants::of(place, serves),
         }
     }

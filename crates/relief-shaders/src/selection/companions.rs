@@ -7,6 +7,7 @@ use crate::object::{ObjectCells, Solid};
 use crate::stages::{
     FIELD, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, stage,
 };
+use crate::surface::{Proposal, Shown};
 use relief_core::registry::Guarantee;
 
 impl Choice {
@@ -54,6 +55,14 @@ impl Selection {
         let solids = self.search().tracing().solids;
         if !(solids.has_volumes() && solids.has_heights()) {
             self.choices[FIELD] = Choice::first(FIELD, |entry| entry.is_volume() == solids.has_volumes());
+        }
+        self
+    }
+
+    /// Chooses a surface on which the search's light is gathered, unless one is chosen.
+    pub(super) fn with_surface_of_search(mut self) -> Self {
+        if self.is_translucent() && !gathers_on(self.choices[SURFACE].entry) {
+            self.choices[SURFACE] = Choice::first(SURFACE, gathers_on);
         }
         self
     }
@@ -143,4 +152,10 @@ impl Selection {
         }
         Ok(self)
     }
+}
+
+/// Whether light is gathered on a surface: in shells, which rays go through one after the other.
+pub(super) fn gathers_on(surface: &Entry) -> bool {
+    let paths = surface.paths();
+    paths.proposal == Proposal::Shells && paths.shown == Shown::Relief
 }

@@ -114,6 +114,11 @@ impl Selection {
         self.choices[FIELD].entry.is_volume()
     }
 
+    /// Whether nothing is hit: light is gathered through a translucent volume.
+    pub fn is_translucent(&self) -> bool {
+        self.search().tracing().gathers
+    }
+
     /// Whether pixels have different levels of detail.
     pub fn has_levels(&self) -> bool {
         !self.choices[DETAIL].entry.is_idle()
@@ -128,7 +133,8 @@ impl Selection {
     /// of slices is not without slices.
     pub fn uses(&self, stage: usize) -> bool {
         match stage {
-            SHADOW_SEARCH => !self.choices[SHADOW].entry.states.is_empty(),
+            // A translucent volume looks for its own shadows itself.
+            SHADOW_SEARCH => !self.choices[SHADOW].entry.states.is_empty() && !self.is_translucent(),
             SLICES => self.shown_by_geometry().is_sliced(),
             OBJECT => self.is_of_images(),
             _ => true,

@@ -88,6 +88,7 @@ structs! {
         transmission, ior, number, emission, material_size, material_levels, material_texels, roughness,
         metallic, has_material, environment_side, environment_levels, images, solids,
         cells, jump, volume, color_u, color_v, color_wrap_u, color_wrap_v, cutoff,
+        translucent,
     }
     Light { place, color, first_view, views }
     LightView { column, row, depth, corner, across, along, eye, near, texel_m, from_point, size }

@@ -96,7 +96,7 @@ fn runs_within(limits: Limits, first: usize) {
             let surface = surface.with_selection(selection);
             let scene = Scene::builder(surface).size(90, 70).samples(1).build().expect("a proper scene");
             let picture = renderer.render(&scene, &mut kept, &Watch::none()).expect("a picture").rendering;
-            let covered = picture.pixels.iter().filter(|pixel| pixel.hit == 1).count();
+            let covered = picture.pixels.iter().filter(|pixel| pixel.color.w > 0.0).count();
             let name = selection.choices.map(|choice| choice.entry.name);
             assert!(covered > 800, "{name:?} {sampling}: {covered} pixels");
         }

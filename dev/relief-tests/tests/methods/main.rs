@@ -16,4 +16,5 @@ mod procedures;
 mod quadric;
 mod search_over_a_map;
 mod survey;
+mod translucent;
 mod volumes;

@@ -7,7 +7,9 @@ use relief_core::encoding::seen_normal;
 use relief_core::object::{EMPTY_HEIGHT, JumpCells, LEAST_COVER, LEAST_FACING};
 use relief_core::{FoundState, RayUse, SliceAxis, Wrap};
 use relief_shaders::object::MASK_CELLS;
-use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, STAGES, SURFACE, surface, wgsl};
+use relief_shaders::{
+    LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, SEARCH, SHADOW, STAGES, SURFACE, surface, wgsl,
+};
 
 /// The module's source.
 pub fn module() -> String {
@@ -57,6 +59,8 @@ pub fn module() -> String {
     constant("CELLS_MASK", MASK_CELLS);
     constant("STAGES", STAGES.len() as u32);
     constant("SURFACE_STAGE", SURFACE as u32);
+    constant("SEARCH_STAGE", SEARCH as u32);
+    constant("SHADOW_STAGE", SHADOW as u32);
     let _ = writeln!(text, "const SHELL_SLACK = {:?};", surface::SHELL_SLACK as f32);
     let _ = writeln!(text, "const DEPTH_SLACK = {:?};", surface::DEPTH_SLACK as f32);
     let _ = writeln!(text, "const EMPTY_HEIGHT = {:?};", EMPTY_HEIGHT as f32);

@@ -9,7 +9,7 @@ use relief_shaders::STAGES;
 use wgsl_parse::syntax::{Attribute, GlobalDeclaration, TranslationUnit};
 
 use super::modules::Modules;
-use super::names::{identifiers, name_of};
+use super::names::{name_of, used_names};
 
 /// A declaration.
 #[derive(Clone, Debug)]
@@ -17,6 +17,7 @@ pub struct Declaration {
     /// Module, such as `search/linear`.
     pub module: String,
     pub name: String,
+    pub is_function: bool,
     /// Whether this is the declaration of fast sampling, if two have the name.
     pub fast: Option<bool>,
     /// Text as written, with its comment first.
@@ -33,13 +34,20 @@ pub fn all(modules: &Modules) -> Result<Vec<Declaration>, String> {
     for path in paths {
         of_module(path, modules.source(path), &mut all)?;
     }
-    let names: BTreeSet<String> = all.iter().map(|declaration| declaration.name.clone()).collect();
-    let stages = STAGES.iter().flat_map(|stage| stage.functions());
-    let known: BTreeSet<String> = names.into_iter().chain(stages).collect();
+    let named = |is_function: bool| {
+        let of_kind = all.iter().filter(move |declaration| declaration.is_function == is_function);
+        of_kind.map(|declaration| declaration.name.clone()).collect::<BTreeSet<String>>()
+    };
+    let (mut functions, others) = (named(true), named(false));
+    functions.extend(STAGES.iter().flat_map(|stage| stage.functions()));
     for declaration in &mut all {
         let Declaration { name, text, .. } = declaration;
-        let used = identifiers(text).filter(|used| *used != name && known.contains(*used));
-        declaration.uses = BTreeSet::from_iter(used).into_iter().map(str::to_owned).collect();
+        // A variable may have the name of a function, which is called where it is used.
+        let is_used = |(used, is_called): &(&str, bool)| {
+            *used != name && (others.contains(*used) || (*is_called && functions.contains(*used)))
+        };
+        let used = used_names(text).filter(is_used).map(|(used, _)| used.to_owned());
+        declaration.uses = used.collect::<BTreeSet<String>>().into_iter().collect();
     }
     Ok(all)
 }
@@ -68,7 +76,8 @@ fn of_module(path: &str, source: &str, all: &mut Vec<Declaration>) -> Result<(),
         let (fast, text) = without_condition(declaration, source, span.clone())
             .ok_or_else(|| format!("{path}.wesl: {name}: only @if(fast) and @if(!fast) are known here"))?;
         let text = format!("{}{}", comment_before(&source[..span.start]), without_marks(&text));
-        all.push(Declaration { module: path.to_owned(), name, fast, text, uses: Vec::new() });
+        let is_function = matches!(&**declaration, GlobalDeclaration::Function(_));
+        all.push(Declaration { module: path.to_owned(), name, is_function, fast, text, uses: Vec::new() });
     }
     Ok(())
 }
@@ -166,7 +175,7 @@ pub fn write(modules: &Modules, declarations: &[Declaration]) -> String {
         }
     }
     text += "];\n\npub const DECLARATIONS: &[Declaration] = &[\n";
-    for Declaration { module, name, fast, text: code, uses } in declarations {
+    for Declaration { module, name, fast, text: code, uses, .. } in declarations {
         let sampling = match fast {
             None => "None",
             Some(true) => "Some(Sampling::Fast)",

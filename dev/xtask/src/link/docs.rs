@@ -75,7 +75,7 @@ mod tests {
 
     fn docs(text: &str) -> Docs {
         let (module, name, text) = ("shared/types".to_owned(), "Light".to_owned(), text.to_owned());
-        Docs::of(&[Declaration { module, name, fast: None, text, uses: Vec::new() }])
+        Docs::of(&[Declaration { module, name, is_function: true, fast: None, text, uses: Vec::new() }])
     }
 
     #[test]

@@ -26,12 +26,14 @@ mod rust;
 mod wesl_link;
 
 /// Roots of the programs that GPUs run. Their declarations are checked against the linker's result.
-const GPU_ROOTS: [&str; 11] = [
+const GPU_ROOTS: [&str; 13] = [
     "roots/trace",
     "roots/trace_shells",
     "roots/stencil",
     "roots/draw",
     "roots/shade",
+    "roots/gather",
+    "roots/compose",
     "roots/resolve",
     "roots/show",
     "roots/probe",
@@ -47,6 +49,14 @@ const CPU_ROOT: (&str, &[&str]) = (
         "shade_pixel",
         "pixel_of",
         "add_sample",
+        "nothing_gathered",
+        "reach_of_hit",
+        "gather_segment",
+        "pass_segment",
+        "goes_on",
+        "optical_depth",
+        "transmittance_of",
+        "seen_through",
         "ray_to_light",
         "background_at",
         "mirrored_light",

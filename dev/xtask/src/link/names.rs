@@ -15,6 +15,11 @@ pub fn name_of(declaration: &GlobalDeclaration) -> Option<String> {
 
 /// The identifiers of a text outside of comments, but for those after a dot, which are members.
 pub fn identifiers(text: &str) -> impl Iterator<Item = &str> {
+    used_names(text).map(|(name, _)| name)
+}
+
+/// The identifiers, and whether each is called: a parenthesis follows it.
+pub fn used_names(text: &str) -> impl Iterator<Item = (&str, bool)> {
     let code = text.lines().map(|line| line.split("//").next().unwrap_or_default());
     code.flat_map(|line| {
         let is_part = |c: char| c.is_alphanumeric() || c == '_';
@@ -31,7 +36,7 @@ pub fn identifiers(text: &str) -> impl Iterator<Item = &str> {
                 let is_member = before == '.';
                 before = ' ';
                 if !is_member && !word.starts_with(|c: char| c.is_ascii_digit()) {
-                    return Some(word);
+                    return Some((word, after.trim_start().starts_with('(')));
                 }
             }
         })

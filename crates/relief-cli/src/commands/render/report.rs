@@ -5,6 +5,7 @@ use std::path::Path;
 
 use relief_render::RenderInfo;
 use relief_scene::{Scene, SceneSpec, Surface};
+use relief_shaders::SEARCH;
 use serde_json::{Value, json};
 
 use super::baked_maps;
@@ -91,10 +92,12 @@ impl Picture<'_> {
             1 => "1 sample".to_owned(),
             count => format!("{count} samples"),
         };
+        // Rays through translucent surfaces are not counted.
+        let has_opaque = scene.surfaces().iter().any(|surface| !surface.selection().is_translucent());
+        let reads = if has_opaque { format!(", {mean:.1} {counted} a pixel") } else { String::new() };
         writeln!(
             out,
-            "{}: {width}x{height}, {run}, {samples} on the {backend} ({device}) in {seconds:.2} s, {mean:.1} \
-             {counted} a pixel",
+            "{}: {width}x{height}, {run}, {samples} on the {backend} ({device}) in {seconds:.2} s{reads}",
             outputs.picture.display()
         )?;
         for (described, surface) in described.iter().zip(scene.surfaces()) {
@@ -129,6 +132,18 @@ impl Picture<'_> {
                     out,
                     "scale {scale_m} m: by the metres that the height map's file states it is deeper than \
                      any ground, perhaps for a wrong unit; --scale {exact_m} is true to them"
+                )?;
+            }
+        }
+        for (described, surface) in described.iter().zip(scene.surfaces()) {
+            let (search, scale_m) = (&surface.selection().choices[SEARCH], surface.height_map().scale_m());
+            let is_given = described.extinction.is_some() || described.set.contains_key("search.extinction");
+            if surface.selection().is_translucent() && !is_given {
+                let [extinction, scale_m] = [f64::from(search.params[0]), scale_m].map(values::six_digits);
+                writeln!(
+                    out,
+                    "extinction {extinction} per metre: 8 over the scale of {scale_m} m; --extinction N gives \
+                     another"
                 )?;
             }
         }

@@ -68,7 +68,7 @@ fn depths(gpu: &Gpu, job: &Job, clip: Clip) -> Vec<f32> {
     let readable = gpu.guarded(|| {
         let groups = [Some(layouts.maps(Sampling::Exact)), Some(&layouts.mesh)];
         let program = raster(gpu.device(), &text, root, &groups, faces, Some(test), &[]);
-        let targets = Targets::new(gpu, SIZE, samples(1, true), false, &layouts)?;
+        let targets = Targets::new(gpu, SIZE, samples(1, true), false, 0, &layouts)?;
         let mut frames = Frames::new(gpu);
         frames.set(gpu, job.frame, &[]);
         let (frame, passes) = (frames.resource(), targets.passes());
