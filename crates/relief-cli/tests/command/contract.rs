@@ -281,8 +281,25 @@ fn the_channels_are_those_promised() {
     let folder = Folder::new();
     let aov = render(&folder, &View { size: [7, 5], ..VIEW }, &Relief::new(Map::constant(0.5)), "");
     let mut expected = [
-        "hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "steps",
-        "bytes", "lit", "level", "z", "surface", "transmittance",
+        "hit",
+        "uv.x",
+        "uv.y",
+        "height",
+        "P.x",
+        "P.y",
+        "P.z",
+        "N.x",
+        "N.y",
+        "N.z",
+        "depth",
+        "reads",
+        "steps",
+        "bytes",
+        "lit",
+        "level",
+        "z",
+        "surface",
+        "transmittance",
     ];
     expected.sort_unstable();
     assert_eq!(aov.names(), expected);
