@@ -38,9 +38,9 @@ pub struct Draw {
     pub front_face: &'static str,
     /// Whether fragments give a depth of their own, to be tested.
     pub depth: bool,
-    /// How colours are laid over what is behind: `none` replaces it; `premultiplied` adds the colour to what is
-    /// behind, times 1 less the alpha. Then triangles are drawn from the farthest to the nearest, behind what is
-    /// opaque, and the depth buffer is tested and not written.
+    /// How colours are laid over what is behind: `none` replaces it; `premultiplied` adds the colour to
+    /// what is behind, times 1 less the alpha. Then triangles are drawn from the farthest to the nearest,
+    /// behind what is opaque, and the depth buffer is tested and not written.
     pub blend: &'static str,
 }
 

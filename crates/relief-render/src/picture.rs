@@ -174,8 +174,8 @@ pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
 /// and `bytes` are the ray's [cost](relief_core::Cost); `lit` is the share of the first light that
 /// arrives, from 0 to 1; `level` is the level of detail; `z` is the value in the scene's [depth
 /// buffer](relief_scene::depth_buffer::DepthBuffer) ; `surface` is the surface's number in the
-/// scene; `transmittance` is the share of light from behind that comes through the translucent surfaces, 1 without
-/// any. All but that belongs to opaque surfaces, and is 0 where there is none.
+/// scene; `transmittance` is the share of light from behind that comes through the translucent
+/// surfaces, 1 without any. All but that belongs to opaque surfaces, and is 0 where there is none.
 pub fn aov(rendering: &Rendering) -> Vec<(&'static str, Vec<f32>)> {
     let plane = |place: usize| rendering.pixels.iter().map(|pixel| aov_of(pixel)[place]).collect();
     AOV_CHANNELS.into_iter().enumerate().map(|(place, name)| (name, plane(place))).collect()

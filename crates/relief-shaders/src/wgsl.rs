@@ -144,8 +144,8 @@ pub enum Root {
     DrawShells,
     /// Draws objects of images with the `z` of the hits: `draw_box_vertex`, `draw_depth_fragment`.
     DrawObjects,
-    /// Draws the shells of a translucent surface, to be blended with premultiplied alpha from the farthest to the
-    /// nearest: `draw_box_vertex`, `draw_translucent_fragment`.
+    /// Draws the shells of a translucent surface, to be blended with premultiplied alpha from the
+    /// farthest to the nearest: `draw_box_vertex`, `draw_translucent_fragment`.
     DrawTranslucent,
     /// Shades the traced hits: `shade_main`.
     Shade,

@@ -38,7 +38,7 @@ pub struct Arguments {
     /// Rays over each volume
     #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     rays: usize,
-    /// Rays over each motif in the table of methods, and over each volume of `translucent`
+    /// Rays over each motif in the table of methods, and over all volumes of `translucent`
     #[arg(long, value_name = "N", default_value_t = 100_000)]
     rays_of_methods: usize,
 }

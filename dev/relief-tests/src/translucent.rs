@@ -67,8 +67,8 @@ pub fn ways_in_box(scene: &Scene, low: f64, high: f64) -> Vec<f64> {
     (0..width * height).into_par_iter().map(way).collect()
 }
 
-/// The greatest difference of a volume's optical depth, by the shaders, to another's by quadrature: relative to
-/// depths above 1, over paths that some light comes through.
+/// The greatest difference of a volume's optical depth, by the shaders, to another's by quadrature:
+/// relative to depths above 1, over paths that some light comes through.
 pub fn depth_error(shown: &Volume, judged: &Volume, paths: &[Path]) -> f64 {
     let selection = translucent(1.0, &[]);
     let maps = baked(shown, &selection);

@@ -51,7 +51,7 @@ pub const KIND: Kind = Kind {
 /// The parameter for the least value of what is not empty.
 const ABOVE: Param = Param {
     name: "above",
-    summary: "least value of a cell's corner that is not empty: the surface's, or any for translucent volumes",
+    summary: "least value that is not empty: the surface's, or next to 0 for translucent volumes",
     unit: "",
     min: 1e-6,
     max: 1.0,

@@ -49,11 +49,11 @@ impl VolumeDistance {
 
 /// Computes for each dual cell of a volume the distance to the nearest cell in which the field may
 /// reach a value: a cell with a corner of that value or more. The value is [`Volume::SURFACE`] for what
-/// is solid, or the least number above 0 for what is translucent. The distance is the greatest of the differences along
-/// the three axes, in cells (Chebyshev distance). So in all cells less than the distance away, along
-/// every axis, the field stays below the value: a walk may leave the box of these cells in one step. Distance
-/// 0 marks a cell in which the field may reach it. 255 stands for 255 or more, and for a volume
-/// without solid.
+/// is solid, or next to 0 for what is translucent. The distance is the greatest of the differences
+/// along the three axes, in cells (Chebyshev distance). So in all cells less than the distance away,
+/// along every axis, the field stays below the value: a walk may leave the box of these cells in one
+/// step. Distance 0 marks a cell in which the field may reach it. 255 stands for 255 or more, and for
+/// a volume that nowhere reaches it.
 ///
 /// Distances wrap along `u` and `v` as the volume does. Along the height there is nothing beyond the
 /// lowest and the highest half voxel. The result has the same bytes with any number of threads. It

@@ -57,9 +57,9 @@ pub struct MaterialArguments {
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", hide_short_help = true)]
     emission: Option<PathBuf>,
     /// Material parameter, repeatable: base=0.9,0.6,0.2 (linear, 0 to 1) or base=#c08040 (sRGB),
-    /// roughness=0.3 or metallic=1 (0 to 1), emission=2,1,0.5 (linear); these multiply the maps. With diffuse=R,G,B,
-    /// specular=R,G,B or shininess=N (1 to 1024) the shading is blinn-phong [default: base 0.4, 1
-    /// under a colour map; roughness 0.5 and metallic 0, 1 under a map]
+    /// roughness=0.3 or metallic=1 (0 to 1), emission=2,1,0.5 (linear); these multiply the maps. With
+    /// diffuse=R,G,B, specular=R,G,B or shininess=N (1 to 1024) the shading is blinn-phong [default:
+    /// base 0.4, 1 under a colour map; roughness 0.5 and metallic 0, 1 under a map]
     #[arg(
         long,
         value_name = "PART=VALUE",

@@ -10,12 +10,12 @@ const PIECES: u32 = 256;
 const HALVINGS: u32 = 32;
 
 impl Volume {
-    /// Returns the integral of the field over a path's parameter, from 0 to its exit. With a parameter in metres
-    /// it is the optical depth for an extinction of 1 per metre.
+    /// Returns the integral of the field over a path's parameter, from 0 to its exit. With a parameter in
+    /// metres it is the optical depth for an extinction of 1 per metre.
     ///
-    /// It is adaptive quadrature by Simpson's rule, in parts until two estimates of each differ by less than its
-    /// share of `tolerance`. It knows nothing of the cells of the volume. What lies in less than a 512th of the
-    /// path may be missed.
+    /// It is adaptive quadrature by Simpson's rule: parts are halved until two estimates of each differ by
+    /// less than its share of `tolerance`. It knows nothing of the cells of the volume. What lies in less
+    /// than a 512th of the path may be missed.
     ///
     /// ```
     /// use relief_core::{Path, Volume, Wrap};

@@ -71,8 +71,8 @@ struct Gathering {
 
 impl Targets {
     /// Creates the targets of pictures of a size, which is not empty, and with the given samples.
-    /// With `counts` they have a stencil buffer, in which images of objects are counted. They serve so many
-    /// `translucent` surfaces.
+    /// With `counts` they have a stencil buffer, in which images of objects are counted. `translucent` is
+    /// the number of translucent surfaces.
     ///
     /// # Errors
     ///

@@ -5,6 +5,7 @@ mod choices;
 mod color_place;
 mod depth;
 mod error;
+mod extinction;
 mod file;
 mod file_material;
 mod framing;

@@ -43,10 +43,10 @@ pub const ENTRY: Entry = Entry {
     states: &[FoundState::Above],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "In a cell the field is a polynomial of degree 4 on the path, whose integral is exact but for \
-        rounding. So is the optical depth. The light that arrives is looked at once for each part of the light \
-        that is scattered, in the middle of it, and at least in every other cell and in each segment. It is \
-        scattered once, the same in all directions. Walks toward lights go straight on in the frame of the place, \
-        as shadows do on `plane`.",
+    argument: "In a cell the field is a polynomial of degree 4 on the path, whose integral is exact but \
+        for rounding. So is the optical depth. The light that arrives is looked at once for each part of \
+        the light that is scattered, in the middle of it, and at least in every other cell and in each \
+        segment. It is scattered once, the same in all directions. Walks toward lights go straight on in \
+        the frame of the place, as shadows do on `plane`.",
     role: Role::Tracing(TracingRole { gathers: true, solids: Solids::Volumes, ..TracingRole::PLAIN }),
 };

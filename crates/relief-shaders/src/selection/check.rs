@@ -178,10 +178,10 @@ impl Selection {
     ///
     /// When it does not.
     pub fn check_pair(&self) -> Result<(), SelectionError> {
-        self.check_solids(&[SEARCH, REFINE])?;
         if self.is_translucent() && !self.refine().is_idle() {
             return Err(self.not_in_field(REFINE, &Entry::is_idle));
         }
+        self.check_solids(&[SEARCH, REFINE])?;
         self.check_taken(SEARCH, REFINE)
     }
 

@@ -14,6 +14,9 @@ use crate::table::table;
 const DEPTH: f64 = 1e-5;
 const TRANSMITTANCE: f64 = 1e-4;
 
+/// Most rays over a volume with a spoiled voxel, in each wrap.
+const SPOILED: usize = 500;
+
 /// Columns and rows of a picture, whose pixels are the rays across triangles.
 const SIZE: [u32; 2] = [2400, 1200];
 
@@ -23,21 +26,23 @@ const DIVISIONS: u32 = 32;
 /// Extinctions of the box over it, per metre.
 const EXTINCTIONS: [f64; 3] = [1.0, 5.0, 20.0];
 
-/// Prints both tables, and returns whether all is within its bound. `rays` go through each volume.
-pub fn run(rays: usize) -> Result<bool, String> {
+/// Prints both tables, and returns whether all is within its bound. The volumes share the rays.
+pub fn run(all_rays: usize) -> Result<bool, String> {
     let mut holds = true;
+    let rays = all_rays / volumes::ALL.len();
     let mut rows = table(&["volume", "rays", "optical depth off by", "a voxel 0.001 off is"]);
     for (number, named) in volumes::ALL.iter().enumerate() {
         let (mut worst, mut spoiled) = (0.0f64, f64::INFINITY);
         for wrap in Wrap::ALL {
             let volume = named.build(wrap).map_err(|error| error.to_string())?;
             let paths = paths(number as u64, rays / Wrap::ALL.len());
+            let few = &paths[..paths.len().min(SPOILED)];
             worst = worst.max(depth_error(&volume, &volume, &paths));
             let mut values = volume.values();
             let voxel = values.len() / 2;
             values[voxel] += if values[voxel] > 0.5 { -1e-3 } else { 1e-3 };
             let changed = Volume::new(volume.size(), &values, wrap).map_err(|error| error.to_string())?;
-            spoiled = spoiled.min(depth_error(&changed, &volume, &paths));
+            spoiled = spoiled.min(depth_error(&changed, &volume, few));
         }
         holds &= worst <= DEPTH;
         rows.add_row([

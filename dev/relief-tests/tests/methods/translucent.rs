@@ -288,8 +288,8 @@ fn the_backends_gather_the_same_light() {
     }
 }
 
-/// Half the looks change hardly a pixel by a quarter of a step of the screen, and none by two steps: where a shadow's
-/// edge lies between two looks.
+/// Half the looks change hardly a pixel by a quarter of a step of the screen, and none by two steps:
+/// where a shadow's edge lies between two looks.
 #[test]
 fn half_of_the_looks_hardly_move_a_pixel() {
     let [half, whole] = [32, 64].map(|looks| on_torus("tetrahedra", "ray", [looks, 4], BackendChoice::Cpu));
