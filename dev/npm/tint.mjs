@@ -4,7 +4,7 @@
 //     node tint.mjs PATH/TO/relief
 //
 // Exported are all methods, and every variant of the other stages on the method `relief`, or on `voxels` where it
-// needs a volume, in both samplings.
+// needs a volume, or on `shell-map` where it needs a motif, in both samplings.
 
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
@@ -48,7 +48,7 @@ async function errors(code) {
 }
 
 // Methods that variants of the other stages are exported with: the first that goes with a variant.
-const METHODS = ["relief", "voxels"];
+const METHODS = ["relief", "voxels", "shell-map"];
 
 // The export of a selection, by the flags that make it.
 function exported(flags) {

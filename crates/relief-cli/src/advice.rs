@@ -4,8 +4,10 @@
 use std::io::ErrorKind;
 
 use relief_io::{ForeignFormat, ReadNote, ReadProblem, TextureSetError, omissions};
+use relief_mesh::motif::VectorSheetError;
 use relief_render::{Reason, RenderError};
 use relief_scene::SceneError;
+use relief_scene::motif::{MotifFileError, MotifProblem};
 
 /// Returns an error's text with advice.
 pub fn with(error: &impl ToString, advice: Option<&str>) -> String {
@@ -66,7 +68,7 @@ pub fn of_read(problem: &ReadProblem) -> Option<Advice> {
             Advice { flag: "use --channel NAME", key: "use the key 'channel'" }
         }
         ReadProblem::NotGrey { .. } => Advice {
-            flag: "use --channel NAME; `relief mesh --motif` takes vector displacement maps",
+            flag: "use --channel NAME; --motif of `relief render` and `relief mesh` takes vector displacement maps",
             key: "use the key 'channel'",
         },
         ReadProblem::Holes { .. } => Advice { flag: "use --fill", key: "use the key fill = true" },
@@ -112,6 +114,11 @@ pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
             ": give a smaller scale; for ground give its metres instead, with the keys elevation and tile-size"
                 .to_owned(),
         ])
+    } else if *row == omissions::FOLDED_SHELLS {
+        Some([
+            ": give more tiles with --tile, a smaller --scale, or another --bias".to_owned(),
+            ": give more tiles with tile, a smaller scale, or another bias".to_owned(),
+        ])
     } else if *row == omissions::OTHER_GREEN {
         Some([
             ": if it is a DirectX map, give --green -y".to_owned(),
@@ -142,6 +149,33 @@ pub fn of_mesh(problem: &ReadProblem) -> Option<Advice> {
     }
 }
 
+/// Returns what lets a motif be read.
+pub fn of_motif(error: &MotifFileError) -> Option<Advice> {
+    match error {
+        MotifFileError::Read(error) => match &error.problem {
+            ReadProblem::NoColour { .. } => Some(Advice {
+                flag: "a height map is given in place of --motif, not by it",
+                key: "a height map is given by the key height",
+            }),
+            problem => of_mesh(problem),
+        },
+        MotifFileError::Invalid { problem, .. } => match problem {
+            MotifProblem::HeightMap => Some(Advice {
+                flag: "give it in place of --motif",
+                key: "use the key height in place of motif",
+            }),
+            MotifProblem::Memory { .. } => {
+                Some(Advice::everywhere("use --max-memory, or make the map smaller"))
+            }
+            MotifProblem::Sheet(VectorSheetError::Far { .. }) => {
+                Some(Advice { flag: "give a smaller --scale", key: "give a smaller scale" })
+            }
+            MotifProblem::AxesOfMesh => Some(Advice { flag: "leave --axes out", key: "leave axes out" }),
+            _ => None,
+        },
+    }
+}
+
 /// Returns what lets a scene be loaded.
 pub fn of_scene(error: &SceneError) -> Option<Advice> {
     match error {
@@ -163,6 +197,7 @@ pub fn of_scene(error: &SceneError) -> Option<Advice> {
                   values are metres themselves, use the key unit = \"m\"",
         }),
         SceneError::Mesh(error) => of_mesh(&error.problem),
+        SceneError::Motif(error) => of_motif(error),
         SceneError::Io { source, .. }
             if matches!(source.kind(), ErrorKind::InvalidData | ErrorKind::FileTooLarge) =>
         {

@@ -3,6 +3,7 @@
 use relief_core::{ByteSize, HeightMap, Lanes, MapFormat};
 use relief_scene::{BackendChoice, DEFAULT_MAX_MEMORY, Look, Sampling, Scene};
 use relief_shaders::Choice;
+use relief_shaders::field::Solids;
 
 use crate::contender::Contender;
 use crate::error::CompareError;
@@ -200,8 +201,8 @@ impl Comparison {
         }
         let levels = self.map_sides.len().max(1);
         for surface in self.scene.surfaces() {
-            if surface.volume().is_some() {
-                return Err(CompareError::Volume);
+            if surface.solids() != Solids::Heights {
+                return Err(CompareError::Solid(surface.solids().in_words()));
             }
             if surface.object().is_some() {
                 return Err(CompareError::Object);

@@ -29,9 +29,9 @@ pub enum CompareError {
     /// A surface is a depth object.
     #[error("a surface is an object of images: compare methods on a height map on a mesh")]
     Object,
-    /// A surface is a volume.
-    #[error("a surface is a volume: compare methods on a height map on a mesh")]
-    Volume,
+    /// A surface is a volume or a motif, as the text says.
+    #[error("a surface is {0}: compare methods on a height map on a mesh")]
+    Solid(&'static str),
     /// The exact hits of a scene's pixels are unknown.
     #[error(
         "errors of hits need a scene with one height map on a mesh, where the exact hit is known, and this \

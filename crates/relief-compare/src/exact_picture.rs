@@ -7,6 +7,7 @@ use relief_render::Renderer;
 use relief_render::false_color::{NO_SURFACE, NOT_COMPARABLE};
 use relief_scene::{Scene, Surface};
 use relief_shaders::cpu::PixelOut;
+use relief_shaders::field::Solids;
 use relief_shaders::{DETAIL, Entry, STAGES};
 
 use crate::contender::shadow;
@@ -51,7 +52,7 @@ impl ExactPicture {
     ///
     /// # Errors
     ///
-    /// When the scene has several surfaces, which hide each other, a depth object, or a volume.
+    /// When the scene has several surfaces, which hide each other, a depth object, a volume or a motif.
     pub fn check(scene: &Scene) -> Result<(), CompareError> {
         Self::only(scene).map(|_| ())
     }
@@ -61,7 +62,9 @@ impl ExactPicture {
             [surface] if surface.object().is_some() => {
                 Err(CompareError::NoExactHits("a depth object".to_owned()))
             }
-            [surface] if surface.volume().is_some() => Err(CompareError::NoExactHits("a volume".to_owned())),
+            [surface] if surface.solids() != Solids::Heights => {
+                Err(CompareError::NoExactHits(surface.solids().in_words().to_owned()))
+            }
             [surface] => Ok(surface),
             surfaces => Err(CompareError::NoExactHits(format!("a scene of {} surfaces", surfaces.len()))),
         }

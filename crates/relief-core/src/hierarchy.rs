@@ -11,7 +11,7 @@
 use glam::DVec3;
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
-use obvhs::bvh2::Bvh2;
+use obvhs::bvh2::{Bvh2, leaf_collapser::collapse, reinsertion::ReinsertionOptimizer};
 use obvhs::ploc::{PlocBuilder, morton::morton_encode_u64_unorm};
 
 /// Number of boxes in a trial. Inputs up to this size are built without a trial.
@@ -62,6 +62,17 @@ pub fn hierarchy(boxes: &[Aabb], params: &BvhBuildParams) -> Bvh2 {
     let below: Vec<(&[u32], Bvh2)> =
         sorted.chunks(BLOCK).map(|block| (block, build(&of_part(block)))).collect();
     joined(hierarchy(&blocks, params), &below)
+}
+
+/// Builds a BVH with several boxes in a leaf where that is faster.
+pub(crate) fn collapsed(boxes: &[Aabb], params: &BvhBuildParams) -> Bvh2 {
+    let mut bvh = hierarchy(boxes, params);
+    let mut optimizer = ReinsertionOptimizer::default();
+    optimizer.run(&mut bvh, params.reinsertion_batch_ratio, None);
+    collapse(&mut bvh, params.max_prims_per_leaf, params.collapse_traversal_cost);
+    let again = params.reinsertion_batch_ratio * params.post_collapse_reinsertion_batch_ratio_multiplier;
+    optimizer.run(&mut bvh, again, None);
+    bvh
 }
 
 /// Numbers of the boxes, sorted by their middles along a Morton curve.

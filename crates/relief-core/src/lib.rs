@@ -39,6 +39,7 @@ mod lanes;
 pub mod mesh;
 mod metric;
 pub mod metrics;
+mod motif_tree;
 pub mod object;
 mod path;
 mod pyramid;
@@ -65,6 +66,9 @@ pub use heights_hash::HeightsHash;
 pub use hit::{Cost, Hit};
 pub use lanes::{Lanes, LanesError};
 pub use metric::{Metric, MetricError};
+pub use motif_tree::{
+    BYTES_PER_TILE_TRIANGLE, MOST_IN_A_TILE, MotifTree, MotifTreeError, TREE_SHIFT, TileTriangle,
+};
 pub use path::{Path, PathMetric, RayUse};
 /// The SIMD vectors in which [`Lanes::run`] runs code.
 pub use pulp;

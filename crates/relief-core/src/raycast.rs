@@ -9,11 +9,10 @@
 //! triangles at an edge use the same two projected corners, so a ray cannot pass between them.
 
 use self::collector::{HitBatch, HitCollector, Nearest};
-use crate::hierarchy::hierarchy;
+use crate::hierarchy::collapsed;
 use crate::mesh::Mesh;
 use glam::{DVec2, DVec3, Vec3};
-use obvhs::aabb::Aabb;
-use obvhs::bvh2::{Bvh2, leaf_collapser::collapse, reinsertion::ReinsertionOptimizer};
+use obvhs::bvh2::Bvh2;
 use obvhs::triangle::Triangle;
 use obvhs::{Boundable, BvhBuildParams};
 use std::fmt;
@@ -112,7 +111,10 @@ impl RayCaster {
         let bvh = if triangles.is_empty() {
             Bvh2::default()
         } else {
-            collapsed(&triangles.iter().map(Boundable::aabb).collect::<Vec<_>>())
+            collapsed(
+                &triangles.iter().map(Boundable::aabb).collect::<Vec<_>>(),
+                &BvhBuildParams::medium_build(),
+            )
         };
         let corners: Vec<[DVec3; 3]> = triangles
             .iter()
@@ -323,18 +325,6 @@ impl Query {
 #[inline]
 fn precedes(a: (f64, u32), b: (f64, u32)) -> bool {
     a.0 < b.0 || a.0 == b.0 && a.1 < b.1
-}
-
-/// Builds a BVH with several boxes in a leaf where that is faster.
-fn collapsed(boxes: &[Aabb]) -> Bvh2 {
-    let params = BvhBuildParams::medium_build();
-    let mut bvh = hierarchy(boxes, &params);
-    let mut optimizer = ReinsertionOptimizer::default();
-    optimizer.run(&mut bvh, params.reinsertion_batch_ratio, None);
-    collapse(&mut bvh, params.max_prims_per_leaf, params.collapse_traversal_cost);
-    let again = params.reinsertion_batch_ratio * params.post_collapse_reinsertion_batch_ratio_multiplier;
-    optimizer.run(&mut bvh, again, None);
-    bvh
 }
 
 /// Number of levels of inner nodes below the root, itself included: the most nodes that can wait on

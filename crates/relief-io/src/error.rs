@@ -89,6 +89,9 @@ pub enum ReadProblem {
         /// Bytes that may be used.
         limit: u64,
     },
+    /// A motif's file states no depth that can be used; the text under its name.
+    #[error("extras.motif of its node is {0}: it needs a depth above 0")]
+    MotifDepth(String),
     /// The content does not make a volume.
     #[error("cannot be used: {0}")]
     Volume(VolumeError),

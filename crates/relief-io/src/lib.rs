@@ -80,6 +80,7 @@ mod ktx2;
 mod layout;
 mod length;
 mod mesh;
+mod motif;
 mod nodata;
 mod normal_map;
 pub mod omissions;
@@ -134,6 +135,7 @@ pub use mesh::{
     read_mesh_extras, read_node_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_in_frame,
     write_shells,
 };
+pub use motif::{MOTIF_EXTRAS, read_motif_depth};
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use omissions::{OMISSIONS, Omission, ReadNote, Remark, read_notes};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as, srgb_to_linear};

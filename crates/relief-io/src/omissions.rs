@@ -105,6 +105,18 @@ omissions! {
     TILED_PICTURE: "tiled-picture", "meshes that are drawn",
         "a material's picture where the height map is tiled",
         "the picture is tiled as the height map is";
+    MOTIF_BEYOND: "beyond-motif", "motifs that are drawn",
+        "vertices below height 0 or above height 1",
+        "it is cut off at these heights";
+    FOLDED_SHELLS: "folded-shells", "motifs and volumes that are drawn",
+        "shells of triangles that are deeper than the mesh is curved",
+        "what is in them is shown folded";
+    OPEN_MOTIF: "open-motif", "motifs that are drawn",
+        "a mesh with edges that do not have two triangles",
+        "its inside is seen";
+    COARSE_VECTORS: "coarse-vectors", "vector displacement maps that are drawn",
+        "8 bits a channel",
+        "its steps show as terraces";
     UNWRITTEN_MATERIALS: "unwritten-materials", "meshes that are displaced",
         "materials of the base mesh that the format, strips or a plane cannot have, or more than are drawn",
         "the written file has none of them";

@@ -29,6 +29,7 @@ pub mod environment;
 pub mod light;
 pub mod material;
 pub mod material_maps;
+pub mod motif;
 mod scene;
 pub mod shadow_map;
 pub mod tone;

@@ -855,6 +855,73 @@ impl Mirrored {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// The first triangle on a way in a tile.
+pub struct MotifHit {
+    /// NEVER without one.
+    pub t: f32,
+    pub cost: rt::Vec3<u32>,
+}
+impl MotifHit {
+    pub fn new(
+        t: impl rt::Into<f32>,
+        cost: impl rt::Into<rt::Vec3<u32>>,
+    ) -> Self {
+        Self { t: rt::into(t), cost: rt::into(cost) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// The motif at a place on it, along u, v and the height: the mean of the corners' normals, and the
+/// triangle's own on the same side, of length 1.
+pub struct MotifPoint {
+    pub normal: rt::Vec3<f32>,
+    pub facet: rt::Vec3<f32>,
+}
+impl MotifPoint {
+    pub fn new(
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        facet: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Self {
+        Self { normal: rt::into(normal), facet: rt::into(facet) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A straight way in a tile, seen along its longest axis, which comes last. `shear` takes a place to the two axes
+/// across the way; its third part is the parameter of one along the axis.
+pub struct MotifRay {
+    pub origin: rt::Vec3<f32>,
+    pub inverse: rt::Vec3<f32>,
+    pub axis: u32,
+    pub shear: rt::Vec3<f32>,
+}
+impl MotifRay {
+    pub fn new(
+        origin: impl rt::Into<rt::Vec3<f32>>,
+        inverse: impl rt::Into<rt::Vec3<f32>>,
+        axis: impl rt::Into<u32>,
+        shear: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Self {
+        Self { origin: rt::into(origin), inverse: rt::into(inverse), axis: rt::into(axis), shear: rt::into(shear) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A triangle by its first texel, and the squared distance between a place and it.
+pub struct NearTriangle {
+    pub triangle: u32,
+    pub apart: f32,
+}
+impl NearTriangle {
+    pub fn new(
+        triangle: impl rt::Into<u32>,
+        apart: impl rt::Into<f32>,
+    ) -> Self {
+        Self { triangle: rt::into(triangle), apart: rt::into(apart) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The two layers that the normal map has from level 1 on.
 pub struct NormalLayers {
     pub first: rt::Vec4<f32>,
@@ -1834,6 +1901,8 @@ pub const MOST_ROUNDS: rt::Scalar<u32> = rt::Scalar(256u32);
 #[allow(non_upper_case_globals)]
 pub const NEWTON_STEPS: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
+pub const NODE_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(32u32));
+#[allow(non_upper_case_globals)]
 pub const NO_COST: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(0u32), rt::Scalar(0u32));
 #[allow(non_upper_case_globals)]
 pub const ON_FIRST: rt::Scalar<u32> = rt::Scalar(2u32);
@@ -1891,6 +1960,12 @@ pub const TOP_BEFORE: rt::Scalar<u32> = rt::Scalar(1u32);
 pub const TOP_NEXT: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const TOP_ROOF: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
+pub const TREE_COLUMNS: rt::Scalar<u32> = rt::Scalar(1024u32);
+#[allow(non_upper_case_globals)]
+pub const TREE_SHIFT: rt::Scalar<u32> = rt::Scalar(10u32);
+#[allow(non_upper_case_globals)]
+pub const TRIANGLE_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(48u32));
 #[allow(non_upper_case_globals)]
 pub const TURN_STEPS: rt::Scalar<u32> = rt::Scalar(12u32);
 #[allow(non_upper_case_globals)]
@@ -1991,20 +2066,20 @@ impl<'g> Resources<'g> {
         ray_2: Across,
         t_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let c_21 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
+        let c_23 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
         let _e7 = self.v_across_discriminant(ray_2, t_1);
         if rt::Scalar::into_branch_condition((!_e7.elementwise_ge(rt::Scalar(0f32)))) {
-            return c_21;
+            return c_23;
         }
-        let b_29 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
+        let b_32 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
         let root = _e7.sqrt();
-        if rt::Scalar::into_branch_condition(b_29.elementwise_lt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(2f32) * c_21) / (root - b_29));
+        if rt::Scalar::into_branch_condition(b_32.elementwise_lt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(2f32) * c_23) / (root - b_32));
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(ray_2.across).elementwise_ne(rt::Scalar(0f32))) {
-            return (((rt::Scalar(0f32) - b_29) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
+            return (((rt::Scalar(0f32) - b_32) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
         }
-        return c_21;
+        return c_23;
     }
     pub(crate) fn traced_scale_m(&self) -> f32 {
         rt::into(self.v_traced_scale_m())
@@ -2233,9 +2308,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_10 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_10.elementwise_le(span)) {
-                return first_10;
+            let first_11 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_11.elementwise_le(span)) {
+                return first_11;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -2291,15 +2366,15 @@ impl<'g> Resources<'g> {
 
         let nowhere = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
         let _e6 = self.v_traced_scale_m();
-        let height_17 = at_2.of_surface.w();
-        let over = ((height_17 - rt::Scalar(1f32)) * _e6);
+        let height_18 = at_2.of_surface.w();
+        let over = ((height_18 - rt::Scalar(1f32)) * _e6);
         let _e12 = self.v_down_across(ray_7, over);
         let _e13 = self.v_down_along(ray_7, over);
         let _e15 = self.v_jumps_below(ray_7, over);
-        let begin_8 = _e12.min(_e13).min(_e15);
-        if rt::Scalar::into_branch_condition((!(!begin_8.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
-            if rt::Scalar::into_branch_condition(height_17.elementwise_ge(rt::Scalar(1f32))) {
-                local_3 = begin_8.elementwise_lt(rt::Scalar(0f32));
+        let begin_9 = _e12.min(_e13).min(_e15);
+        if rt::Scalar::into_branch_condition((!(!begin_9.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
+            if rt::Scalar::into_branch_condition(height_18.elementwise_ge(rt::Scalar(1f32))) {
+                local_3 = begin_9.elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_3 = rt::Scalar(false);
             }
@@ -2312,8 +2387,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e32) {
             return nowhere;
         }
-        let enter_2 = begin_8.max(eye);
-        let floor = (height_17 * _e6);
+        let enter_2 = begin_9.max(eye);
+        let floor = (height_18 * _e6);
         let _e35 = self.v_down_across(ray_7, floor);
         let _e36 = self.v_down_along(ray_7, floor);
         let _e37 = self.v_jumps_below(ray_7, floor);
@@ -2453,10 +2528,10 @@ impl<'g> Resources<'g> {
         }
         let period_1 = (rt::Scalar(2i32) * n_2).select(n_2, wrap.elementwise_eq(WRAP_REPEAT));
         let rest_4 = (i_1 % period_1);
-        let first_11 = rest_4.select((rest_4 + period_1), rest_4.elementwise_lt(rt::Scalar(0i32)));
-        let second_1 = (first_11 + rt::Scalar(1i32)).select(rt::Scalar(0i32), (first_11 + rt::Scalar(1i32)).elementwise_eq(period_1));
-        let _e45 = self.v_unfolded(first_11, n_2, period_1);
-        let _e46 = self.v_unfolded(second_1, n_2, period_1);
+        let first_12 = rest_4.select((rest_4 + period_1), rest_4.elementwise_lt(rt::Scalar(0i32)));
+        let second_2 = (first_12 + rt::Scalar(1i32)).select(rt::Scalar(0i32), (first_12 + rt::Scalar(1i32)).elementwise_eq(period_1));
+        let _e45 = self.v_unfolded(first_12, n_2, period_1);
+        let _e46 = self.v_unfolded(second_2, n_2, period_1);
         return <rt::Vec2<i32>>::from_scalars(_e45, _e46);
     }
     pub(crate) fn wrap_pair(
@@ -2602,11 +2677,11 @@ impl<'g> Resources<'g> {
         uv_1: rt::Vec2<f32>,
         level_3: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let first_12 = rt::Scalar(self.surface_settings.maps[4usize].first_level);
-        let seen_9 = first_12.select(level_3, level_3.elementwise_gt(first_12));
+        let first_13 = rt::Scalar(self.surface_settings.maps[4usize].first_level);
+        let seen_9 = first_13.select(level_3, level_3.elementwise_gt(first_13));
         let _e9 = self.v_height_texels(seen_9);
         let _e10 = self.v_texels_around(uv_1, _e9);
-        let k_51 = (seen_9 - first_12).to_i32();
+        let k_51 = (seen_9 - first_13).to_i32();
         let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_51);
         let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_51);
         let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_51);
@@ -2973,14 +3048,14 @@ impl<'g> Resources<'g> {
         let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
         let point_23 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_4 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
-        let corner_3 = point_23.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_4, most_4));
-        let texel_6 = corner_3.to_i32();
+        let corner_4 = point_23.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_4, most_4));
+        let texel_6 = corner_4.to_i32();
         let k_52 = level_6.to_i32();
         let _e35 = self.v_environment_texel(texel_6, rt::Scalar(_e2.face), k_52);
         let _e41 = self.v_environment_texel((texel_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_52);
         let _e47 = self.v_environment_texel((texel_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_52);
         let _e53 = self.v_environment_texel((texel_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_52);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_23 - corner_3));
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_23 - corner_4));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -3046,12 +3121,12 @@ impl<'g> Resources<'g> {
         let cosine_10 = n_15.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let _e12 = self.v_shade_mirrored_stage(material_6, mean_9, cosine_10);
         let reflected = ((n_15 * (rt::Scalar(2f32) * cosine_10)) - view_3);
-        let axis_4 = (reflected + ((n_15 - reflected) * rt::Scalar(_e12.turn)));
-        let _e23 = self.v_environment_in_lobe(axis_4, _e12.lobes.x());
+        let axis_6 = (reflected + ((n_15 - reflected) * rt::Scalar(_e12.turn)));
+        let _e23 = self.v_environment_in_lobe(axis_6, _e12.lobes.x());
         light = _e23;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e12.second).elementwise_gt(rt::Scalar(0f32))) {
             let _e28 = light;
-            let _e31 = self.v_environment_in_lobe(axis_4, _e12.lobes.y());
+            let _e31 = self.v_environment_in_lobe(axis_6, _e12.lobes.y());
             let _e32 = light;
             light = (_e28 + ((_e31 - _e32) * rt::Scalar(_e12.second)));
         }
@@ -3321,9 +3396,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_depth_in_image(image_2, point_3);
         let u = ((image_2.u.xyz().dot(point_3) + image_2.u.w()) / _e2).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let v_2 = ((image_2.v.xyz().dot(point_3) + image_2.v.w()) / _e2).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let v_3 = ((image_2.v.xyz().dot(point_3) + image_2.v.w()) / _e2).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let h_5 = ((image_2.height.xyz().dot(point_3) + image_2.height.w()) / _e2);
-        return <rt::Vec3<f32>>::new_21((image_2.corner + (image_2.extent * <rt::Vec2<f32>>::from_scalars(u, v_2))), h_5);
+        return <rt::Vec3<f32>>::new_21((image_2.corner + (image_2.extent * <rt::Vec2<f32>>::from_scalars(u, v_3))), h_5);
     }
     pub(crate) fn tangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
         rt::into(self.v_tangent_of_image(image_3))
@@ -3354,10 +3429,10 @@ impl<'g> Resources<'g> {
             return rt::Scalar(1f32);
         }
         let _e6 = self.v_toward_image(image_4, point_4);
-        let change_1 = (image_4.height.xyz().dot(_e6) - (height * image_4.depth.xyz().dot(_e6)));
+        let change_2 = (image_4.height.xyz().dot(_e6) - (height * image_4.depth.xyz().dot(_e6)));
         let _e15 = self.v_depth_in_image(image_4, point_4);
         let _e18 = rt::Scalar(self.surface_settings.scale_m);
-        return (_e15 / (change_1 * _e18));
+        return (_e15 / (change_2 * _e18));
     }
     pub(crate) fn height_size(&self, level_7: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<f32> {
         rt::into(self.v_height_size(rt::into(level_7)))
@@ -3468,21 +3543,93 @@ impl<'g> Resources<'g> {
         let off_1 = (_e12.z() - _e37).abs();
         return (_e10 + rt::Scalar(2f32).select(rt::Scalar(0f32), ((off_1 * width_1) * (deeper / wider)).elementwise_le(rt::Scalar(2f32))));
     }
+    pub(crate) fn apart_from_edge(
+        &self,
+        place_2: impl rt::Into<rt::Vec3<f32>>,
+        a_1: impl rt::Into<rt::Vec3<f32>>,
+        b_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_apart_from_edge(rt::into(place_2), rt::into(a_1), rt::into(b_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_apart_from_edge(
+        &self,
+        place_2: rt::Vec3<f32>,
+        a_1: rt::Vec3<f32>,
+        b_1: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        let way_26 = (b_1 - a_1);
+        let part_18 = ((place_2 - a_1).dot(way_26) / way_26.dot(way_26)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let apart = ((a_1 + (way_26 * part_18)) - place_2);
+        return apart.dot(apart);
+    }
+    pub(crate) fn weights_under(
+        &self,
+        place_3: impl rt::Into<rt::Vec3<f32>>,
+        a_2: impl rt::Into<rt::Vec3<f32>>,
+        b_2: impl rt::Into<rt::Vec3<f32>>,
+        c_2: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_weights_under(rt::into(place_3), rt::into(a_2), rt::into(b_2), rt::into(c_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_weights_under(
+        &self,
+        place_3: rt::Vec3<f32>,
+        a_2: rt::Vec3<f32>,
+        b_2: rt::Vec3<f32>,
+        c_2: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let normal_28 = (b_2 - a_2).cross((c_2 - a_2));
+        return <rt::Vec3<f32>>::from_scalars((c_2 - b_2).cross((place_3 - b_2)).dot(normal_28), (a_2 - c_2).cross((place_3 - c_2)).dot(normal_28), (b_2 - a_2).cross((place_3 - a_2)).dot(normal_28));
+    }
+    pub(crate) fn apart_from_triangle(
+        &self,
+        place_4: impl rt::Into<rt::Vec3<f32>>,
+        a_3: impl rt::Into<rt::Vec3<f32>>,
+        b_3: impl rt::Into<rt::Vec3<f32>>,
+        c_3: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_apart_from_triangle(rt::into(place_4), rt::into(a_3), rt::into(b_3), rt::into(c_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_apart_from_triangle(
+        &self,
+        place_4: rt::Vec3<f32>,
+        a_3: rt::Vec3<f32>,
+        b_3: rt::Vec3<f32>,
+        c_3: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_weights_under(place_4, a_3, b_3, c_3);
+        if rt::Scalar::into_branch_condition(_e4.x().min(_e4.y()).min(_e4.z()).elementwise_ge(rt::Scalar(0f32))) {
+            let normal_29 = (b_3 - a_3).cross((c_3 - a_3));
+            let above_4 = (place_4 - a_3).dot(normal_29);
+            return ((above_4 * above_4) / normal_29.dot(normal_29));
+        }
+        let _e20 = self.v_apart_from_edge(place_4, a_3, b_3);
+        let _e21 = self.v_apart_from_edge(place_4, b_3, c_3);
+        let first_14 = _e20.min(_e21);
+        let _e23 = self.v_apart_from_edge(place_4, c_3, a_3);
+        return first_14.min(_e23);
+    }
     pub(crate) fn around_three(
         &self,
-        place_2: impl rt::Into<rt::Scalar<u32>>,
+        place_5: impl rt::Into<rt::Scalar<u32>>,
         on: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_around_three(rt::into(place_2), rt::into(on)))
+        rt::into(self.v_around_three(rt::into(place_5), rt::into(on)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_around_three(
         &self,
-        place_2: rt::Scalar<u32>,
+        place_5: rt::Scalar<u32>,
         on: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return ((place_2 + on) % rt::Scalar(3u32));
+        return ((place_5 + on) % rt::Scalar(3u32));
     }
     pub(crate) fn near_uv(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_3)))
@@ -3529,9 +3676,9 @@ impl<'g> Resources<'g> {
             }
             return interval;
         }
-        let a_29 = ((rt::Scalar(0f32) - x0_) / dx_1);
-        let b_30 = ((rt::Scalar(1f32) - x0_) / dx_1);
-        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_29.min(b_30)), interval.y().min(a_29.max(b_30)));
+        let a_32 = ((rt::Scalar(0f32) - x0_) / dx_1);
+        let b_33 = ((rt::Scalar(1f32) - x0_) / dx_1);
+        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_32.min(b_33)), interval.y().min(a_32.max(b_33)));
     }
     pub(crate) fn power_of_half(&self, exponent: impl rt::Into<rt::Scalar<u32>>) -> f32 {
         rt::into(self.v_power_of_half(rt::into(exponent)))
@@ -3566,8 +3713,8 @@ impl<'g> Resources<'g> {
         let twos = (depth_5.max(rt::Scalar(0f32)) * rt::Scalar(1.442695f32));
         let whole = (twos + rt::Scalar(0.5f32)).floor();
         let f_1 = (whole - twos);
-        let high_3 = (rt::Scalar(0.009618129f32) + (f_1 * (rt::Scalar(0.0013333558f32) + (f_1 * (rt::Scalar(0.0001540353f32) + (f_1 * rt::Scalar(0.000015252734f32)))))));
-        let power_1 = (rt::Scalar(1f32) + (f_1 * (rt::Scalar(0.6931472f32) + (f_1 * (rt::Scalar(0.2402265f32) + (f_1 * (rt::Scalar(0.05550411f32) + (f_1 * high_3))))))));
+        let high_4 = (rt::Scalar(0.009618129f32) + (f_1 * (rt::Scalar(0.0013333558f32) + (f_1 * (rt::Scalar(0.0001540353f32) + (f_1 * rt::Scalar(0.000015252734f32)))))));
+        let power_1 = (rt::Scalar(1f32) + (f_1 * (rt::Scalar(0.6931472f32) + (f_1 * (rt::Scalar(0.2402265f32) + (f_1 * (rt::Scalar(0.05550411f32) + (f_1 * high_4))))))));
         let _e36 = self.v_power_of_half(whole.to_u32());
         return (power_1 * _e36);
     }
@@ -3598,34 +3745,34 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(way.bend).elementwise_eq(rt::Scalar(0f32))) {
             return rt::Scalar(300000000000000000000000000000000000000f32);
         }
-        let t_47 = ((rt::Scalar(0f32) - way.step.z()) / (rt::Scalar(2f32) * rt::Scalar(way.bend)));
-        return rt::Scalar(300000000000000000000000000000000000000f32).select(t_47, t_47.elementwise_gt(rt::Scalar(0f32)));
+        let t_49 = ((rt::Scalar(0f32) - way.step.z()) / (rt::Scalar(2f32) * rt::Scalar(way.bend)));
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(t_49, t_49.elementwise_gt(rt::Scalar(0f32)));
     }
     pub(crate) fn search_texel(
         &self,
         path_1: Path,
-        place_3: impl rt::Into<rt::Vec2<i32>>,
+        place_6: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
         level_11: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_1, rt::into(place_3), rt::into(layer_1), rt::into(level_11)))
+        rt::into(self.v_search_texel(path_1, rt::into(place_6), rt::into(layer_1), rt::into(level_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_search_texel(
         &self,
         path_1: Path,
-        place_3: rt::Vec2<i32>,
+        place_6: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
         level_11: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_1.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_3, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_6, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
             let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_3, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_6, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
         let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -3910,15 +4057,15 @@ impl<'g> Resources<'g> {
         span_1: rt::Scalar<f32>,
     ) -> Quartic {
         let _e5 = self.v_voxel_place_on(way_7, t_5);
-        let at_174 = (_e5 - cell_5);
+        let at_180 = (_e5 - cell_5);
         let slope_6 = ((way_7.step.z() + ((rt::Scalar(2f32) * rt::Scalar(way_7.bend)) * t_5)) * span_1);
         let bend_6 = (rt::Scalar(way_7.bend) * (span_1 * span_1));
         let dx_3 = (way_7.step.x() * span_1);
         let dy_1 = (way_7.step.y() * span_1);
-        let _e26 = self.v_along_slice(corners.low, at_174.xy(), dx_3, dy_1);
-        let _e29 = self.v_along_slice(corners.high, at_174.xy(), dx_3, dy_1);
+        let _e26 = self.v_along_slice(corners.low, at_180.xy(), dx_3, dy_1);
+        let _e29 = self.v_along_slice(corners.high, at_180.xy(), dx_3, dy_1);
         let rise_1 = (_e29 - _e26);
-        return <Quartic>::new((rt::Scalar(0.5f32) - (_e26.x() + (rise_1.x() * at_174.z()))), (rt::Scalar(0f32) - ((_e26.y() + (rise_1.y() * at_174.z())) + (rise_1.x() * slope_6))), (rt::Scalar(0f32) - (((_e26.z() + (rise_1.z() * at_174.z())) + (rise_1.y() * slope_6)) + (rise_1.x() * bend_6))), (rt::Scalar(0f32) - ((rise_1.z() * slope_6) + (rise_1.y() * bend_6))), (rt::Scalar(0f32) - (rise_1.z() * bend_6)));
+        return <Quartic>::new((rt::Scalar(0.5f32) - (_e26.x() + (rise_1.x() * at_180.z()))), (rt::Scalar(0f32) - ((_e26.y() + (rise_1.y() * at_180.z())) + (rise_1.x() * slope_6))), (rt::Scalar(0f32) - (((_e26.z() + (rise_1.z() * at_180.z())) + (rise_1.y() * slope_6)) + (rise_1.x() * bend_6))), (rt::Scalar(0f32) - ((rise_1.z() * slope_6) + (rise_1.y() * bend_6))), (rt::Scalar(0f32) - (rise_1.z() * bend_6)));
     }
     pub(crate) fn field_between(
         &self,
@@ -3999,9 +4146,9 @@ impl<'g> Resources<'g> {
         reach_1: rt::Scalar<f32>,
         t_6: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let far_7 = <rt::Vec3<f32>>::from_scalars(reach_1, reach_1, reach_1);
+        let far_10 = <rt::Vec3<f32>>::from_scalars(reach_1, reach_1, reach_1);
         let _e5 = self.v_voxel_place_on(way_9, t_6);
-        return _e5.floor().clamp((cell_9 - far_7), (cell_9 + far_7));
+        return _e5.floor().clamp((cell_9 - far_10), (cell_9 + far_10));
     }
     pub(crate) fn next_voxel_cell(
         &self,
@@ -4029,7 +4176,7 @@ impl<'g> Resources<'g> {
 
         let _e6 = self.v_voxel_cell_at(way_10, cell_10, reach_2, t_7);
         next = _e6;
-        let far_8 = (reach_2 + rt::Scalar(1f32));
+        let far_11 = (reach_2 + rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition(leave_1.x().elementwise_le(leave_1.y())) {
             local_12 = leave_1.x().elementwise_le(leave_1.z());
         } else {
@@ -4037,12 +4184,12 @@ impl<'g> Resources<'g> {
         }
         let _e19 = local_12;
         if rt::Scalar::into_branch_condition(_e19) {
-            next.set_x((cell_10.x() + (rt::Scalar(0f32) - far_8).select(far_8, way_10.step.x().elementwise_gt(rt::Scalar(0f32)))));
+            next.set_x((cell_10.x() + (rt::Scalar(0f32) - far_11).select(far_11, way_10.step.x().elementwise_gt(rt::Scalar(0f32)))));
         } else {
             if rt::Scalar::into_branch_condition(leave_1.y().elementwise_le(leave_1.z())) {
-                next.set_y((cell_10.y() + (rt::Scalar(0f32) - far_8).select(far_8, way_10.step.y().elementwise_gt(rt::Scalar(0f32)))));
+                next.set_y((cell_10.y() + (rt::Scalar(0f32) - far_11).select(far_11, way_10.step.y().elementwise_gt(rt::Scalar(0f32)))));
             } else {
-                next.set_z((cell_10.z() + (rt::Scalar(0f32) - far_8).select(far_8, rises_1)));
+                next.set_z((cell_10.z() + (rt::Scalar(0f32) - far_11).select(far_11, rises_1)));
             }
         }
         let _e49 = next;
@@ -4111,7 +4258,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_voxel_path(path_5);
         let _e3 = self.v_turning_point(_e2);
         let enough = (rt::Scalar(8f32) / params_9.x().max(rt::Scalar(0.000000000000000000000000000000000000003333333f32)));
-        let limit_1 = params_9.z().to_u32();
+        let limit_2 = params_9.z().to_u32();
         let _e13 = self.v_first_part(path_5, _e2, _e3);
         part_1 = _e13;
         'naga_break: loop {
@@ -4136,7 +4283,7 @@ impl<'g> Resources<'g> {
                     let _e38 = rt::Scalar(part_1.is_last);
                     if rt::Scalar::into_branch_condition(_e38.elementwise_eq(rt::Scalar(0u32))) {
                         let _e43 = cells;
-                        local_14 = _e43.elementwise_lt(limit_1);
+                        local_14 = _e43.elementwise_lt(limit_2);
                     } else {
                         local_14 = rt::Scalar(false);
                     }
@@ -4169,9 +4316,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_optical_depth(&self, path_6: Path) -> rt::Scalar<f32> {
-        let params_140 = self.surface_settings.choices[6usize].params;
-        let _e6 = self.v_field_along(path_6, params_140);
-        return (_e6 * params_140.x());
+        let params_148 = self.surface_settings.choices[6usize].params;
+        let _e6 = self.v_field_along(path_6, params_148);
+        return (_e6 * params_148.x());
     }
     pub(crate) fn light_place(
         &self,
@@ -4187,32 +4334,32 @@ impl<'g> Resources<'g> {
         view_9: LightView,
         point_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_175 = <rt::Vec4<f32>>::new_31(point_6, rt::Scalar(1f32));
-        let depth_12 = view_9.depth.dot(at_175);
+        let at_181 = <rt::Vec4<f32>>::new_31(point_6, rt::Scalar(1f32));
+        let depth_12 = view_9.depth.dot(at_181);
         let over_1 = rt::Scalar(1f32).select(depth_12, rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_175), view_9.row.dot(at_175)) / rt::Vec2::splat_from_scalar(over_1)), depth_12);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_181), view_9.row.dot(at_181)) / rt::Vec2::splat_from_scalar(over_1)), depth_12);
     }
     pub(crate) fn holds_filter(
         &self,
         view_10: LightView,
-        place_4: impl rt::Into<rt::Vec3<f32>>,
+        place_7: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_10, rt::into(place_4), rt::into(half)))
+        rt::into(self.v_holds_filter(view_10, rt::into(place_7), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_holds_filter(
         &self,
         view_10: LightView,
-        place_4: rt::Vec3<f32>,
+        place_7: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut local_16: rt::Scalar<bool>;
         let mut local_17: rt::Scalar<bool>;
 
-        let least_1 = (place_4.x().min(place_4.y()) - half);
-        let most_5 = (place_4.x().max(place_4.y()) + half);
-        if rt::Scalar::into_branch_condition(place_4.z().elementwise_gt(rt::Scalar(0f32))) {
+        let least_1 = (place_7.x().min(place_7.y()) - half);
+        let most_5 = (place_7.x().max(place_7.y()) + half);
+        if rt::Scalar::into_branch_condition(place_7.z().elementwise_gt(rt::Scalar(0f32))) {
             local_16 = least_1.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_16 = rt::Scalar(false);
@@ -4253,27 +4400,27 @@ impl<'g> Resources<'g> {
         normal_10: rt::Vec3<f32>,
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_4 = ((view_11.corner.xyz() + (view_11.across.xyz() * texel_1.x())) + (view_11.along.xyz() * texel_1.y()));
+        let corner_5 = ((view_11.corner.xyz() + (view_11.across.xyz() * texel_1.x())) + (view_11.along.xyz() * texel_1.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_11.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_10.dot((point_7 - view_11.eye.xyz())) / normal_10.dot(corner_4));
+            return (normal_10.dot((point_7 - view_11.eye.xyz())) / normal_10.dot(corner_5));
         }
-        return (normal_10.dot((point_7 - corner_4)) / normal_10.dot(view_11.depth.xyz()));
+        return (normal_10.dot((point_7 - corner_5)) / normal_10.dot(view_11.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
-        place_5: impl rt::Into<rt::Vec2<i32>>,
+        place_8: impl rt::Into<rt::Vec2<i32>>,
         view_12: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_5), rt::into(view_12)))
+        rt::into(self.v_light_texel(rt::into(place_8), rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_light_texel(
         &self,
-        place_5: rt::Vec2<i32>,
+        place_8: rt::Vec2<i32>,
         view_12: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_5, rt::Scalar::into_inner(view_12), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_8, rt::Scalar::into_inner(view_12), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
@@ -4294,7 +4441,7 @@ impl<'g> Resources<'g> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_34 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_14.number))];
+        let view_35 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_14.number))];
         column = at_14.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -4308,11 +4455,11 @@ impl<'g> Resources<'g> {
                     let _e24 = column;
                     let wide = (at_14.high.x().min((_e18 + rt::Scalar(1f32))) - at_14.low.x().max(_e24));
                     let _e27 = column;
-                    let place_31 = <rt::Vec2<f32>>::from_scalars(_e27, row);
-                    let _e35 = self.v_plane_depth(view_34, at_14.point, at_14.normal, (place_31 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let place_38 = <rt::Vec2<f32>>::from_scalars(_e27, row);
+                    let _e35 = self.v_plane_depth(view_35, at_14.point, at_14.normal, (place_38 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_13 = _e35.clamp(rt::Scalar(at_14.least_depth), rt::Scalar(at_14.most_depth));
-                    let key = (rt::Scalar(view_34.near) / (rt::Scalar(view_34.near) + depth_13.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_31.to_i32(), rt::Scalar(at_14.number).to_i32());
+                    let key = (rt::Scalar(view_35.near) / (rt::Scalar(view_35.near) + depth_13.max(rt::Scalar(0f32))));
+                    let _e48 = self.v_light_texel(place_38.to_i32(), rt::Scalar(at_14.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide);
@@ -4330,11 +4477,11 @@ impl<'g> Resources<'g> {
         number: impl rt::Into<rt::Scalar<u32>>,
         at_15: Entered,
         normal_11: impl rt::Into<rt::Vec3<f32>>,
-        place_6: impl rt::Into<rt::Vec3<f32>>,
+        place_9: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number), at_15, rt::into(normal_11), rt::into(place_6), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number), at_15, rt::into(normal_11), rt::into(place_9), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_part(
@@ -4342,23 +4489,23 @@ impl<'g> Resources<'g> {
         number: rt::Scalar<u32>,
         at_15: Entered,
         normal_11: rt::Vec3<f32>,
-        place_6: rt::Vec3<f32>,
+        place_9: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_1: rt::Scalar<f32>;
 
-        let view_35 = self.frame.light_views[rt::Scalar::into_array_index(number)];
-        let texel_m = (rt::Scalar(view_35.texel_m) * rt::Scalar(1f32).select(place_6.z(), rt::Scalar(view_35.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let view_36 = self.frame.light_views[rt::Scalar::into_array_index(number)];
+        let texel_m = (rt::Scalar(view_36.texel_m) * rt::Scalar(1f32).select(place_9.z(), rt::Scalar(view_36.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_15);
         let point_25 = (at_15.point + (normal_11 * (bias * texel_m.max(_e19))));
         let reach_4 = (rt::Scalar(16f32) * texel_m);
-        let low_3 = (place_6.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
-        let high_4 = (low_3 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_5 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_35.size).to_f32(), rt::Scalar(view_35.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number, point_25, normal_11, low_3, high_4, (place_6.z() - reach_4), (place_6.z() + reach_4));
-        row_1 = low_3.y().floor();
+        let low_4 = (place_9.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let high_5 = (low_4 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
+        let last_5 = high_5.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_36.size).to_f32(), rt::Scalar(view_36.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number, point_25, normal_11, low_4, high_5, (place_9.z() - reach_4), (place_9.z() + reach_4));
+        row_1 = low_4.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_1;
@@ -4369,7 +4516,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e59 = row_1;
                     let _e64 = row_1;
-                    let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_3.y().max(_e64));
+                    let tall = (high_5.y().min((_e59 + rt::Scalar(1f32))) - low_4.y().max(_e64));
                     let _e67 = seen;
                     let _e68 = row_1;
                     let _e70 = self.v_row_sees(in_view, _e68, last_5.x());
@@ -4403,13 +4550,13 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let mut k: rt::Scalar<u32>;
 
-        let light_23 = self.frame.lights[rt::Scalar::into_array_index(number_1)];
+        let light_26 = self.frame.lights[rt::Scalar::into_array_index(number_1)];
         let width_2 = filter_texels.max(rt::Scalar(0.001f32));
-        k = rt::Scalar(light_23.first_view);
+        k = rt::Scalar(light_26.first_view);
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = k;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt((rt::Scalar(light_23.first_view) + rt::Scalar(light_23.views)))) {
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt((rt::Scalar(light_26.first_view) + rt::Scalar(light_26.views)))) {
                 } else {
                     break 'naga_break;
                 }
@@ -4460,9 +4607,9 @@ impl<'g> Resources<'g> {
         }
         let h_6 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(hit_8.height), _e10.z(), rt::Scalar(0f32));
         let _e52 = interval_1.y();
-        let path_115 = <Path>::new(_e22, _e10.xy(), h_6, _e52, rt::Scalar(0f32), at_17.metric, RAY_VIEW, rt::Scalar(at_17.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_115.exit).elementwise_gt(rt::Scalar(0f32))) {
-            let _e66 = self.v_optical_depth(path_115);
+        let path_117 = <Path>::new(_e22, _e10.xy(), h_6, _e52, rt::Scalar(0f32), at_17.metric, RAY_VIEW, rt::Scalar(at_17.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_117.exit).elementwise_gt(rt::Scalar(0f32))) {
+            let _e66 = self.v_optical_depth(path_117);
             let _e67 = self.v_transmittance_of(_e66);
             part_2 = _e67;
         }
@@ -4571,24 +4718,24 @@ impl<'g> Resources<'g> {
         way_12: Way,
         offset: rt::Scalar<f32>,
     ) -> WayPoint {
-        let low_4 = self.surface_settings.shell_m.x();
+        let low_5 = self.surface_settings.shell_m.x();
         let _e11 = self.surface_settings.shell_m.y();
-        let width_3 = (_e11 - low_4).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_3 = (_e11 - low_5).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let _e16 = self.v_quadratic(way_12.first, offset);
         let _e18 = self.v_quadratic(way_12.second, offset);
         let _e20 = self.v_quadratic(way_12.third, offset);
         let parts_4 = <rt::Vec3<f32>>::from_scalars(_e16, _e18, _e20);
         let limited = parts_4.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
-        let normal_28 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_32 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_28 * offset));
-        let t_48 = place_32.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        let second_2 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
-        let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
-        let volume = (second_2.cross(third_1).dot(normal_28) * rt::Scalar(way_12.turn));
+        let normal_30 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
+        let place_39 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_30 * offset));
+        let t_50 = place_39.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let second_3 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
+        let third_2 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
+        let volume = (second_3.cross(third_2).dot(normal_30) * rt::Scalar(way_12.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
-        let height_18 = (((offset - low_4) - _e83) / width_3).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_18), t_48, (place_32 - (along * t_48)).length(), volume);
+        let height_19 = (((offset - low_5) - _e83) / width_3).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_19), t_50, (place_39 - (along * t_50)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -4735,15 +4882,15 @@ impl<'g> Resources<'g> {
             }
         }
         let room = (rt::Scalar(1f32) - h_1.x());
-        let above_4 = ((h_1.y() * h_1.y()) + ((rt::Scalar(4f32) * h_1.z()) * room));
-        if rt::Scalar::into_branch_condition(above_4.elementwise_ge(rt::Scalar(0f32))) {
+        let above_5 = ((h_1.y() * h_1.y()) + ((rt::Scalar(4f32) * h_1.z()) * room));
+        if rt::Scalar::into_branch_condition(above_5.elementwise_ge(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(h_1.y().elementwise_gt(rt::Scalar(0f32))) {
                 let _e51 = exit;
-                exit = _e51.min(((rt::Scalar(2f32) * room) / (h_1.y() + above_4.sqrt())));
+                exit = _e51.min(((rt::Scalar(2f32) * room) / (h_1.y() + above_5.sqrt())));
             } else {
                 if rt::Scalar::into_branch_condition(h_1.z().elementwise_gt(rt::Scalar(0f32))) {
                     let _e62 = exit;
-                    exit = _e62.min(((above_4.sqrt() - h_1.y()) / (rt::Scalar(2f32) * h_1.z())));
+                    exit = _e62.min(((above_5.sqrt() - h_1.y()) / (rt::Scalar(2f32) * h_1.z())));
                 }
             }
         }
@@ -4753,50 +4900,50 @@ impl<'g> Resources<'g> {
     pub(crate) fn corner_value(
         &self,
         number_2: impl rt::Into<rt::Scalar<u32>>,
-        a_1: impl rt::Into<rt::Vec3<f32>>,
-        b_1: impl rt::Into<rt::Vec3<f32>>,
-        c_2: impl rt::Into<rt::Vec3<f32>>,
+        a_4: impl rt::Into<rt::Vec3<f32>>,
+        b_4: impl rt::Into<rt::Vec3<f32>>,
+        c_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_corner_value(rt::into(number_2), rt::into(a_1), rt::into(b_1), rt::into(c_2)))
+        rt::into(self.v_corner_value(rt::into(number_2), rt::into(a_4), rt::into(b_4), rt::into(c_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_corner_value(
         &self,
         number_2: rt::Scalar<u32>,
-        a_1: rt::Vec3<f32>,
-        b_1: rt::Vec3<f32>,
-        c_2: rt::Vec3<f32>,
+        a_4: rt::Vec3<f32>,
+        b_4: rt::Vec3<f32>,
+        c_4: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let is_first_1 = number_2.elementwise_eq(rt::Scalar(0u32));
         let is_second = number_2.elementwise_eq(rt::Scalar(1u32));
-        let second_3 = c_2.select(b_1, <rt::Vec3<bool>>::from_scalars(is_second, is_second, is_second));
-        return second_3.select(a_1, <rt::Vec3<bool>>::from_scalars(is_first_1, is_first_1, is_first_1));
+        let second_4 = c_4.select(b_4, <rt::Vec3<bool>>::from_scalars(is_second, is_second, is_second));
+        return second_4.select(a_4, <rt::Vec3<bool>>::from_scalars(is_first_1, is_first_1, is_first_1));
     }
     pub(crate) fn ordered(
         &self,
         pixel_1: PixelIn,
-        place_7: impl rt::Into<rt::Scalar<u32>>,
+        place_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> Corner {
-        rt::into(self.v_ordered(pixel_1, rt::into(place_7)))
+        rt::into(self.v_ordered(pixel_1, rt::into(place_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ordered(
         &self,
         pixel_1: PixelIn,
-        place_7: rt::Scalar<u32>,
+        place_10: rt::Scalar<u32>,
     ) -> Corner {
-        let number_25 = ((rt::Scalar(pixel_1.shell.order) >> (rt::Scalar(2u32) * place_7)) & rt::Scalar(3u32));
-        let a_30 = pixel_1.a;
-        let b_31 = pixel_1.b;
-        let c_22 = pixel_1.c;
-        let _e15 = self.v_corner_value(number_25, a_30.position, b_31.position, c_22.position);
-        let _e19 = self.v_corner_value(number_25, a_30.normal, b_31.normal, c_22.normal);
-        let _e23 = self.v_corner_value(number_25, a_30.tangent, b_31.tangent, c_22.tangent);
-        let _e27 = self.v_corner_value(number_25, a_30.bitangent, b_31.bitangent, c_22.bitangent);
-        let _e37 = self.v_corner_value(number_25, <rt::Vec3<f32>>::new_21(a_30.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(b_31.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(c_22.uv, rt::Scalar(0f32)));
-        let _e42 = self.v_corner_value(number_25, a_30.of_surface, b_31.of_surface, c_22.of_surface);
+        let number_25 = ((rt::Scalar(pixel_1.shell.order) >> (rt::Scalar(2u32) * place_10)) & rt::Scalar(3u32));
+        let a_33 = pixel_1.a;
+        let b_34 = pixel_1.b;
+        let c_24 = pixel_1.c;
+        let _e15 = self.v_corner_value(number_25, a_33.position, b_34.position, c_24.position);
+        let _e19 = self.v_corner_value(number_25, a_33.normal, b_34.normal, c_24.normal);
+        let _e23 = self.v_corner_value(number_25, a_33.tangent, b_34.tangent, c_24.tangent);
+        let _e27 = self.v_corner_value(number_25, a_33.bitangent, b_34.bitangent, c_24.bitangent);
+        let _e37 = self.v_corner_value(number_25, <rt::Vec3<f32>>::new_21(a_33.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(b_34.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(c_24.uv, rt::Scalar(0f32)));
+        let _e42 = self.v_corner_value(number_25, a_33.of_surface, b_34.of_surface, c_24.of_surface);
         return <Corner>::new(_e15, _e19, _e23, _e27, _e37.xy(), _e42);
     }
     pub(crate) fn uv_of(
@@ -4821,70 +4968,70 @@ impl<'g> Resources<'g> {
     pub(crate) fn beside_chord(
         &self,
         pixel_3: PixelIn,
-        a_2: ShellPoint,
+        a_5: ShellPoint,
         m: ShellPoint,
-        b_2: ShellPoint,
+        b_5: ShellPoint,
         at_19: ShellPoint,
         part_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_beside_chord(pixel_3, a_2, m, b_2, at_19, rt::into(part_3)))
+        rt::into(self.v_beside_chord(pixel_3, a_5, m, b_5, at_19, rt::into(part_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_beside_chord(
         &self,
         pixel_3: PixelIn,
-        a_2: ShellPoint,
+        a_5: ShellPoint,
         m: ShellPoint,
-        b_2: ShellPoint,
+        b_5: ShellPoint,
         at_19: ShellPoint,
         part_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let line = (a_2.weights + ((b_2.weights - a_2.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_3));
+        let line = (a_5.weights + ((b_5.weights - a_5.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_3));
         let _e19 = self.v_uv_of(pixel_3, (at_19.weights - line));
         let _e21 = self.v_height_size(rt::Scalar(0u32));
-        let apart = (_e19 * _e21).abs();
-        let bend_7 = (rt::Scalar(2f32) * ((rt::Scalar(a_2.height) + rt::Scalar(b_2.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
-        let slope_7 = ((rt::Scalar(b_2.height) - rt::Scalar(a_2.height)) - bend_7);
-        let height_19 = (rt::Scalar(a_2.height) + (part_3 * (slope_7 + (part_3 * bend_7))));
-        return apart.x().max(apart.y()).max(((rt::Scalar(at_19.height) - height_19).abs() / rt::Scalar(0.0625f32)));
+        let apart_1 = (_e19 * _e21).abs();
+        let bend_7 = (rt::Scalar(2f32) * ((rt::Scalar(a_5.height) + rt::Scalar(b_5.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
+        let slope_7 = ((rt::Scalar(b_5.height) - rt::Scalar(a_5.height)) - bend_7);
+        let height_20 = (rt::Scalar(a_5.height) + (part_3 * (slope_7 + (part_3 * bend_7))));
+        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_19.height) - height_20).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
         &self,
         pixel_4: PixelIn,
-        a_3: WayPoint,
-        b_3: WayPoint,
+        a_6: WayPoint,
+        b_6: WayPoint,
         bend_1: impl rt::Into<rt::Scalar<f32>>,
         at_20: WayPoint,
     ) -> f32 {
-        rt::into(self.v_beside_way(pixel_4, a_3, b_3, rt::into(bend_1), at_20))
+        rt::into(self.v_beside_way(pixel_4, a_6, b_6, rt::into(bend_1), at_20))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_beside_way(
         &self,
         pixel_4: PixelIn,
-        a_3: WayPoint,
-        b_3: WayPoint,
+        a_6: WayPoint,
+        b_6: WayPoint,
         bend_1: rt::Scalar<f32>,
         at_20: WayPoint,
     ) -> rt::Scalar<f32> {
-        let part_18 = ((rt::Scalar(at_20.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
-        let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_18));
+        let part_19 = ((rt::Scalar(at_20.t) - rt::Scalar(a_6.t)) / (rt::Scalar(b_6.t) - rt::Scalar(a_6.t)));
+        let line_1 = (a_6.point.weights + ((b_6.point.weights - a_6.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_19));
         let _e29 = self.v_uv_of(pixel_4, (at_20.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
-        let apart_1 = (_e29 * _e31).abs();
-        let slope_8 = ((rt::Scalar(b_3.point.height) - rt::Scalar(a_3.point.height)) - bend_1);
-        let height_20 = (rt::Scalar(a_3.point.height) + (part_18 * (slope_8 + (part_18 * bend_1))));
-        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_20.point.height) - height_20).abs() / rt::Scalar(0.0625f32)));
+        let apart_2 = (_e29 * _e31).abs();
+        let slope_8 = ((rt::Scalar(b_6.point.height) - rt::Scalar(a_6.point.height)) - bend_1);
+        let height_21 = (rt::Scalar(a_6.point.height) + (part_19 * (slope_8 + (part_19 * bend_1))));
+        return apart_2.x().max(apart_2.y()).max(((rt::Scalar(at_20.point.height) - height_21).abs() / rt::Scalar(0.0625f32)));
     }
-    pub(crate) fn between(&self, a_4: ShellPoint, b_4: ShellPoint) -> ShellPoint {
-        rt::into(self.v_between(a_4, b_4))
+    pub(crate) fn between(&self, a_7: ShellPoint, b_7: ShellPoint) -> ShellPoint {
+        rt::into(self.v_between(a_7, b_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_between(&self, a_4: ShellPoint, b_4: ShellPoint) -> ShellPoint {
-        return <ShellPoint>::new((rt::Scalar(0.5f32) * (a_4.weights + b_4.weights)), (rt::Scalar(0.5f32) * (rt::Scalar(a_4.height) + rt::Scalar(b_4.height))));
+    pub(super) fn v_between(&self, a_7: ShellPoint, b_7: ShellPoint) -> ShellPoint {
+        return <ShellPoint>::new((rt::Scalar(0.5f32) * (a_7.weights + b_7.weights)), (rt::Scalar(0.5f32) * (rt::Scalar(a_7.height) + rt::Scalar(b_7.height))));
     }
     pub(crate) fn beyond_image(&self, image_6: Image) -> rt::Vec2<f32> {
         rt::into(self.v_beyond_image(image_6))
@@ -4946,22 +5093,22 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_mixed((within_1.x().to_u32() + _e14));
         return _e16;
     }
-    pub(crate) fn both_roots(&self, c_3: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_both_roots(rt::into(c_3)))
+    pub(crate) fn both_roots(&self, c_5: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_both_roots(rt::into(c_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_both_roots(&self, c_3: rt::Vec3<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_both_roots(&self, c_5: rt::Vec3<f32>) -> rt::Vec2<f32> {
         let mut roots: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
 
-        let discriminant_3 = ((c_3.y() * c_3.y()) - ((rt::Scalar(4f32) * c_3.z()) * c_3.x()));
+        let discriminant_3 = ((c_5.y() * c_5.y()) - ((rt::Scalar(4f32) * c_5.z()) * c_5.x()));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
-            let q_10 = (rt::Scalar(-0.5f32) * (c_3.y() + (rt::Scalar(0f32) - root_4).select(root_4, c_3.y().elementwise_ge(rt::Scalar(0f32)))));
-            if rt::Scalar::into_branch_condition(c_3.z().elementwise_ne(rt::Scalar(0f32))) {
-                roots.set_x((q_10 / c_3.z()));
+            let q_10 = (rt::Scalar(-0.5f32) * (c_5.y() + (rt::Scalar(0f32) - root_4).select(root_4, c_5.y().elementwise_ge(rt::Scalar(0f32)))));
+            if rt::Scalar::into_branch_condition(c_5.z().elementwise_ne(rt::Scalar(0f32))) {
+                roots.set_x((q_10 / c_5.z()));
             }
             if rt::Scalar::into_branch_condition(q_10.elementwise_ne(rt::Scalar(0f32))) {
-                roots.set_y((c_3.x() / q_10));
+                roots.set_y((c_5.x() / q_10));
             }
         }
         let _e38 = roots;
@@ -5006,18 +5153,18 @@ impl<'g> Resources<'g> {
         let bottom_2 = (corners_2.z() + ((corners_2.w() - corners_2.z()) * part_4.x()));
         return (top_4 + ((bottom_2 - top_4) * part_4.y()));
     }
-    pub(crate) fn field_at_voxel(&self, place_8: impl rt::Into<rt::Vec3<f32>>) -> f32 {
-        rt::into(self.v_field_at_voxel(rt::into(place_8)))
+    pub(crate) fn field_at_voxel(&self, place_11: impl rt::Into<rt::Vec3<f32>>) -> f32 {
+        rt::into(self.v_field_at_voxel(rt::into(place_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_field_at_voxel(&self, place_8: rt::Vec3<f32>) -> rt::Scalar<f32> {
-        let first_13 = place_8.floor();
-        let part_19 = (place_8 - first_13);
-        let _e4 = self.v_voxel_cell(first_13.to_i32());
-        let _e7 = self.v_in_slice(_e4.low, part_19.xy());
-        let _e10 = self.v_in_slice(_e4.high, part_19.xy());
-        return (_e7 + ((_e10 - _e7) * part_19.z()));
+    pub(super) fn v_field_at_voxel(&self, place_11: rt::Vec3<f32>) -> rt::Scalar<f32> {
+        let first_15 = place_11.floor();
+        let part_20 = (place_11 - first_15);
+        let _e4 = self.v_voxel_cell(first_15.to_i32());
+        let _e7 = self.v_in_slice(_e4.low, part_20.xy());
+        let _e10 = self.v_in_slice(_e4.high, part_20.xy());
+        return (_e7 + ((_e10 - _e7) * part_20.z()));
     }
     pub(crate) fn voxel_place(&self, at_21: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_voxel_place(rt::into(at_21)))
@@ -5059,72 +5206,94 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_field_at(<rt::Vec3<f32>>::new_21(_e3, _e4));
         return (rt::Scalar(0.5f32) - _e6);
     }
-    pub(crate) fn field_gap_stage(
+    pub(crate) fn field_motif_gap(
         &self,
         path_13: Path,
         t_14: impl rt::Into<rt::Scalar<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_gap_stage(path_13, rt::into(t_14)))
+        rt::into(self.v_field_motif_gap(path_13, rt::into(t_14), rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_field_gap_stage(
+    pub(super) fn v_field_motif_gap(
         &self,
         path_13: Path,
         t_14: rt::Scalar<f32>,
+        params_12: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        return rt::Scalar(1f32);
+    }
+    pub(crate) fn field_gap_stage(
+        &self,
+        path_14: Path,
+        t_15: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_field_gap_stage(path_14, rt::into(t_15)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_field_gap_stage(
+        &self,
+        path_14: Path,
+        t_15: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[4usize].params;
-                let _e12 = self.v_field_heights_gap(path_13, t_14, _e11);
+                let _e12 = self.v_field_heights_gap(path_14, t_15, _e11);
                 return _e12;
             }
-            _ => {
+            1u32 => {
                 let _e17 = self.surface_settings.choices[4usize].params;
-                let _e18 = self.v_field_volume_gap(path_13, t_14, _e17);
+                let _e18 = self.v_field_volume_gap(path_14, t_15, _e17);
                 return _e18;
+            }
+            _ => {
+                let _e23 = self.surface_settings.choices[4usize].params;
+                let _e24 = self.v_field_motif_gap(path_14, t_15, _e23);
+                return _e24;
             }
         }
     }
     pub(crate) fn path_gap(
         &self,
-        path_14: Path,
-        t_15: impl rt::Into<rt::Scalar<f32>>,
+        path_15: Path,
+        t_16: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_gap(path_14, rt::into(t_15)))
+        rt::into(self.v_path_gap(path_15, rt::into(t_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_path_gap(
         &self,
-        path_14: Path,
-        t_15: rt::Scalar<f32>,
+        path_15: Path,
+        t_16: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_field_gap_stage(path_14, t_15);
+        let _e2 = self.v_field_gap_stage(path_15, t_16);
         return _e2;
     }
     pub(crate) fn bracket_between(
         &self,
-        path_15: Path,
+        path_16: Path,
         near: impl rt::Into<rt::Scalar<f32>>,
         far: impl rt::Into<rt::Scalar<f32>>,
         cost: impl rt::Into<rt::Vec3<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_bracket_between(path_15, rt::into(near), rt::into(far), rt::into(cost)))
+        rt::into(self.v_bracket_between(path_16, rt::into(near), rt::into(far), rt::into(cost)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_bracket_between(
         &self,
-        path_15: Path,
+        path_16: Path,
         near: rt::Scalar<f32>,
         far: rt::Scalar<f32>,
         cost: rt::Vec3<u32>,
     ) -> SearchResult {
         let mut local_18: rt::Scalar<bool>;
 
-        let _e4 = self.v_path_gap(path_15, near);
+        let _e4 = self.v_path_gap(path_16, near);
         if rt::Scalar::into_branch_condition(near.elementwise_eq(rt::Scalar(0f32))) {
             local_18 = _e4.elementwise_lt(rt::Scalar(0f32));
         } else {
@@ -5134,7 +5303,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e12) {
             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e4, _e4, (cost + HEIGHTS_READ));
         }
-        let _e20 = self.v_path_gap(path_15, far);
+        let _e20 = self.v_path_gap(path_16, far);
         return <SearchResult>::new(FOUND_BRACKET, near, far, _e4, _e20, ((cost + HEIGHTS_READ) + HEIGHTS_READ));
     }
     pub(crate) fn cell_after(
@@ -5143,9 +5312,9 @@ impl<'g> Resources<'g> {
         cell_11: impl rt::Into<rt::Vec2<f32>>,
         leave_2: impl rt::Into<rt::Vec2<f32>>,
         forward: impl rt::Into<rt::Vec2<bool>>,
-        t_16: impl rt::Into<rt::Scalar<f32>>,
+        t_17: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_after(grid, rt::into(cell_11), rt::into(leave_2), rt::into(forward), rt::into(t_16)))
+        rt::into(self.v_cell_after(grid, rt::into(cell_11), rt::into(leave_2), rt::into(forward), rt::into(t_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5155,48 +5324,48 @@ impl<'g> Resources<'g> {
         cell_11: rt::Vec2<f32>,
         leave_2: rt::Vec2<f32>,
         forward: rt::Vec2<bool>,
-        t_16: rt::Scalar<f32>,
+        t_17: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_16)));
-        let ahead_1 = _e9.max((cell_11 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_2.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_16, t_16)))));
-        let behind_1 = _e9.min((cell_11 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_2.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_16, t_16)))));
+        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_17)));
+        let ahead_1 = _e9.max((cell_11 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_2.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_17, t_17)))));
+        let behind_1 = _e9.min((cell_11 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_2.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_17, t_17)))));
         return behind_1.select(ahead_1, forward);
     }
     pub(crate) fn gap_to(
         &self,
-        path_16: Path,
+        path_17: Path,
         grid_1: Grid,
         cell_12: impl rt::Into<rt::Vec2<f32>>,
         h_2: impl rt::Into<rt::Vec4<f32>>,
-        t_17: impl rt::Into<rt::Scalar<f32>>,
+        t_18: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_gap_to(path_16, grid_1, rt::into(cell_12), rt::into(h_2), rt::into(t_17)))
+        rt::into(self.v_gap_to(path_17, grid_1, rt::into(cell_12), rt::into(h_2), rt::into(t_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gap_to(
         &self,
-        path_16: Path,
+        path_17: Path,
         grid_1: Grid,
         cell_12: rt::Vec2<f32>,
         h_2: rt::Vec4<f32>,
-        t_17: rt::Scalar<f32>,
+        t_18: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let bx_1 = (h_2.y() - h_2.x());
         let by_4 = (h_2.z() - h_2.x());
         let twist_1 = ((h_2.x() - h_2.y()) + (h_2.w() - h_2.z()));
-        let at_176 = ((grid_1.origin - cell_12) + (grid_1.step * t_17));
-        let z_1 = (path_16.h.x() + (t_17 * (path_16.h.y() + (t_17 * path_16.h.z()))));
-        let dz = (path_16.h.y() + ((rt::Scalar(2f32) * t_17) * path_16.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_2.x() + (bx_1 * at_176.x())) + (by_4 * at_176.y())) + ((twist_1 * at_176.x()) * at_176.y()))), (dz - (((bx_1 * grid_1.step.x()) + (by_4 * grid_1.step.y())) + (twist_1 * ((at_176.x() * grid_1.step.y()) + (at_176.y() * grid_1.step.x()))))), (path_16.h.z() - ((twist_1 * grid_1.step.x()) * grid_1.step.y())));
+        let at_182 = ((grid_1.origin - cell_12) + (grid_1.step * t_18));
+        let z_1 = (path_17.h.x() + (t_18 * (path_17.h.y() + (t_18 * path_17.h.z()))));
+        let dz = (path_17.h.y() + ((rt::Scalar(2f32) * t_18) * path_17.h.z()));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_2.x() + (bx_1 * at_182.x())) + (by_4 * at_182.y())) + ((twist_1 * at_182.x()) * at_182.y()))), (dz - (((bx_1 * grid_1.step.x()) + (by_4 * grid_1.step.y())) + (twist_1 * ((at_182.x() * grid_1.step.y()) + (at_182.y() * grid_1.step.x()))))), (path_17.h.z() - ((twist_1 * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn object_none_cell(
         &self,
         cell_13: impl rt::Into<rt::Vec2<i32>>,
         level_12: impl rt::Into<rt::Scalar<u32>>,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_none_cell(rt::into(cell_13), rt::into(level_12), rt::into(params_12)))
+        rt::into(self.v_object_none_cell(rt::into(cell_13), rt::into(level_12), rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5204,7 +5373,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_13: rt::Vec2<i32>,
         level_12: rt::Scalar<u32>,
-        params_12: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_cell(cell_13, level_12);
         return _e3;
@@ -5255,8 +5424,8 @@ impl<'g> Resources<'g> {
         }
         let _e84 = local_19;
         if rt::Scalar::into_branch_condition(_e84) {
-            let nearest_1 = _e41.x().select(_e41.y(), right_1).select(_e41.z().select(_e41.w(), right_1), lower);
-            return <rt::Vec4<f32>>::from_scalars(nearest_1, nearest_1, nearest_1, nearest_1);
+            let nearest_3 = _e41.x().select(_e41.y(), right_1).select(_e41.z().select(_e41.w(), right_1), lower);
+            return <rt::Vec4<f32>>::from_scalars(nearest_3, nearest_3, nearest_3, nearest_3);
         }
         let top_5 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
         let bottom_3 = (rt::Scalar(0.5f32) * (_e41.z() + _e41.w()));
@@ -5269,9 +5438,9 @@ impl<'g> Resources<'g> {
         &self,
         cell_15: impl rt::Into<rt::Vec2<i32>>,
         level_14: impl rt::Into<rt::Scalar<u32>>,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_depth_cell(rt::into(cell_15), rt::into(level_14), rt::into(params_13)))
+        rt::into(self.v_object_depth_cell(rt::into(cell_15), rt::into(level_14), rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5279,7 +5448,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_15: rt::Vec2<i32>,
         level_14: rt::Scalar<u32>,
-        params_13: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_cell_of_images(cell_15, level_14);
         return _e3;
@@ -5305,9 +5474,9 @@ impl<'g> Resources<'g> {
         &self,
         cell_17: impl rt::Into<rt::Vec2<i32>>,
         level_16: impl rt::Into<rt::Scalar<u32>>,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_hull_cell(rt::into(cell_17), rt::into(level_16), rt::into(params_14)))
+        rt::into(self.v_object_hull_cell(rt::into(cell_17), rt::into(level_16), rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5315,7 +5484,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_17: rt::Vec2<i32>,
         level_16: rt::Scalar<u32>,
-        params_14: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_cell_of_mask(cell_17, level_16);
         return _e3;
@@ -5324,9 +5493,9 @@ impl<'g> Resources<'g> {
         &self,
         cell_18: impl rt::Into<rt::Vec2<i32>>,
         level_17: impl rt::Into<rt::Scalar<u32>>,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_blend_cell(rt::into(cell_18), rt::into(level_17), rt::into(params_15)))
+        rt::into(self.v_object_blend_cell(rt::into(cell_18), rt::into(level_17), rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5334,7 +5503,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_18: rt::Vec2<i32>,
         level_17: rt::Scalar<u32>,
-        params_15: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_cell(cell_18, level_17);
         return _e3;
@@ -5387,25 +5556,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn cell_gap(
         &self,
-        path_17: Path,
+        path_18: Path,
         grid_2: Grid,
         cell_21: impl rt::Into<rt::Vec2<f32>>,
-        t_18: impl rt::Into<rt::Scalar<f32>>,
+        t_19: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_cell_gap(path_17, grid_2, rt::into(cell_21), rt::into(t_18)))
+        rt::into(self.v_cell_gap(path_18, grid_2, rt::into(cell_21), rt::into(t_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_cell_gap(
         &self,
-        path_17: Path,
+        path_18: Path,
         grid_2: Grid,
         cell_21: rt::Vec2<f32>,
-        t_18: rt::Scalar<f32>,
+        t_19: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = self.v_whole_cell(cell_21);
-        let _e6 = self.v_object_cell_stage(_e4, rt::Scalar(path_17.level));
-        let _e7 = self.v_gap_to(path_17, grid_2, cell_21, _e6, t_18);
+        let _e6 = self.v_object_cell_stage(_e4, rt::Scalar(path_18.level));
+        let _e7 = self.v_gap_to(path_18, grid_2, cell_21, _e6, t_19);
         return _e7;
     }
     pub(crate) fn cell_leave(
@@ -5626,8 +5795,8 @@ impl<'g> Resources<'g> {
         pixel_5: PixelIn,
         middle: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let origin_3 = pixel_5.origin.abs();
-        return (rt::Scalar(0.0000009536743f32) * (origin_3.x().max(origin_3.y()).max(origin_3.z()) + middle.abs()));
+        let origin_4 = pixel_5.origin.abs();
+        return (rt::Scalar(0.0000009536743f32) * (origin_4.x().max(origin_4.y()).max(origin_4.z()) + middle.abs()));
     }
     pub(crate) fn where_positive(
         &self,
@@ -5650,102 +5819,122 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval_2.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval_2.y());
         }
-        let t_49 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
+        let t_51 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
         if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(interval_2.x().max(t_49), interval_2.y());
+            return <rt::Vec2<f32>>::from_scalars(interval_2.x().max(t_51), interval_2.y());
         }
-        return <rt::Vec2<f32>>::from_scalars(interval_2.x(), interval_2.y().min(t_49));
+        return <rt::Vec2<f32>>::from_scalars(interval_2.x(), interval_2.y().min(t_51));
     }
     pub(crate) fn path_from(
         &self,
-        path_18: Path,
-        t_19: impl rt::Into<rt::Scalar<f32>>,
+        path_19: Path,
+        t_20: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_path_from(path_18, rt::into(t_19)))
+        rt::into(self.v_path_from(path_19, rt::into(t_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_path_from(
         &self,
-        path_18: Path,
-        t_19: rt::Scalar<f32>,
+        path_19: Path,
+        t_20: rt::Scalar<f32>,
     ) -> Path {
         let mut rest: Path;
 
-        rest = path_18;
-        let _e4 = self.v_path_uv(path_18, t_19);
+        rest = path_19;
+        let _e4 = self.v_path_uv(path_19, t_20);
         rest.uv = _e4;
-        rest.h = <rt::Vec3<f32>>::from_scalars((path_18.h.x() + (t_19 * (path_18.h.y() + (t_19 * path_18.h.z())))), (path_18.h.y() + ((rt::Scalar(2f32) * t_19) * path_18.h.z())), path_18.h.z());
-        rt::Scalar(rest.exit) = (rt::Scalar(path_18.exit) - t_19);
-        rt::Scalar(rest.start) = (rt::Scalar(path_18.start) + t_19);
+        rest.h = <rt::Vec3<f32>>::from_scalars((path_19.h.x() + (t_20 * (path_19.h.y() + (t_20 * path_19.h.z())))), (path_19.h.y() + ((rt::Scalar(2f32) * t_20) * path_19.h.z())), path_19.h.z());
+        rt::Scalar(rest.exit) = (rt::Scalar(path_19.exit) - t_20);
+        rt::Scalar(rest.start) = (rt::Scalar(path_19.start) + t_20);
         let _e33 = rest;
         return _e33;
     }
     pub(crate) fn field_heights_is_ground(
         &self,
         level_19: impl rt::Into<rt::Scalar<u32>>,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_field_heights_is_ground(rt::into(level_19), rt::into(params_16)))
+        rt::into(self.v_field_heights_is_ground(rt::into(level_19), rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_is_ground(
         &self,
         level_19: rt::Scalar<u32>,
-        params_16: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return rt::Scalar(true);
     }
     pub(crate) fn field_volume_is_ground(
         &self,
         level_20: impl rt::Into<rt::Scalar<u32>>,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_field_volume_is_ground(rt::into(level_20), rt::into(params_17)))
+        rt::into(self.v_field_volume_is_ground(rt::into(level_20), rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_is_ground(
         &self,
         level_20: rt::Scalar<u32>,
-        params_17: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return rt::Scalar(false);
     }
-    pub(crate) fn field_is_ground_stage(&self, level_21: impl rt::Into<rt::Scalar<u32>>) -> bool {
-        rt::into(self.v_field_is_ground_stage(rt::into(level_21)))
+    pub(crate) fn field_motif_is_ground(
+        &self,
+        level_21: impl rt::Into<rt::Scalar<u32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
+    ) -> bool {
+        rt::into(self.v_field_motif_is_ground(rt::into(level_21), rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_field_is_ground_stage(&self, level_21: rt::Scalar<u32>) -> rt::Scalar<bool> {
+    pub(super) fn v_field_motif_is_ground(
+        &self,
+        level_21: rt::Scalar<u32>,
+        params_19: rt::Vec4<f32>,
+    ) -> rt::Scalar<bool> {
+        return rt::Scalar(false);
+    }
+    pub(crate) fn field_is_ground_stage(&self, level_22: impl rt::Into<rt::Scalar<u32>>) -> bool {
+        rt::into(self.v_field_is_ground_stage(rt::into(level_22)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_field_is_ground_stage(&self, level_22: rt::Scalar<u32>) -> rt::Scalar<bool> {
         let _e5 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[4usize].params;
-                let _e11 = self.v_field_heights_is_ground(level_21, _e10);
+                let _e11 = self.v_field_heights_is_ground(level_22, _e10);
                 return _e11;
             }
-            _ => {
+            1u32 => {
                 let _e16 = self.surface_settings.choices[4usize].params;
-                let _e17 = self.v_field_volume_is_ground(level_21, _e16);
+                let _e17 = self.v_field_volume_is_ground(level_22, _e16);
                 return _e17;
+            }
+            _ => {
+                let _e22 = self.surface_settings.choices[4usize].params;
+                let _e23 = self.v_field_motif_is_ground(level_22, _e22);
+                return _e23;
             }
         }
     }
     pub(crate) fn object_none_parts(
         &self,
-        level_22: impl rt::Into<rt::Scalar<u32>>,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        level_23: impl rt::Into<rt::Scalar<u32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_none_parts(rt::into(level_22), rt::into(params_18)))
+        rt::into(self.v_object_none_parts(rt::into(level_23), rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_none_parts(
         &self,
-        level_22: rt::Scalar<u32>,
-        params_18: rt::Vec4<f32>,
+        level_23: rt::Scalar<u32>,
+        params_20: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
@@ -5768,149 +5957,149 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_depth_parts(
         &self,
-        level_23: impl rt::Into<rt::Scalar<u32>>,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        level_24: impl rt::Into<rt::Scalar<u32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_depth_parts(rt::into(level_23), rt::into(params_19)))
+        rt::into(self.v_object_depth_parts(rt::into(level_24), rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth_parts(
         &self,
-        level_23: rt::Scalar<u32>,
-        params_19: rt::Vec4<f32>,
+        level_24: rt::Scalar<u32>,
+        params_21: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         let _e2 = self.v_parts_of_images();
         return _e2;
     }
     pub(crate) fn object_hull_parts(
         &self,
-        level_24: impl rt::Into<rt::Scalar<u32>>,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        level_25: impl rt::Into<rt::Scalar<u32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_hull_parts(rt::into(level_24), rt::into(params_20)))
+        rt::into(self.v_object_hull_parts(rt::into(level_25), rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull_parts(
         &self,
-        level_24: rt::Scalar<u32>,
-        params_20: rt::Vec4<f32>,
+        level_25: rt::Scalar<u32>,
+        params_22: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
     pub(crate) fn object_blend_parts(
         &self,
-        level_25: impl rt::Into<rt::Scalar<u32>>,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        level_26: impl rt::Into<rt::Scalar<u32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_blend_parts(rt::into(level_25), rt::into(params_21)))
+        rt::into(self.v_object_blend_parts(rt::into(level_26), rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_blend_parts(
         &self,
-        level_25: rt::Scalar<u32>,
-        params_21: rt::Vec4<f32>,
+        level_26: rt::Scalar<u32>,
+        params_23: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
-    pub(crate) fn object_parts_stage(&self, level_26: impl rt::Into<rt::Scalar<u32>>) -> i32 {
-        rt::into(self.v_object_parts_stage(rt::into(level_26)))
+    pub(crate) fn object_parts_stage(&self, level_27: impl rt::Into<rt::Scalar<u32>>) -> i32 {
+        rt::into(self.v_object_parts_stage(rt::into(level_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_object_parts_stage(&self, level_26: rt::Scalar<u32>) -> rt::Scalar<i32> {
+    pub(super) fn v_object_parts_stage(&self, level_27: rt::Scalar<u32>) -> rt::Scalar<i32> {
         let _e5 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[3usize].params;
-                let _e11 = self.v_object_none_parts(level_26, _e10);
+                let _e11 = self.v_object_none_parts(level_27, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[3usize].params;
-                let _e17 = self.v_object_depth_parts(level_26, _e16);
+                let _e17 = self.v_object_depth_parts(level_27, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[3usize].params;
-                let _e23 = self.v_object_hull_parts(level_26, _e22);
+                let _e23 = self.v_object_hull_parts(level_27, _e22);
                 return _e23;
             }
             _ => {
                 let _e28 = self.surface_settings.choices[3usize].params;
-                let _e29 = self.v_object_blend_parts(level_26, _e28);
+                let _e29 = self.v_object_blend_parts(level_27, _e28);
                 return _e29;
             }
         }
     }
-    pub(crate) fn grid_of(&self, path_19: Path) -> Grid {
-        rt::into(self.v_grid_of(path_19))
+    pub(crate) fn grid_of(&self, path_20: Path) -> Grid {
+        rt::into(self.v_grid_of(path_20))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_grid_of(&self, path_19: Path) -> Grid {
-        let _e2 = self.v_height_size(rt::Scalar(path_19.level));
-        let _e4 = self.v_object_parts_stage(rt::Scalar(path_19.level));
+    pub(super) fn v_grid_of(&self, path_20: Path) -> Grid {
+        let _e2 = self.v_height_size(rt::Scalar(path_20.level));
+        let _e4 = self.v_object_parts_stage(rt::Scalar(path_20.level));
         let parts_5 = _e4.to_f32();
-        return <Grid>::new((((path_19.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * parts_5), ((path_19.duv * _e2) * parts_5));
+        return <Grid>::new((((path_20.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * parts_5), ((path_20.duv * _e2) * parts_5));
     }
     pub(crate) fn rounded_gap(
         &self,
-        path_20: Path,
+        path_21: Path,
         slack_1: impl rt::Into<rt::Scalar<f32>>,
         texels_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_rounded_gap(path_20, rt::into(slack_1), rt::into(texels_1)))
+        rt::into(self.v_rounded_gap(path_21, rt::into(slack_1), rt::into(texels_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_rounded_gap(
         &self,
-        path_20: Path,
+        path_21: Path,
         slack_1: rt::Scalar<f32>,
         texels_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_height_size(rt::Scalar(path_20.level));
-        let _e11 = self.v_cell_of(((path_20.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e14 = self.v_height_cell(_e11.to_i32(), rt::Scalar(path_20.level));
+        let _e4 = self.v_height_size(rt::Scalar(path_21.level));
+        let _e11 = self.v_cell_of(((path_21.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e14 = self.v_height_cell(_e11.to_i32(), rt::Scalar(path_21.level));
         let range = (_e14.x().max(_e14.y()).max(_e14.z().max(_e14.w())) - _e14.x().min(_e14.y()).min(_e14.z().min(_e14.w())));
-        let change_2 = (path_20.duv.abs() * _e4);
-        let places = ((path_20.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
-        let aside_2 = (((((change_2.x() + change_2.y()) * slack_1) + places.x()) + places.y()) + texels_1);
-        return (((path_20.h.y().abs() * slack_1) + (range * aside_2)) + rt::Scalar(0.0000009536743f32));
+        let change_3 = (path_21.duv.abs() * _e4);
+        let places = ((path_21.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
+        let aside_2 = (((((change_3.x() + change_3.y()) * slack_1) + places.x()) + places.y()) + texels_1);
+        return (((path_21.h.y().abs() * slack_1) + (range * aside_2)) + rt::Scalar(0.0000009536743f32));
     }
     pub(crate) fn out_of_ground(
         &self,
-        path_21: Path,
+        path_22: Path,
         slack_2: impl rt::Into<rt::Scalar<f32>>,
         texels_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_out_of_ground(path_21, rt::into(slack_2), rt::into(texels_2)))
+        rt::into(self.v_out_of_ground(path_22, rt::into(slack_2), rt::into(texels_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_out_of_ground(
         &self,
-        path_21: Path,
+        path_22: Path,
         slack_2: rt::Scalar<f32>,
         texels_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut cell_24: rt::Vec2<f32>;
-        let mut t_20: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_21: rt::Scalar<bool>;
         let mut local_22: rt::Scalar<bool>;
         let mut local_23: rt::Scalar<bool>;
 
-        let _e4 = self.v_field_is_ground_stage(rt::Scalar(path_21.level));
+        let _e4 = self.v_field_is_ground_stage(rt::Scalar(path_22.level));
         if rt::Scalar::into_branch_condition((!_e4)) {
             return rt::Scalar(0f32);
         }
-        let _e7 = self.v_grid_of(path_21);
-        let _e8 = self.v_rounded_gap(path_21, slack_2, texels_2);
+        let _e7 = self.v_grid_of(path_22);
+        let _e8 = self.v_rounded_gap(path_22, slack_2, texels_2);
         let _e10 = self.v_cell_of(_e7.origin);
         cell_24 = _e10;
         let _e14 = cell_24;
-        let _e16 = self.v_cell_gap(path_21, _e7, _e14, rt::Scalar(0f32));
+        let _e16 = self.v_cell_gap(path_22, _e7, _e14, rt::Scalar(0f32));
         let is_near = _e16.x().elementwise_ge((rt::Scalar(0f32) - _e8));
         if rt::Scalar::into_branch_condition(_e16.x().elementwise_le(rt::Scalar(0f32))) {
             local_21 = _e16.y().elementwise_gt(rt::Scalar(0f32));
@@ -5927,31 +6116,31 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e35) {
             return rt::Scalar(0f32);
         }
-        let _e38 = self.v_rounded_gap(path_21, slack_2, rt::Scalar(0f32));
+        let _e38 = self.v_rounded_gap(path_22, slack_2, rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e39 = t_20;
-                if rt::Scalar::into_branch_condition(_e39.elementwise_lt(rt::Scalar(path_21.exit))) {
+                let _e39 = t_21;
+                if rt::Scalar::into_branch_condition(_e39.elementwise_lt(rt::Scalar(path_22.exit))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e42 = cell_24;
                     let _e43 = self.v_cell_leave(_e7, _e42);
-                    let end_8 = _e43.x().min(_e43.y()).min(rt::Scalar(path_21.exit));
+                    let end_8 = _e43.x().min(_e43.y()).min(rt::Scalar(path_22.exit));
                     let _e52 = cell_24;
-                    let _e53 = t_20;
-                    let _e54 = self.v_cell_gap(path_21, _e7, _e52, _e53);
+                    let _e53 = t_21;
+                    let _e54 = self.v_cell_gap(path_22, _e7, _e52, _e53);
                     let below_4 = (<rt::Vec3<f32>>::from_scalars(_e38, rt::Scalar(0f32), rt::Scalar(0f32)) - _e54);
                     if rt::Scalar::into_branch_condition((!below_4.x().elementwise_gt(rt::Scalar(0f32)))) {
-                        let _e60 = t_20;
+                        let _e60 = t_21;
                         return _e60;
                     }
-                    let _e61 = t_20;
+                    let _e61 = t_21;
                     let span_8 = (end_8 - _e61).max(rt::Scalar(0f32));
                     let _e65 = self.v_first_root(below_4, span_8);
                     if rt::Scalar::into_branch_condition(_e65.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e68 = t_20;
+                        let _e68 = t_21;
                         return (_e68 + _e65);
                     }
                     if rt::Scalar::into_branch_condition(is_near) {
@@ -5967,26 +6156,26 @@ impl<'g> Resources<'g> {
                     let _e78 = cell_24;
                     let _e79 = self.v_cell_next(_e7, _e78, _e43);
                     cell_24 = _e79;
-                    let _e80 = t_20;
-                    t_20 = _e80.max(end_8);
+                    let _e80 = t_21;
+                    t_21 = _e80.max(end_8);
                 }
             }
         }
-        return rt::Scalar(path_21.exit);
+        return rt::Scalar(path_22.exit);
     }
     pub(crate) fn chord_path(
         &self,
         pixel_6: PixelIn,
         at_26: Entered,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
-        a_5: ShellPoint,
-        b_5: ShellPoint,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
+        a_8: ShellPoint,
+        b_8: ShellPoint,
         bend_2: impl rt::Into<rt::Scalar<f32>>,
         ends: impl rt::Into<rt::Vec2<f32>>,
         beyond: impl rt::Into<rt::Vec3<f32>>,
     ) -> Path {
-        rt::into(self.v_chord_path(pixel_6, at_26, rt::into(middle_1), rt::into(params_22), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
+        rt::into(self.v_chord_path(pixel_6, at_26, rt::into(middle_1), rt::into(params_24), a_8, b_8, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_chord_path(
@@ -5994,34 +6183,34 @@ impl<'g> Resources<'g> {
         pixel_6: PixelIn,
         at_26: Entered,
         middle_1: rt::Scalar<f32>,
-        params_22: rt::Vec4<f32>,
-        a_5: ShellPoint,
-        b_5: ShellPoint,
+        params_24: rt::Vec4<f32>,
+        a_8: ShellPoint,
+        b_8: ShellPoint,
         bend_2: rt::Scalar<f32>,
         ends: rt::Vec2<f32>,
         beyond: rt::Vec3<f32>,
     ) -> Path {
         let mut inside: rt::Vec2<f32>;
-        let mut path_22: Path;
+        let mut path_23: Path;
 
         let heights_1 = pixel_6.shell.heights;
-        let first_14 = ends.x();
+        let first_16 = ends.x();
         let long = (ends.y() - ends.x());
-        let _e16 = self.v_uv_of(pixel_6, a_5.weights);
-        let _e18 = self.v_uv_of(pixel_6, b_5.weights);
+        let _e16 = self.v_uv_of(pixel_6, a_8.weights);
+        let _e18 = self.v_uv_of(pixel_6, b_8.weights);
         let duv_4 = ((_e18 - _e16) / rt::Vec2::splat_from_scalar(long));
-        let slope_9 = ((rt::Scalar(b_5.height) - rt::Scalar(a_5.height)) - bend_2);
+        let slope_9 = ((rt::Scalar(b_8.height) - rt::Scalar(a_8.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_6, middle_1);
-        let change_3 = ((b_5.weights - a_5.weights) / rt::Vec3::splat_from_scalar(long));
-        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_14)), long);
+        let change_4 = ((b_8.weights - a_8.weights) / rt::Vec3::splat_from_scalar(long));
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_16)), long);
         let _e39 = inside;
-        let _e44 = self.v_where_positive(_e39, a_5.weights.x(), change_3.x(), beyond.x());
+        let _e44 = self.v_where_positive(_e39, a_8.weights.x(), change_4.x(), beyond.x());
         inside = _e44;
         let _e45 = inside;
-        let _e50 = self.v_where_positive(_e45, a_5.weights.y(), change_3.y(), beyond.y());
+        let _e50 = self.v_where_positive(_e45, a_8.weights.y(), change_4.y(), beyond.y());
         inside = _e50;
         let _e51 = inside;
-        let _e56 = self.v_where_positive(_e51, a_5.weights.z(), change_3.z(), beyond.z());
+        let _e56 = self.v_where_positive(_e51, a_8.weights.z(), change_4.z(), beyond.z());
         inside = _e56;
         let _e59 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e59.elementwise_eq(WRAP_CLAMP)) {
@@ -6033,39 +6222,39 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_22 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_5.height), (slope_9 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_26.metric, RAY_VIEW, rt::Scalar(at_26.level), (middle_1 + first_14), (rt::Scalar(1f32) / rt::Scalar(at_26.segments).to_f32()), rt::Scalar(0f32));
+        path_23 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_8.height), (slope_9 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_26.metric, RAY_VIEW, rt::Scalar(at_26.level), (middle_1 + first_16), (rt::Scalar(1f32) / rt::Scalar(at_26.segments).to_f32()), rt::Scalar(0f32));
         let _e90 = inside.y();
         let _e92 = inside.x();
         if rt::Scalar::into_branch_condition((!_e90.elementwise_gt(_e92))) {
-            rt::Scalar(path_22.exit) = rt::Scalar(0f32);
-            let _e97 = path_22;
+            rt::Scalar(path_23.exit) = rt::Scalar(0f32);
+            let _e97 = path_23;
             return _e97;
         }
-        let _e98 = path_22;
+        let _e98 = path_23;
         let _e100 = inside.x();
         let _e101 = self.v_path_from(_e98, _e100);
-        path_22 = _e101;
-        let _e104 = path_22.h.x();
-        let above_5 = (_e104 - heights_1.y());
-        if rt::Scalar::into_branch_condition(above_5.elementwise_gt(rt::Scalar(0f32))) {
-            let _e109 = path_22;
-            let _e112 = path_22.h.y();
-            let _e115 = path_22.h.z();
-            let _e118 = rt::Scalar(path_22.exit);
-            let _e119 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_5, _e112, _e115), _e118);
-            let _e121 = rt::Scalar(path_22.exit);
+        path_23 = _e101;
+        let _e104 = path_23.h.x();
+        let above_6 = (_e104 - heights_1.y());
+        if rt::Scalar::into_branch_condition(above_6.elementwise_gt(rt::Scalar(0f32))) {
+            let _e109 = path_23;
+            let _e112 = path_23.h.y();
+            let _e115 = path_23.h.z();
+            let _e118 = rt::Scalar(path_23.exit);
+            let _e119 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, _e112, _e115), _e118);
+            let _e121 = rt::Scalar(path_23.exit);
             let _e123 = self.v_path_from(_e109, _e119.min(_e121));
-            path_22 = _e123;
+            path_23 = _e123;
         }
-        let _e125 = rt::Scalar(path_22.exit);
+        let _e125 = rt::Scalar(path_23.exit);
         if rt::Scalar::into_branch_condition(_e125.elementwise_gt(rt::Scalar(0f32))) {
-            let _e128 = path_22;
-            let _e129 = path_22;
-            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_22.x());
+            let _e128 = path_23;
+            let _e129 = path_23;
+            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_24.x());
             let _e134 = self.v_path_from(_e128, _e133);
-            path_22 = _e134;
+            path_23 = _e134;
         }
-        let _e135 = path_22;
+        let _e135 = path_23;
         return _e135;
     }
     pub(crate) fn chord_reach(
@@ -6073,9 +6262,9 @@ impl<'g> Resources<'g> {
         pixel_7: PixelIn,
         at_27: Entered,
         middle_2: impl rt::Into<rt::Scalar<f32>>,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_chord_reach(pixel_7, at_27, rt::into(middle_2), rt::into(params_23)))
+        rt::into(self.v_chord_reach(pixel_7, at_27, rt::into(middle_2), rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6084,30 +6273,30 @@ impl<'g> Resources<'g> {
         pixel_7: PixelIn,
         at_27: Entered,
         middle_2: rt::Scalar<f32>,
-        params_23: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e11 = self.v_height_size(rt::Scalar(0u32));
         let _e14 = self.v_height_size(rt::Scalar(0u32));
         let texel_8 = (at_27.metric.x().max(at_27.metric.z()).sqrt() / _e11.x().max(_e14.y()));
         let _e18 = self.v_shell_slack(pixel_7, middle_2);
-        return (_e18 + ((rt::Scalar(2f32) * params_23.x()) * texel_8));
+        return (_e18 + ((rt::Scalar(2f32) * params_25.x()) * texel_8));
     }
     pub(crate) fn way_bend(
         &self,
-        a_6: impl rt::Into<rt::Scalar<f32>>,
+        a_9: impl rt::Into<rt::Scalar<f32>>,
         m_1: impl rt::Into<rt::Scalar<f32>>,
-        b_6: impl rt::Into<rt::Scalar<f32>>,
+        b_9: impl rt::Into<rt::Scalar<f32>>,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_way_bend(rt::into(a_6), rt::into(m_1), rt::into(b_6), rt::into(part_6)))
+        rt::into(self.v_way_bend(rt::into(a_9), rt::into(m_1), rt::into(b_9), rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_way_bend(
         &self,
-        a_6: rt::Scalar<f32>,
+        a_9: rt::Scalar<f32>,
         m_1: rt::Scalar<f32>,
-        b_6: rt::Scalar<f32>,
+        b_9: rt::Scalar<f32>,
         part_6: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut local_24: rt::Scalar<bool>;
@@ -6119,7 +6308,7 @@ impl<'g> Resources<'g> {
         }
         let _e11 = local_24;
         if rt::Scalar::into_branch_condition(_e11) {
-            return (((m_1 - a_6) - ((b_6 - a_6) * part_6)) / (part_6 * (part_6 - rt::Scalar(1f32))));
+            return (((m_1 - a_9) - ((b_9 - a_9) * part_6)) / (part_6 * (part_6 - rt::Scalar(1f32))));
         }
         return rt::Scalar(0f32);
     }
@@ -6214,60 +6403,60 @@ impl<'g> Resources<'g> {
     pub(crate) fn coarser_voxel(
         &self,
         at_28: impl rt::Into<rt::Vec3<i32>>,
-        level_27: impl rt::Into<rt::Scalar<u32>>,
+        level_28: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<i32> {
-        rt::into(self.v_coarser_voxel(rt::into(at_28), rt::into(level_27)))
+        rt::into(self.v_coarser_voxel(rt::into(at_28), rt::into(level_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_coarser_voxel(
         &self,
         at_28: rt::Vec3<i32>,
-        level_27: rt::Scalar<u32>,
+        level_28: rt::Scalar<u32>,
     ) -> rt::Vec3<i32> {
-        return <rt::Vec3<i32>>::from_scalars((at_28.x() >> level_27), (at_28.y() >> level_27), (at_28.z() >> level_27));
+        return <rt::Vec3<i32>>::from_scalars((at_28.x() >> level_28), (at_28.y() >> level_28), (at_28.z() >> level_28));
     }
     pub(crate) fn color_texels_around(
         &self,
-        place_9: impl rt::Into<rt::Vec2<f32>>,
+        place_12: impl rt::Into<rt::Vec2<f32>>,
         n_8: impl rt::Into<rt::Vec2<i32>>,
     ) -> Around {
-        rt::into(self.v_color_texels_around(rt::into(place_9), rt::into(n_8)))
+        rt::into(self.v_color_texels_around(rt::into(place_12), rt::into(n_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_color_texels_around(
         &self,
-        place_9: rt::Vec2<f32>,
+        place_12: rt::Vec2<f32>,
         n_8: rt::Vec2<i32>,
     ) -> Around {
-        let point_26 = ((place_9 * n_8.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_26 = ((place_12 * n_8.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_26);
         let i_9 = _e8.to_i32();
         let u_1 = rt::Scalar(self.surface_settings.color_wrap_u);
-        let v_3 = rt::Scalar(self.surface_settings.color_wrap_v);
+        let v_4 = rt::Scalar(self.surface_settings.color_wrap_v);
         let _e18 = self.v_continued_pair(i_9.x(), n_8.x(), u_1);
-        let _e21 = self.v_continued_pair(i_9.y(), n_8.y(), v_3);
+        let _e21 = self.v_continued_pair(i_9.y(), n_8.y(), v_4);
         return <Around>::new(_e18, _e21, (point_26 - _e8));
     }
     pub(crate) fn color_of_texels(
         &self,
-        place_10: impl rt::Into<rt::Vec2<f32>>,
-        level_28: impl rt::Into<rt::Scalar<u32>>,
+        place_13: impl rt::Into<rt::Vec2<f32>>,
+        level_29: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_of_texels(rt::into(place_10), rt::into(level_28)))
+        rt::into(self.v_color_of_texels(rt::into(place_13), rt::into(level_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_color_of_texels(
         &self,
-        place_10: rt::Vec2<f32>,
-        level_28: rt::Scalar<u32>,
+        place_13: rt::Vec2<f32>,
+        level_29: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.color_size;
-        let _e5 = self.v_level_texels(_e4, level_28);
-        let _e6 = self.v_color_texels_around(place_10, _e5);
-        let k_56 = level_28.to_i32();
+        let _e5 = self.v_level_texels(_e4, level_29);
+        let _e6 = self.v_color_texels_around(place_13, _e5);
+        let k_56 = level_29.to_i32();
         let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_56));
         let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_56));
         let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_56));
@@ -6286,36 +6475,36 @@ impl<'g> Resources<'g> {
         let u_2 = ((_e4 * uv_4.x()) + (_e10 * uv_4.y()));
         let _e17 = self.surface_settings.color_v.x();
         let _e23 = self.surface_settings.color_v.y();
-        let v_4 = ((_e17 * uv_4.x()) + (_e23 * uv_4.y()));
+        let v_5 = ((_e17 * uv_4.x()) + (_e23 * uv_4.y()));
         let _e30 = self.surface_settings.color_u.z();
         let _e35 = self.surface_settings.color_v.z();
-        return <rt::Vec2<f32>>::from_scalars((u_2 + _e30), (v_4 + _e35));
+        return <rt::Vec2<f32>>::from_scalars((u_2 + _e30), (v_5 + _e35));
     }
     pub(crate) fn color_at(
         &self,
         uv_5: impl rt::Into<rt::Vec2<f32>>,
-        level_29: impl rt::Into<rt::Scalar<u32>>,
+        level_30: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_5), rt::into(level_29)))
+        rt::into(self.v_color_at(rt::into(uv_5), rt::into(level_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_color_at(
         &self,
         uv_5: rt::Vec2<f32>,
-        level_29: rt::Scalar<u32>,
+        level_30: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_color_place(uv_5);
-        let _e3 = self.v_color_of_texels(_e2, level_29);
+        let _e3 = self.v_color_of_texels(_e2, level_30);
         return _e3;
     }
-    pub(crate) fn object_texel(&self, place_11: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_object_texel(rt::into(place_11)))
+    pub(crate) fn object_texel(&self, place_14: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_object_texel(rt::into(place_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_object_texel(&self, place_11: rt::Vec2<i32>) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_11, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+    pub(super) fn v_object_texel(&self, place_14: rt::Vec2<i32>) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_14, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4;
     }
     pub(crate) fn frames_around(&self, toward_1: impl rt::Into<rt::Vec3<f32>>) -> Frames {
@@ -6358,15 +6547,15 @@ impl<'g> Resources<'g> {
         let _e81 = z;
         let _e82 = x_1;
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_7));
-        let place_33 = <rt::Vec2<f32>>::from_scalars(across_5, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_7, last_7));
-        let cell_42 = place_33.floor().min(<rt::Vec2<f32>>::from_scalars((last_7 - rt::Scalar(1f32)), (last_7 - rt::Scalar(1f32))));
-        let part_20 = (place_33 - cell_42);
+        let place_40 = <rt::Vec2<f32>>::from_scalars(across_5, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_7, last_7));
+        let cell_42 = place_40.floor().min(<rt::Vec2<f32>>::from_scalars((last_7 - rt::Scalar(1f32)), (last_7 - rt::Scalar(1f32))));
+        let part_21 = (place_40 - cell_42);
         let side_8 = (last_7.to_u32() + rt::Scalar(1u32));
-        let first_15 = ((cell_42.y().to_u32() * side_8) + cell_42.x().to_u32());
-        let beside_5 = (first_15 + side_8).select((first_15 + rt::Scalar(1u32)), part_20.x().elementwise_gt(part_20.y()));
-        let least_4 = part_20.x().min(part_20.y());
-        let most_9 = part_20.x().max(part_20.y());
-        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_15, beside_5, ((first_15 + side_8) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_9), (most_9 - least_4), least_4));
+        let first_17 = ((cell_42.y().to_u32() * side_8) + cell_42.x().to_u32());
+        let beside_5 = (first_17 + side_8).select((first_17 + rt::Scalar(1u32)), part_21.x().elementwise_gt(part_21.y()));
+        let least_4 = part_21.x().min(part_21.y());
+        let most_9 = part_21.x().max(part_21.y());
+        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_17, beside_5, ((first_17 + side_8) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_9), (most_9 - least_4), least_4));
     }
     pub(crate) fn image_of_object(&self, number_5: impl rt::Into<rt::Scalar<u32>>) -> Image {
         rt::into(self.v_image_of_object(rt::into(number_5)))
@@ -6591,12 +6780,12 @@ impl<'g> Resources<'g> {
         let uv3_ = _e119.xy();
         let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
         let _e124 = weight1_;
-        let first_16 = (_e122.xyz() * _e124);
+        let first_18 = (_e122.xyz() * _e124);
         let _e127 = self.v_color_at(uv2_, rt::Scalar(0u32));
         let _e129 = weight2_;
         let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
         let _e135 = weight3_;
-        let sum_9 = ((first_16 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let sum_9 = ((first_18 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
         let _e138 = weight1_;
         let _e139 = weight2_;
         let _e141 = weight3_;
@@ -6667,63 +6856,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn comes_before(
         &self,
-        a_7: impl rt::Into<rt::Vec2<f32>>,
-        b_7: impl rt::Into<rt::Vec2<f32>>,
+        a_10: impl rt::Into<rt::Vec2<f32>>,
+        b_10: impl rt::Into<rt::Vec2<f32>>,
     ) -> u32 {
-        rt::into(self.v_comes_before(rt::into(a_7), rt::into(b_7)))
+        rt::into(self.v_comes_before(rt::into(a_10), rt::into(b_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_comes_before(
         &self,
-        a_7: rt::Vec2<f32>,
-        b_7: rt::Vec2<f32>,
+        a_10: rt::Vec2<f32>,
+        b_10: rt::Vec2<f32>,
     ) -> rt::Scalar<u32> {
-        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_7.x().elementwise_le(b_7.x()));
+        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_10.x().elementwise_le(b_10.x()));
     }
     pub(crate) fn wide_product(
         &self,
-        a_8: impl rt::Into<rt::Scalar<u32>>,
-        b_8: impl rt::Into<rt::Scalar<u32>>,
+        a_11: impl rt::Into<rt::Scalar<u32>>,
+        b_11: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<u32> {
-        rt::into(self.v_wide_product(rt::into(a_8), rt::into(b_8)))
+        rt::into(self.v_wide_product(rt::into(a_11), rt::into(b_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_wide_product(
         &self,
-        a_8: rt::Scalar<u32>,
-        b_8: rt::Scalar<u32>,
+        a_11: rt::Scalar<u32>,
+        b_11: rt::Scalar<u32>,
     ) -> rt::Vec2<u32> {
-        let a_high = (a_8 >> rt::Scalar(16u32));
-        let a_low = (a_8 & rt::Scalar(65535u32));
-        let b_high = (b_8 >> rt::Scalar(16u32));
-        let b_low = (b_8 & rt::Scalar(65535u32));
-        let low_5 = (a_low * b_low);
-        let one = ((a_low * b_high) + (low_5 >> rt::Scalar(16u32)));
+        let a_high = (a_11 >> rt::Scalar(16u32));
+        let a_low = (a_11 & rt::Scalar(65535u32));
+        let b_high = (b_11 >> rt::Scalar(16u32));
+        let b_low = (b_11 & rt::Scalar(65535u32));
+        let low_6 = (a_low * b_low);
+        let one = ((a_low * b_high) + (low_6 >> rt::Scalar(16u32)));
         let two = ((a_high * b_low) + (one & rt::Scalar(65535u32)));
-        return <rt::Vec2<u32>>::from_scalars((((a_high * b_high) + (one >> rt::Scalar(16u32))) + (two >> rt::Scalar(16u32))), ((two << rt::Scalar(16u32)) | (low_5 & rt::Scalar(65535u32))));
+        return <rt::Vec2<u32>>::from_scalars((((a_high * b_high) + (one >> rt::Scalar(16u32))) + (two >> rt::Scalar(16u32))), ((two << rt::Scalar(16u32)) | (low_6 & rt::Scalar(65535u32))));
     }
     pub(crate) fn compared(
         &self,
-        a_9: impl rt::Into<rt::Scalar<u32>>,
-        b_9: impl rt::Into<rt::Scalar<u32>>,
-        c_4: impl rt::Into<rt::Scalar<u32>>,
+        a_12: impl rt::Into<rt::Scalar<u32>>,
+        b_12: impl rt::Into<rt::Scalar<u32>>,
+        c_6: impl rt::Into<rt::Scalar<u32>>,
         d_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> i32 {
-        rt::into(self.v_compared(rt::into(a_9), rt::into(b_9), rt::into(c_4), rt::into(d_1)))
+        rt::into(self.v_compared(rt::into(a_12), rt::into(b_12), rt::into(c_6), rt::into(d_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_compared(
         &self,
-        a_9: rt::Scalar<u32>,
-        b_9: rt::Scalar<u32>,
-        c_4: rt::Scalar<u32>,
+        a_12: rt::Scalar<u32>,
+        b_12: rt::Scalar<u32>,
+        c_6: rt::Scalar<u32>,
         d_1: rt::Scalar<u32>,
     ) -> rt::Scalar<i32> {
-        let _e4 = self.v_wide_product(a_9, b_9);
-        let _e5 = self.v_wide_product(c_4, d_1);
+        let _e4 = self.v_wide_product(a_12, b_12);
+        let _e5 = self.v_wide_product(c_6, d_1);
         let by_low = rt::Scalar(0i32).select(rt::Scalar(1i32), _e4.y().elementwise_gt(_e5.y())).select(rt::Scalar(-1i32), _e4.y().elementwise_lt(_e5.y()));
         return by_low.select(rt::Scalar(1i32), _e4.x().elementwise_gt(_e5.x())).select(rt::Scalar(-1i32), _e4.x().elementwise_lt(_e5.x()));
     }
@@ -6741,24 +6930,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn cone_slope(
         &self,
-        path_23: Path,
+        path_24: Path,
         texel_2: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_cone_slope(path_23, rt::into(texel_2)))
+        rt::into(self.v_cone_slope(path_24, rt::into(texel_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_cone_slope(
         &self,
-        path_23: Path,
+        path_24: Path,
         texel_2: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let _e3 = self.v_height_texels(rt::Scalar(path_23.level));
+        let _e3 = self.v_height_texels(rt::Scalar(path_24.level));
         let _e4 = self.v_whole_cell(texel_2);
         let _e7 = self.v_wrap_index(_e4.x(), _e3.x());
         let _e10 = self.v_wrap_index(_e4.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
-        let _e15 = self.v_search_texel(path_23, wrapped, rt::Scalar(0i32), rt::Scalar(path_23.level).to_i32());
+        let _e15 = self.v_search_texel(path_24, wrapped, rt::Scalar(0i32), rt::Scalar(path_24.level).to_i32());
         let _e17 = self.v_slope_of(_e15.x());
         return _e17;
     }
@@ -6776,9 +6965,31 @@ impl<'g> Resources<'g> {
         heights: rt::Vec4<f32>,
         corner: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let above_6 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        let above_7 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
         let below_5 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        return above_6.select(below_5, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
+        return above_7.select(below_5, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
+    }
+    pub(crate) fn covector(
+        &self,
+        at_32: Entered,
+        gradient: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_covector(at_32, rt::into(gradient)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_covector(
+        &self,
+        at_32: Entered,
+        gradient: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let metric_1 = at_32.metric;
+        let area_1 = ((metric_1.x() * metric_1.z()) - (metric_1.y() * metric_1.y()));
+        let along_u_1 = (((at_32.tangent * metric_1.z()) - (at_32.bitangent * metric_1.y())) / rt::Vec3::splat_from_scalar(area_1));
+        let along_v_1 = (((at_32.bitangent * metric_1.x()) - (at_32.tangent * metric_1.y())) / rt::Vec3::splat_from_scalar(area_1));
+        let _e32 = rt::Scalar(self.surface_settings.scale_m);
+        let rise_2 = (at_32.normal * (gradient.z() / _e32));
+        return (((along_u_1 * gradient.x()) + (along_v_1 * gradient.y())) + rise_2);
     }
     pub(crate) fn plane_distance(
         &self,
@@ -6796,13 +7007,13 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (normal_13.dot((pixel_9.a.position - pixel_9.origin)) / normal_13.dot(pixel_9.direction));
     }
-    pub(crate) fn depth_in_samples(&self, pixel_10: PixelIn, at_32: Entered) -> f32 {
-        rt::into(self.v_depth_in_samples(pixel_10, at_32))
+    pub(crate) fn depth_in_samples(&self, pixel_10: PixelIn, at_33: Entered) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_10, at_33))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_depth_in_samples(&self, pixel_10: PixelIn, at_32: Entered) -> rt::Scalar<f32> {
-        let _e3 = self.v_plane_distance(pixel_10, at_32.facing);
+    pub(super) fn v_depth_in_samples(&self, pixel_10: PixelIn, at_33: Entered) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_distance(pixel_10, at_33.facing);
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
         let _e17 = rt::Scalar(self.frame.sample_width);
@@ -6810,71 +7021,71 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         return (_e21 / width_4);
     }
-    pub(crate) fn depth_on_ray(&self, pixel_11: PixelIn, path_24: Path, hit_9: Hit) -> f32 {
-        rt::into(self.v_depth_on_ray(pixel_11, path_24, hit_9))
+    pub(crate) fn depth_on_ray(&self, pixel_11: PixelIn, path_25: Path, hit_9: Hit) -> f32 {
+        rt::into(self.v_depth_on_ray(pixel_11, path_25, hit_9))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_depth_on_ray(&self, pixel_11: PixelIn, path_24: Path, hit_9: Hit) -> rt::Scalar<f32> {
-        return ((rt::Scalar(path_24.start) + rt::Scalar(hit_9.t)) / pixel_11.direction.length());
+    pub(super) fn v_depth_on_ray(&self, pixel_11: PixelIn, path_25: Path, hit_9: Hit) -> rt::Scalar<f32> {
+        return ((rt::Scalar(path_25.start) + rt::Scalar(hit_9.t)) / pixel_11.direction.length());
     }
     pub(crate) fn footprint_axis(
         &self,
         pixel_12: PixelIn,
-        at_33: Entered,
+        at_34: Entered,
         normal_14: impl rt::Into<rt::Vec3<f32>>,
-        t_21: impl rt::Into<rt::Scalar<f32>>,
+        t_22: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_12, at_33, rt::into(normal_14), rt::into(t_21), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_12, at_34, rt::into(normal_14), rt::into(t_22), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_footprint_axis(
         &self,
         pixel_12: PixelIn,
-        at_33: Entered,
+        at_34: Entered,
         normal_14: rt::Vec3<f32>,
-        t_21: rt::Scalar<f32>,
+        t_22: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
-        let aside_3 = (origin + (direction_4 * t_21));
+        let aside_3 = (origin + (direction_4 * t_22));
         let along_24 = (normal_14.dot(aside_3) / normal_14.dot(pixel_12.direction));
-        let _e15 = self.v_climb(at_33, (aside_3 - (pixel_12.direction * along_24)));
+        let _e15 = self.v_climb(at_34, (aside_3 - (pixel_12.direction * along_24)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.to_f32());
     }
     pub(crate) fn footprint_of(
         &self,
         pixel_13: PixelIn,
-        at_34: Entered,
+        at_35: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_13, at_34, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_13, at_35, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_footprint_of(
         &self,
         pixel_13: PixelIn,
-        at_34: Entered,
+        at_35: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_29 = at_34.facing;
-        let _e4 = self.v_plane_distance(pixel_13, normal_29);
+        let normal_31 = at_35.facing;
+        let _e4 = self.v_plane_distance(pixel_13, normal_31);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_13, at_34, normal_29, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_13, at_35, normal_31, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_13, at_34, normal_29, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_13, at_35, normal_31, _e4, _e16.xyz(), _e20.xyz());
         let both_1 = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_10 = both_1.dot(both_1);
-        let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
-        let apart_2 = ((sum_10 - (rt::Scalar(2f32) * area_1)) * (sum_10 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
-        let longer = (rt::Scalar(0.5f32) * (sum_10 + apart_2));
-        let shorter = ((area_1 * area_1) / longer);
+        let area_2 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
+        let apart_3 = ((sum_10 - (rt::Scalar(2f32) * area_2)) * (sum_10 + (rt::Scalar(2f32) * area_2))).max(rt::Scalar(0f32)).sqrt();
+        let longer = (rt::Scalar(0.5f32) * (sum_10 + apart_3));
+        let shorter = ((area_2 * area_2) / longer);
         let squared_2 = shorter.max((longer / (anisotropy * anisotropy)));
         let _e53 = rt::Scalar(self.frame.sample_width);
         return (squared_2.sqrt() * _e53);
@@ -6882,160 +7093,160 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_fade(
         &self,
         pixel_14: PixelIn,
-        at_35: Entered,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        at_36: Entered,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_14, at_35, rt::into(params_24)))
+        rt::into(self.v_detail_fade(pixel_14, at_36, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_fade(
         &self,
         pixel_14: PixelIn,
-        at_35: Entered,
-        params_24: rt::Vec4<f32>,
+        at_36: Entered,
+        params_26: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_14, at_35, params_24.x());
-        let begin_9 = (params_24.z() * params_24.w());
-        let _e8 = self.v_depth_in_samples(pixel_14, at_35);
-        let part_21 = ((begin_9 - _e8) / (begin_9 - params_24.z()).max(rt::Scalar(0.000001f32)));
+        let _e4 = self.v_footprint_of(pixel_14, at_36, params_26.x());
+        let begin_10 = (params_26.z() * params_26.w());
+        let _e8 = self.v_depth_in_samples(pixel_14, at_36);
+        let part_22 = ((begin_10 - _e8) / (begin_10 - params_26.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
-        let _e20 = self.v_levels_of((_e4 / params_24.y()), _e19);
-        let level_60 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_60, _e4, part_21.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let _e20 = self.v_levels_of((_e4 / params_26.y()), _e19);
+        let level_63 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_63, _e4, part_22.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_15: PixelIn,
-        at_36: Entered,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        at_37: Entered,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_15, at_36, rt::into(params_25)))
+        rt::into(self.v_detail_footprint(pixel_15, at_37, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_footprint(
         &self,
         pixel_15: PixelIn,
-        at_36: Entered,
-        params_25: rt::Vec4<f32>,
+        at_37: Entered,
+        params_27: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_15, at_36, params_25.x());
+        let _e4 = self.v_footprint_of(pixel_15, at_37, params_27.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
-        let _e10 = self.v_levels_of((_e4 / params_25.y()), _e9);
+        let _e10 = self.v_levels_of((_e4 / params_27.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
         pixel_16: PixelIn,
-        at_37: Entered,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        at_38: Entered,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_16, at_37, rt::into(params_26)))
+        rt::into(self.v_detail_none(pixel_16, at_38, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_none(
         &self,
         pixel_16: PixelIn,
-        at_37: Entered,
-        params_26: rt::Vec4<f32>,
+        at_38: Entered,
+        params_28: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_17: PixelIn, at_38: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_17, at_38))
+    pub(crate) fn detail_stage(&self, pixel_17: PixelIn, at_39: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_17, at_39))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_detail_stage(&self, pixel_17: PixelIn, at_38: Entered) -> Detail {
+    pub(super) fn v_detail_stage(&self, pixel_17: PixelIn, at_39: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[5usize].params;
-                let _e12 = self.v_detail_none(pixel_17, at_38, _e11);
+                let _e12 = self.v_detail_none(pixel_17, at_39, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[5usize].params;
-                let _e18 = self.v_detail_footprint(pixel_17, at_38, _e17);
+                let _e18 = self.v_detail_footprint(pixel_17, at_39, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[5usize].params;
-                let _e24 = self.v_detail_fade(pixel_17, at_38, _e23);
+                let _e24 = self.v_detail_fade(pixel_17, at_39, _e23);
                 return _e24;
             }
         }
     }
     pub(crate) fn detail_texel(
         &self,
-        place_12: impl rt::Into<rt::Vec2<i32>>,
+        place_15: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_30: impl rt::Into<rt::Scalar<i32>>,
+        level_31: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_12), rt::into(layer_2), rt::into(level_30)))
+        rt::into(self.v_detail_texel(rt::into(place_15), rt::into(layer_2), rt::into(level_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_texel(
         &self,
-        place_12: rt::Vec2<i32>,
+        place_15: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
-        level_30: rt::Scalar<i32>,
+        level_31: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_12, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_30));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_15, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_31));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn detail_texel_between(
         &self,
-        at_39: Around,
+        at_40: Around,
         layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_31: impl rt::Into<rt::Scalar<u32>>,
+        level_32: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel_between(at_39, rt::into(layer_3), rt::into(level_31)))
+        rt::into(self.v_detail_texel_between(at_40, rt::into(layer_3), rt::into(level_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_texel_between(
         &self,
-        at_39: Around,
+        at_40: Around,
         layer_3: rt::Scalar<i32>,
-        level_31: rt::Scalar<u32>,
+        level_32: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e7 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
-        let k_57 = (level_31 - _e7).to_i32();
-        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_39.columns.x(), at_39.rows.x()), layer_3, k_57);
-        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_39.columns.y(), at_39.rows.x()), layer_3, k_57);
-        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_39.columns.x(), at_39.rows.y()), layer_3, k_57);
-        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_39.columns.y(), at_39.rows.y()), layer_3, k_57);
-        let _e35 = self.v_bilinear(_e15, _e21, _e27, _e33, at_39.part);
+        let k_57 = (level_32 - _e7).to_i32();
+        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.x(), at_40.rows.x()), layer_3, k_57);
+        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.y(), at_40.rows.x()), layer_3, k_57);
+        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.x(), at_40.rows.y()), layer_3, k_57);
+        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.y(), at_40.rows.y()), layer_3, k_57);
+        let _e35 = self.v_bilinear(_e15, _e21, _e27, _e33, at_40.part);
         return _e35;
     }
     pub(crate) fn one_of(
         &self,
         numbers: impl rt::Into<rt::Vec3<u32>>,
-        place_13: impl rt::Into<rt::Scalar<u32>>,
+        place_16: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_13)))
+        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_one_of(
         &self,
         numbers: rt::Vec3<u32>,
-        place_13: rt::Scalar<u32>,
+        place_16: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return numbers.z().select(numbers.y(), place_13.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_13.elementwise_eq(rt::Scalar(0u32)));
+        return numbers.z().select(numbers.y(), place_16.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_16.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn dice_border(
         &self,
         rows_1: DiceRows,
         side: impl rt::Into<rt::Scalar<u32>>,
-        at_40: impl rt::Into<rt::Scalar<u32>>,
+        at_41: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePoint {
-        rt::into(self.v_dice_border(rows_1, rt::into(side), rt::into(at_40)))
+        rt::into(self.v_dice_border(rows_1, rt::into(side), rt::into(at_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7043,11 +7254,11 @@ impl<'g> Resources<'g> {
         &self,
         rows_1: DiceRows,
         side: rt::Scalar<u32>,
-        at_40: rt::Scalar<u32>,
+        at_41: rt::Scalar<u32>,
     ) -> DicePoint {
         let _e4 = self.v_one_of(rows_1.sides, side);
         let _e6 = self.v_one_of(rows_1.parts, side);
-        let on_side = at_40.select((_e6 - at_40), side.elementwise_eq(rt::Scalar(2u32)));
+        let on_side = at_41.select((_e6 - at_41), side.elementwise_eq(rt::Scalar(2u32)));
         let no_weights = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(on_side.elementwise_eq(_e6)) {
             let _e17 = self.v_around_three(_e4, rt::Scalar(1u32));
@@ -7071,8 +7282,8 @@ impl<'g> Resources<'g> {
         before_1: rt::Scalar<u32>,
         all: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let part_22 = ((before_1.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
-        return (part_22 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
+        let part_23 = ((before_1.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
+        return (part_23 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
     }
     pub(crate) fn sum_of_quotients(
         &self,
@@ -7093,14 +7304,14 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<u32> {
         let mut n_9: rt::Scalar<u32>;
         let mut m_2: rt::Scalar<u32>;
-        let mut a_10: rt::Scalar<u32>;
-        let mut b_10: rt::Scalar<u32>;
+        let mut a_13: rt::Scalar<u32>;
+        let mut b_13: rt::Scalar<u32>;
         let mut sum_3: rt::Scalar<u32> = rt::Scalar(0u32);
 
         n_9 = count_2;
         m_2 = by;
-        a_10 = slope;
-        b_10 = offset_1;
+        a_13 = slope;
+        b_13 = offset_1;
         'naga_break: loop {
             'naga_continue: {
                 let _e10 = n_9;
@@ -7112,30 +7323,30 @@ impl<'g> Resources<'g> {
                     let _e13 = sum_3;
                     let _e14 = n_9;
                     let _e15 = n_9;
-                    let _e21 = a_10;
+                    let _e21 = a_13;
                     let _e22 = m_2;
                     let _e26 = n_9;
-                    let _e27 = b_10;
+                    let _e27 = b_13;
                     let _e28 = m_2;
                     sum_3 = ((_e13 + (((_e14 * (_e15 - rt::Scalar(1u32))) / rt::Scalar(2u32)) * (_e21 / _e22))) + (_e26 * (_e27 / _e28)));
-                    let _e32 = a_10;
+                    let _e32 = a_13;
                     let _e33 = m_2;
-                    a_10 = (_e32 % _e33);
-                    let _e35 = b_10;
+                    a_13 = (_e32 % _e33);
+                    let _e35 = b_13;
                     let _e36 = m_2;
-                    b_10 = (_e35 % _e36);
-                    let _e38 = a_10;
+                    b_13 = (_e35 % _e36);
+                    let _e38 = a_13;
                     let _e39 = n_9;
-                    let _e41 = b_10;
+                    let _e41 = b_13;
                     let last_9 = ((_e38 * _e39) + _e41);
                     let _e43 = m_2;
                     n_9 = (last_9 / _e43);
                     let _e45 = m_2;
-                    b_10 = (last_9 % _e45);
+                    b_13 = (last_9 % _e45);
                     let swapped = m_2;
-                    let _e48 = a_10;
+                    let _e48 = a_13;
                     m_2 = _e48.max(rt::Scalar(1u32));
-                    a_10 = swapped;
+                    a_13 = swapped;
                 }
             }
         }
@@ -7287,38 +7498,38 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_dice_share(rows_9, row_5, rows_9.parts.y());
         return _e4;
     }
-    pub(crate) fn dice_point(&self, rows_10: DiceRows, place_14: DicePlace) -> DicePoint {
-        rt::into(self.v_dice_point(rows_10, place_14))
+    pub(crate) fn dice_point(&self, rows_10: DiceRows, place_17: DicePlace) -> DicePoint {
+        rt::into(self.v_dice_point(rows_10, place_17))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_dice_point(&self, rows_10: DiceRows, place_14: DicePlace) -> DicePoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_14.row).elementwise_eq(rt::Scalar(0u32))) {
+    pub(super) fn v_dice_point(&self, rows_10: DiceRows, place_17: DicePlace) -> DicePoint {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_17.row).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = self.v_dice_border(rows_10, rt::Scalar(0u32), rt::Scalar(0u32));
             return _e7;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_14.row).elementwise_eq(rt::Scalar(rows_10.count))) {
-            let _e13 = self.v_dice_border(rows_10, rt::Scalar(1u32), rt::Scalar(place_14.at));
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_17.row).elementwise_eq(rt::Scalar(rows_10.count))) {
+            let _e13 = self.v_dice_border(rows_10, rt::Scalar(1u32), rt::Scalar(place_17.at));
             return _e13;
         }
-        let _e15 = self.v_dice_row_parts(rows_10, rt::Scalar(place_14.row));
-        let _e19 = self.v_dice_share(rows_10, rt::Scalar(place_14.row), rows_10.parts.x());
-        let _e23 = self.v_dice_share(rows_10, rt::Scalar(place_14.row), rows_10.parts.z());
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_14.at).elementwise_eq(rt::Scalar(0u32))) {
+        let _e15 = self.v_dice_row_parts(rows_10, rt::Scalar(place_17.row));
+        let _e19 = self.v_dice_share(rows_10, rt::Scalar(place_17.row), rows_10.parts.x());
+        let _e23 = self.v_dice_share(rows_10, rt::Scalar(place_17.row), rows_10.parts.z());
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_17.at).elementwise_eq(rt::Scalar(0u32))) {
             let _e28 = self.v_dice_border(rows_10, rt::Scalar(0u32), _e19);
             return _e28;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_14.at).elementwise_eq(_e15)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_17.at).elementwise_eq(_e15)) {
             let _e32 = self.v_dice_border(rows_10, rt::Scalar(2u32), _e23);
             return _e32;
         }
-        let on_short = (((_e15 - rt::Scalar(place_14.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_10.parts.x().to_f32()));
-        let on_other = ((rt::Scalar(place_14.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_10.parts.z().to_f32()));
+        let on_short = (((_e15 - rt::Scalar(place_17.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_10.parts.x().to_f32()));
+        let on_other = ((rt::Scalar(place_17.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_10.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
         let x_10 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(0u32)));
         let y_5 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(2u32)));
-        let _e88 = self.v_dice_points_before(rows_10, rt::Scalar(place_14.row));
-        let number_26 = ((_e88 + rt::Scalar(place_14.at)) - rt::Scalar(1u32));
+        let _e88 = self.v_dice_points_before(rows_10, rt::Scalar(place_17.row));
+        let number_26 = ((_e88 + rt::Scalar(place_17.at)) - rt::Scalar(1u32));
         return <DicePoint>::new(INSIDE, number_26, <rt::Vec3<f32>>::from_scalars(x_10, y_5, z_2));
     }
     pub(crate) fn dice_triangles_before(
@@ -7518,13 +7729,13 @@ impl<'g> Resources<'g> {
         }
         let is_shared = local_36;
         let _e24 = self.v_dice_triangles_before(rows_14, (_e2 - rt::Scalar(1u32)));
-        let step_5 = ((number_9 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
-        let _e30 = self.v_dice_steps_below(_e5, _e6, step_5);
-        let i_10 = (step_5 - _e30);
-        let _e34 = self.v_dice_steps_below(_e5, _e6, (step_5 + rt::Scalar(1u32)));
+        let step_6 = ((number_9 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
+        let _e30 = self.v_dice_steps_below(_e5, _e6, step_6);
+        let i_10 = (step_6 - _e30);
+        let _e34 = self.v_dice_steps_below(_e5, _e6, (step_6 + rt::Scalar(1u32)));
         let goes_below = _e34.elementwise_gt(_e30);
-        let next_10 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_10 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
-        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_10), <DicePlace>::new(_e2, _e30), next_10);
+        let next_12 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_10 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
+        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_10), <DicePlace>::new(_e2, _e30), next_12);
     }
     pub(crate) fn displaced_derivative(
         &self,
@@ -7587,11 +7798,11 @@ impl<'g> Resources<'g> {
         }
         let _e24 = rest_1;
         let _e27 = rest_1;
-        let part_23 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
-        let square_3 = (part_23 * part_23);
+        let part_24 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
+        let square_3 = (part_24 * part_24);
         let sum_11 = (rt::Scalar(1f32) + (square_3 * (rt::Scalar(0.33333334f32) + (square_3 * (rt::Scalar(0.2f32) + (square_3 * (rt::Scalar(0.14285715f32) + (square_3 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent_1;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_23) * sum_11));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_24) * sum_11));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -7609,22 +7820,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn height_and_slope(
         &self,
         uv_7: impl rt::Into<rt::Vec2<f32>>,
-        level_32: impl rt::Into<rt::Scalar<u32>>,
+        level_33: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_7), rt::into(level_32)))
+        rt::into(self.v_height_and_slope(rt::into(uv_7), rt::into(level_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_height_and_slope(
         &self,
         uv_7: rt::Vec2<f32>,
-        level_32: rt::Scalar<u32>,
+        level_33: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_32);
+        let _e2 = self.v_height_size(level_33);
         let point_27 = ((uv_7 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_27);
         let f_2 = (point_27 - _e8);
-        let _e11 = self.v_height_cell(_e8.to_i32(), level_32);
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_33);
         let top_7 = (_e11.x() + ((_e11.y() - _e11.x()) * f_2.x()));
         let bottom_4 = (_e11.z() + ((_e11.w() - _e11.z()) * f_2.x()));
         let left_4 = (_e11.x() + ((_e11.z() - _e11.x()) * f_2.y()));
@@ -7634,38 +7845,38 @@ impl<'g> Resources<'g> {
     pub(crate) fn relief_between_levels(
         &self,
         uv_8: impl rt::Into<rt::Vec2<f32>>,
-        level_33: impl rt::Into<rt::Scalar<f32>>,
+        level_34: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_relief_between_levels(rt::into(uv_8), rt::into(level_33)))
+        rt::into(self.v_relief_between_levels(rt::into(uv_8), rt::into(level_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_relief_between_levels(
         &self,
         uv_8: rt::Vec2<f32>,
-        level_33: rt::Scalar<f32>,
+        level_34: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let finer = level_33.to_u32();
-        let part_24 = (level_33 - finer.to_f32());
+        let finer = level_34.to_u32();
+        let part_25 = (level_34 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_8, finer);
-        if rt::Scalar::into_branch_condition(part_24.elementwise_eq(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(part_25.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
         }
         let _e10 = self.v_height_and_slope(uv_8, (finer + rt::Scalar(1u32)));
-        return (_e5 + ((_e10 - _e5) * part_24));
+        return (_e5 + ((_e10 - _e5) * part_25));
     }
     pub(crate) fn sloped_uv(
         &self,
         uv_9: impl rt::Into<rt::Vec2<f32>>,
-        level_34: impl rt::Into<rt::Scalar<f32>>,
+        level_35: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_sloped_uv(rt::into(uv_9), rt::into(level_34)))
+        rt::into(self.v_sloped_uv(rt::into(uv_9), rt::into(level_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_sloped_uv(
         &self,
         uv_9: rt::Vec2<f32>,
-        level_34: rt::Scalar<f32>,
+        level_35: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let mut local_37: rt::Scalar<bool>;
         let mut local_38: rt::Scalar<bool>;
@@ -7686,7 +7897,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e26) {
             return uv_9;
         }
-        let _e29 = self.v_height_size(level_34.ceil().to_u32());
+        let _e29 = self.v_height_size(level_35.ceil().to_u32());
         let least_6 = (rt::Vec2::splat_from_scalar(rt::Scalar(0.515625f32)) / _e29);
         return uv_9.clamp(least_6, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - least_6).max(least_6));
     }
@@ -7737,76 +7948,76 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_texel_between(
         &self,
-        path_25: Path,
+        path_26: Path,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
         layer_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_25, rt::into(uv_10), rt::into(layer_4)))
+        rt::into(self.v_search_texel_between(path_26, rt::into(uv_10), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_search_texel_between(
         &self,
-        path_25: Path,
+        path_26: Path,
         uv_10: rt::Vec2<f32>,
         layer_4: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = self.v_height_texels(rt::Scalar(path_25.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_26.level));
         let _e5 = self.v_texels_around(uv_10, _e4);
-        let level_61 = rt::Scalar(path_25.level).to_i32();
-        let _e13 = self.v_search_texel(path_25, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_61);
-        let _e19 = self.v_search_texel(path_25, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_61);
-        let _e25 = self.v_search_texel(path_25, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_61);
-        let _e31 = self.v_search_texel(path_25, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_61);
+        let level_64 = rt::Scalar(path_26.level).to_i32();
+        let _e13 = self.v_search_texel(path_26, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_64);
+        let _e19 = self.v_search_texel(path_26, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_64);
+        let _e25 = self.v_search_texel(path_26, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_64);
+        let _e31 = self.v_search_texel(path_26, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_64);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
-        path_26: Path,
+        path_27: Path,
         uv_11: impl rt::Into<rt::Vec2<f32>>,
         height_1: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_26, rt::into(uv_11), rt::into(height_1), rt::into(slices)))
+        rt::into(self.v_distance_at(path_27, rt::into(uv_11), rt::into(height_1), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_distance_at(
         &self,
-        path_26: Path,
+        path_27: Path,
         uv_11: rt::Vec2<f32>,
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_34 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_6 = place_34.floor();
-        let _e13 = self.v_search_texel_between(path_26, uv_11, below_6.to_i32());
+        let place_41 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_6 = place_41.floor();
+        let _e13 = self.v_search_texel_between(path_27, uv_11, below_6.to_i32());
         let lower_1 = _e13.x();
-        let _e21 = self.v_search_texel_between(path_26, uv_11, (below_6 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
+        let _e21 = self.v_search_texel_between(path_27, uv_11, (below_6 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_34 - below_6)));
+        return (lower_1 + ((upper - lower_1) * (place_41 - below_6)));
     }
     pub(crate) fn material_of_texels(
         &self,
-        place_15: impl rt::Into<rt::Vec2<f32>>,
+        place_18: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_35: impl rt::Into<rt::Scalar<u32>>,
+        level_36: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_material_of_texels(rt::into(place_15), rt::into(layer_5), rt::into(level_35)))
+        rt::into(self.v_material_of_texels(rt::into(place_18), rt::into(layer_5), rt::into(level_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_material_of_texels(
         &self,
-        place_15: rt::Vec2<f32>,
+        place_18: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
-        level_35: rt::Scalar<u32>,
+        level_36: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.material_size;
-        let _e6 = self.v_level_texels(_e5, level_35);
-        let _e7 = self.v_color_texels_around(place_15, _e6);
-        let k_58 = level_35.to_i32();
+        let _e6 = self.v_level_texels(_e5, level_36);
+        let _e7 = self.v_color_texels_around(place_18, _e6);
+        let k_58 = level_36.to_i32();
         let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_58));
         let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_58));
         let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_58));
@@ -7818,9 +8029,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
-        level_36: impl rt::Into<rt::Scalar<u32>>,
+        level_37: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_material_at(rt::into(uv_12), rt::into(layer_6), rt::into(level_36)))
+        rt::into(self.v_material_at(rt::into(uv_12), rt::into(layer_6), rt::into(level_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7828,10 +8039,10 @@ impl<'g> Resources<'g> {
         &self,
         uv_12: rt::Vec2<f32>,
         layer_6: rt::Scalar<i32>,
-        level_36: rt::Scalar<u32>,
+        level_37: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_color_place(uv_12);
-        let _e4 = self.v_material_of_texels(_e3, layer_6, level_36);
+        let _e4 = self.v_material_of_texels(_e3, layer_6, level_37);
         return _e4;
     }
     pub(crate) fn material_layer(
@@ -7951,8 +8162,8 @@ impl<'g> Resources<'g> {
         let _e15 = self.v_chain_point(sweep_4, other, (rt::Scalar(other.count) - rt::Scalar(1i32)));
         let last_10 = rt::Scalar(_e15.sides);
         let _e20 = self.v_chain_point(sweep_4, other, (rt::Scalar(other.count) - rt::Scalar(2i32)));
-        let before_7 = rt::Scalar(_e20.sides);
-        return ((end_9 & last_10) & before_7).elementwise_ne(rt::Scalar(0u32));
+        let before_9 = rt::Scalar(_e20.sides);
+        return ((end_9 & last_10) & before_9).elementwise_ne(rt::Scalar(0u32));
     }
     pub(crate) fn plane_normal(&self, pixel_18: PixelIn) -> rt::Vec3<f32> {
         rt::into(self.v_plane_normal(pixel_18))
@@ -7960,33 +8171,33 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_plane_normal(&self, pixel_18: PixelIn) -> rt::Vec3<f32> {
-        let a_31 = pixel_18.a.position;
-        return (pixel_18.b.position - a_31).cross((pixel_18.c.position - a_31));
+        let a_34 = pixel_18.a.position;
+        return (pixel_18.b.position - a_34).cross((pixel_18.c.position - a_34));
     }
     pub(crate) fn weights_of(
         &self,
-        a_11: impl rt::Into<rt::Vec3<f32>>,
-        b_11: impl rt::Into<rt::Vec3<f32>>,
-        c_5: impl rt::Into<rt::Vec3<f32>>,
+        a_14: impl rt::Into<rt::Vec3<f32>>,
+        b_14: impl rt::Into<rt::Vec3<f32>>,
+        c_7: impl rt::Into<rt::Vec3<f32>>,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
         point_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_of(rt::into(a_11), rt::into(b_11), rt::into(c_5), rt::into(normal_16), rt::into(point_10)))
+        rt::into(self.v_weights_of(rt::into(a_14), rt::into(b_14), rt::into(c_7), rt::into(normal_16), rt::into(point_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_weights_of(
         &self,
-        a_11: rt::Vec3<f32>,
-        b_11: rt::Vec3<f32>,
-        c_5: rt::Vec3<f32>,
+        a_14: rt::Vec3<f32>,
+        b_14: rt::Vec3<f32>,
+        c_7: rt::Vec3<f32>,
         normal_16: rt::Vec3<f32>,
         point_10: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let nn = normal_16.dot(normal_16);
-        let from_a = (point_10 - a_11);
-        let wb = (from_a.cross((c_5 - a_11)).dot(normal_16) / nn);
-        let wc = ((b_11 - a_11).cross(from_a).dot(normal_16) / nn);
+        let from_a = (point_10 - a_14);
+        let wb = (from_a.cross((c_7 - a_14)).dot(normal_16) / nn);
+        let wc = ((b_14 - a_14).cross(from_a).dot(normal_16) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
     }
     pub(crate) fn plane_weights(
@@ -8011,15 +8222,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_enter(
         &self,
         pixel_20: PixelIn,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_27)))
+        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_plane_enter(
         &self,
         pixel_20: PixelIn,
-        params_27: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_40: rt::Scalar<bool>;
 
@@ -8030,25 +8241,25 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_38 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
+        let uv_39 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
         let tangent_1 = (((pixel_20.a.tangent * wa) + (pixel_20.b.tangent * wb_1)) + (pixel_20.c.tangent * wc_1));
         let bitangent = (((pixel_20.a.bitangent * wa) + (pixel_20.b.bitangent * wb_1)) + (pixel_20.c.bitangent * wc_1));
-        let normal_30 = ((((pixel_20.a.normal * wa) + (pixel_20.b.normal * wb_1)) + (pixel_20.c.normal * wc_1)).normalize() * rt::Scalar(pixel_20.side));
+        let normal_32 = ((((pixel_20.a.normal * wa) + (pixel_20.b.normal * wb_1)) + (pixel_20.c.normal * wc_1)).normalize() * rt::Scalar(pixel_20.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
-        let area_2 = ((tt * bb) - (tb * tb));
+        let area_3 = ((tt * bb) - (tb * tb));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
-        let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
-        let descent_2 = (rt::Scalar(0f32) - normal_30.dot((pixel_20.direction / rt::Vec3::splat_from_scalar(pixel_20.direction.length()))));
-        if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
+        let metric_2 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
+        let descent_2 = (rt::Scalar(0f32) - normal_32.dot((pixel_20.direction / rt::Vec3::splat_from_scalar(pixel_20.direction.length()))));
+        if rt::Scalar::into_branch_condition(area_3.elementwise_gt(rt::Scalar(0f32))) {
             local_40 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_40 = rt::Scalar(false);
         }
         let _e86 = local_40;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_28, uv_38, tangent_1, bitangent, normal_30, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_28, uv_39, tangent_1, bitangent, normal_32, metric_2, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -8072,9 +8283,9 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_28)))
+        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8083,13 +8294,13 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
-        params_28: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Prism {
-        let origin_4 = (pixel_22.origin + (along_5 * middle_3));
+        let origin_5 = (pixel_22.origin + (along_5 * middle_3));
         let _e8 = self.v_ordered(pixel_22, rt::Scalar(0u32));
         let _e10 = self.v_ordered(pixel_22, rt::Scalar(1u32));
         let _e12 = self.v_ordered(pixel_22, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_28.y() * rt::Scalar(pixel_22.side))));
+        return <Prism>::new((_e8.position - origin_5), (_e10.position - origin_5), (_e12.position - origin_5), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_30.y() * rt::Scalar(pixel_22.side))));
     }
     pub(crate) fn frame_at(
         &self,
@@ -8116,11 +8327,11 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_ordered(pixel_23, rt::Scalar(2u32));
         let tangent_2 = (((_e6.tangent * weights_1.x()) + (_e8.tangent * weights_1.y())) + (_e10.tangent * weights_1.z()));
         let bitangent_1 = (((_e6.bitangent * weights_1.x()) + (_e8.bitangent * weights_1.y())) + (_e10.bitangent * weights_1.z()));
-        let normal_31 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
+        let normal_33 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
-        let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
-        let unit = (normal_31.normalize() * rt::Scalar(pixel_23.side));
-        return <Entered>::new(rt::Scalar(1u32), point_12, uv_15, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let metric_3 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
+        let unit = (normal_33.normalize() * rt::Scalar(pixel_23.side));
+        return <Entered>::new(rt::Scalar(1u32), point_12, uv_15, tangent_2, bitangent_1, unit, metric_3, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
@@ -8155,17 +8366,17 @@ impl<'g> Resources<'g> {
         pixel_25: PixelIn,
         along_7: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_41: Entered;
+        let mut at_42: Entered;
 
-        let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_39 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
+        let third_3 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
+        let uv_40 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_25, along_7);
         let point_29 = (pixel_25.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_25, along_7);
-        let _e21 = self.v_frame_at(pixel_25, third_2, point_29, uv_39, _e20);
-        at_41 = _e21;
-        rt::Scalar(at_41.segments) = rt::Scalar(0u32);
-        let _e25 = at_41;
+        let _e21 = self.v_frame_at(pixel_25, third_3, point_29, uv_40, _e20);
+        at_42 = _e21;
+        rt::Scalar(at_42.segments) = rt::Scalar(0u32);
+        let _e25 = at_42;
         return _e25;
     }
     pub(crate) fn way_weight(
@@ -8208,9 +8419,9 @@ impl<'g> Resources<'g> {
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_17 = (rt::Scalar(pixel_26.shell.order) & rt::Scalar(3u32));
-        let second_4 = ((rt::Scalar(pixel_26.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_4 + rt::Scalar(3u32)) - first_17) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let first_19 = (rt::Scalar(pixel_26.shell.order) & rt::Scalar(3u32));
+        let second_5 = ((rt::Scalar(pixel_26.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
+        let is_turned = (((second_5 + rt::Scalar(3u32)) - first_19) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -8273,10 +8484,10 @@ impl<'g> Resources<'g> {
         prism_5: Prism,
         offset_2: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let a_32 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_2));
-        let b_32 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_2));
-        let c_23 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
-        return (<rt::Vec3<f32>>::from_scalars(a_32.length(), b_32.length(), c_23.length()) / rt::Vec3::splat_from_scalar(b_32.cross(c_23).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
+        let a_35 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_2));
+        let b_35 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_2));
+        let c_25 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
+        return (<rt::Vec3<f32>>::from_scalars(a_35.length(), b_35.length(), c_25.length()) / rt::Vec3::splat_from_scalar(b_35.cross(c_25).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
     }
     pub(crate) fn way_beyond(
         &self,
@@ -8317,29 +8528,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn root_behind(
         &self,
-        c_6: impl rt::Into<rt::Vec3<f32>>,
-        place_16: impl rt::Into<rt::Scalar<f32>>,
+        c_8: impl rt::Into<rt::Vec3<f32>>,
+        place_19: impl rt::Into<rt::Scalar<f32>>,
         end_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_root_behind(rt::into(c_6), rt::into(place_16), rt::into(end_2)))
+        rt::into(self.v_root_behind(rt::into(c_8), rt::into(place_19), rt::into(end_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_root_behind(
         &self,
-        c_6: rt::Vec3<f32>,
-        place_16: rt::Scalar<f32>,
+        c_8: rt::Vec3<f32>,
+        place_19: rt::Scalar<f32>,
         end_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut first: rt::Scalar<f32>;
 
-        let _e3 = self.v_both_roots(c_6);
+        let _e3 = self.v_both_roots(c_8);
         first = end_2;
-        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_16)) {
+        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_19)) {
             let _e7 = first;
             first = _e7.min(_e3.x());
         }
-        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_16)) {
+        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_19)) {
             let _e12 = first;
             first = _e12.min(_e3.y());
         }
@@ -8448,12 +8659,12 @@ impl<'g> Resources<'g> {
                             let _e63 = begin_3;
                             let long_2 = (end_10 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_4;
-                            let part_25 = ((number_11 - _e67).to_f32() / _e53.to_f32());
+                            let part_26 = ((number_11 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_4;
-                            let next_11 = (((number_11 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
+                            let next_13 = (((number_11 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin_3;
                             let _e82 = begin_3;
-                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_25)), (_e82 + (long_2 * next_11)));
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_26)), (_e82 + (long_2 * next_13)));
                         }
                         let _e86 = count_4;
                         count_4 = (_e86 + _e53);
@@ -8469,46 +8680,46 @@ impl<'g> Resources<'g> {
     pub(crate) fn folded_enter(
         &self,
         pixel_29: PixelIn,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_folded_enter(pixel_29, rt::into(params_29)))
+        rt::into(self.v_folded_enter(pixel_29, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_folded_enter(
         &self,
         pixel_29: PixelIn,
-        params_29: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_42: Entered;
+        let mut at_43: Entered;
 
         let along_25 = pixel_29.direction.normalize();
         let _e4 = self.v_middle_of(pixel_29, along_25);
-        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_29);
+        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_31);
         let _e6 = self.v_shell_middle(pixel_29, along_25);
-        at_42 = _e6;
+        at_43 = _e6;
         let _e8 = self.v_way_of(pixel_29, _e5, along_25);
         let _e9 = self.v_shell_slack(pixel_29, _e4);
         let _e10 = self.v_way_offsets(pixel_29, _e5, _e9);
-        let _e11 = at_42;
-        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_29);
+        let _e11 = at_43;
+        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_31);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_29.x(), rt::Scalar(0u32));
-        rt::Scalar(at_42.segments) = rt::Scalar(_e17.count);
-        let _e19 = at_42;
+        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_31.x(), rt::Scalar(0u32));
+        rt::Scalar(at_43.segments) = rt::Scalar(_e17.count);
+        let _e19 = at_43;
         return _e19;
     }
     pub(crate) fn in_slab(
         &self,
         interval_3: impl rt::Into<rt::Vec2<f32>>,
         normal_18: impl rt::Into<rt::Vec3<f32>>,
-        a_12: impl rt::Into<rt::Vec3<f32>>,
-        b_12: impl rt::Into<rt::Vec3<f32>>,
-        c_7: impl rt::Into<rt::Vec3<f32>>,
+        a_15: impl rt::Into<rt::Vec3<f32>>,
+        b_15: impl rt::Into<rt::Vec3<f32>>,
+        c_9: impl rt::Into<rt::Vec3<f32>>,
         d_2: impl rt::Into<rt::Vec3<f32>>,
         along_11: impl rt::Into<rt::Vec3<f32>>,
         slack_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_in_slab(rt::into(interval_3), rt::into(normal_18), rt::into(a_12), rt::into(b_12), rt::into(c_7), rt::into(d_2), rt::into(along_11), rt::into(slack_4)))
+        rt::into(self.v_in_slab(rt::into(interval_3), rt::into(normal_18), rt::into(a_15), rt::into(b_15), rt::into(c_9), rt::into(d_2), rt::into(along_11), rt::into(slack_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8516,20 +8727,20 @@ impl<'g> Resources<'g> {
         &self,
         interval_3: rt::Vec2<f32>,
         normal_18: rt::Vec3<f32>,
-        a_12: rt::Vec3<f32>,
-        b_12: rt::Vec3<f32>,
-        c_7: rt::Vec3<f32>,
+        a_15: rt::Vec3<f32>,
+        b_15: rt::Vec3<f32>,
+        c_9: rt::Vec3<f32>,
         d_2: rt::Vec3<f32>,
         along_11: rt::Vec3<f32>,
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let far_9 = <rt::Vec4<f32>>::from_scalars(normal_18.dot(a_12), normal_18.dot(b_12), normal_18.dot(c_7), normal_18.dot(d_2));
-        let least_7 = far_9.x().min(far_9.y()).min(far_9.z().min(far_9.w()));
-        let most_12 = far_9.x().max(far_9.y()).max(far_9.z().max(far_9.w()));
+        let far_12 = <rt::Vec4<f32>>::from_scalars(normal_18.dot(a_15), normal_18.dot(b_15), normal_18.dot(c_9), normal_18.dot(d_2));
+        let least_7 = far_12.x().min(far_12.y()).min(far_12.z().min(far_12.w()));
+        let most_12 = far_12.x().max(far_12.y()).max(far_12.z().max(far_12.w()));
         let beyond_3 = (slack_4 * normal_18.length());
-        let change_4 = normal_18.dot(along_11);
-        let _e32 = self.v_where_positive(interval_3, (rt::Scalar(0f32) - least_7), change_4, beyond_3);
-        let _e35 = self.v_where_positive(_e32, most_12, (rt::Scalar(0f32) - change_4), beyond_3);
+        let change_5 = normal_18.dot(along_11);
+        let _e32 = self.v_where_positive(interval_3, (rt::Scalar(0f32) - least_7), change_5, beyond_3);
+        let _e35 = self.v_where_positive(_e32, most_12, (rt::Scalar(0f32) - change_5), beyond_3);
         return _e35;
     }
     pub(crate) fn span_of(
@@ -8538,9 +8749,9 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_30)))
+        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_span_of(
@@ -8549,14 +8760,14 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
-        params_30: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_2: Shell;
         let mut span_2: rt::Vec2<f32>;
 
         shell_2 = pixel_30.shell;
         let _e9 = shell_2.lift;
-        shell_2.lift = (_e9 * params_30.y());
+        shell_2.lift = (_e9 * params_32.y());
         let _e12 = shell_2;
         let _e13 = self.v_offsets_of(_e12);
         let _e14 = self.v_shell_slack(pixel_30, middle_4);
@@ -8605,31 +8816,31 @@ impl<'g> Resources<'g> {
     pub(super) fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_40 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_40, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_40, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_41 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_41, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_41, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
         prism_9: Prism,
-        place_17: impl rt::Into<rt::Vec3<f32>>,
+        place_20: impl rt::Into<rt::Vec3<f32>>,
         from_point: ShellPoint,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_from(prism_9, rt::into(place_17), from_point))
+        rt::into(self.v_shell_point_from(prism_9, rt::into(place_20), from_point))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shell_point_from(
         &self,
         prism_9: Prism,
-        place_17: rt::Vec3<f32>,
+        place_20: rt::Vec3<f32>,
         from_point: ShellPoint,
     ) -> ShellPoint {
         let mut w_1: rt::Vec3<f32>;
         let mut h_4: rt::Scalar<f32>;
         let mut step_1: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let low_6 = self.surface_settings.shell_m.x();
+        let low_7 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let width_6 = (_e10 - low_6).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_6 = (_e10 - low_7).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let l = prism_9.lift;
         w_1 = from_point.weights;
         h_4 = rt::Scalar(from_point.height);
@@ -8646,32 +8857,32 @@ impl<'g> Resources<'g> {
                     let _e27 = h_4;
                     let _e30 = w_1;
                     let _e31 = self.v_lift_of(l, _e30);
-                    let offset_7 = ((low_6 + (width_6 * _e27)) + _e31);
+                    let offset_7 = ((low_7 + (width_6 * _e27)) + _e31);
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
-                    let normal_32 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
+                    let normal_34 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
                     let _e49 = w_1.x();
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_7 = ((place_17 - base_1) - (normal_32 * offset_7));
+                    let rest_7 = ((place_20 - base_1) - (normal_34 * offset_7));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
-                    let second_5 = ((l.z() * (_e66 - _e68)) + (_e72 * (l.x() - l.y())));
+                    let second_6 = ((l.z() * (_e66 - _e68)) + (_e72 * (l.x() - l.y())));
                     let _e80 = w_1.x();
                     let _e82 = w_1.z();
                     let _e86 = w_1.y();
-                    let third_3 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
-                    let a_33 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_32 * second_5));
-                    let b_33 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_32 * third_3));
-                    let c_24 = (normal_32 * width_6);
-                    let across_6 = b_33.cross(c_24);
-                    let one_over = (rt::Scalar(1f32) / a_33.dot(across_6));
+                    let third_4 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
+                    let a_36 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_34 * second_6));
+                    let b_36 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_34 * third_4));
+                    let c_26 = (normal_34 * width_6);
+                    let across_6 = b_36.cross(c_26);
+                    let one_over = (rt::Scalar(1f32) / a_36.dot(across_6));
                     let db = (rest_7.dot(across_6) * one_over);
-                    let dc = (rest_7.dot(c_24.cross(a_33)) * one_over);
-                    let dh = (rest_7.dot(a_33.cross(b_33)) * one_over);
+                    let dc = (rest_7.dot(c_26.cross(a_36)) * one_over);
+                    let dh = (rest_7.dot(a_36.cross(b_36)) * one_over);
                     let _e126 = w_1.x();
                     let _e130 = w_1.y();
                     let _e133 = w_1.z();
@@ -8691,46 +8902,46 @@ impl<'g> Resources<'g> {
     pub(crate) fn shell_point(
         &self,
         prism_10: Prism,
-        place_18: impl rt::Into<rt::Vec3<f32>>,
+        place_21: impl rt::Into<rt::Vec3<f32>>,
         height_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_10, rt::into(place_18), rt::into(height_2)))
+        rt::into(self.v_shell_point(prism_10, rt::into(place_21), rt::into(height_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shell_point(
         &self,
         prism_10: Prism,
-        place_18: rt::Vec3<f32>,
+        place_21: rt::Vec3<f32>,
         height_2: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let _e8 = self.v_shell_point_from(prism_10, place_18, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
+        let _e8 = self.v_shell_point_from(prism_10, place_21, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
         return _e8;
     }
     pub(crate) fn surface_prism_enter(
         &self,
         pixel_31: PixelIn,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_31)))
+        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_enter(
         &self,
         pixel_31: PixelIn,
-        params_31: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_44: rt::Scalar<bool>;
-        let mut at_43: Entered;
+        let mut at_44: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_31.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_folded_enter(pixel_31, params_31);
+            let _e6 = self.v_folded_enter(pixel_31, params_33);
             return _e6;
         }
         let along_26 = pixel_31.direction.normalize();
         let _e9 = self.v_middle_of(pixel_31, along_26);
-        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_31);
-        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_31);
+        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_33);
+        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_33);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_44 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -8743,20 +8954,20 @@ impl<'g> Resources<'g> {
             return _e28;
         }
         let _e29 = self.v_shell_middle(pixel_31, along_26);
-        at_43 = _e29;
-        at_43.span = _e11;
-        let height_21 = (rt::Scalar(0.5f32) * (pixel_31.shell.heights.x() + pixel_31.shell.heights.y()));
-        let _e43 = at_43.span.x();
-        let _e45 = self.v_shell_point(_e10, (along_26 * _e43), height_21);
-        let _e48 = at_43.span.y();
-        let _e50 = self.v_shell_point(_e10, (along_26 * _e48), height_21);
-        let _e53 = at_43.span.x();
+        at_44 = _e29;
+        at_44.span = _e11;
+        let height_22 = (rt::Scalar(0.5f32) * (pixel_31.shell.heights.x() + pixel_31.shell.heights.y()));
+        let _e43 = at_44.span.x();
+        let _e45 = self.v_shell_point(_e10, (along_26 * _e43), height_22);
+        let _e48 = at_44.span.y();
+        let _e50 = self.v_shell_point(_e10, (along_26 * _e48), height_22);
+        let _e53 = at_44.span.x();
         let _e58 = self.v_between(_e45, _e50);
         let _e59 = self.v_shell_point_from(_e10, (along_26 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
-        let _e62 = at_43.span.x();
+        let _e62 = at_44.span.x();
         let _e67 = self.v_between(_e45, _e59);
         let _e68 = self.v_shell_point_from(_e10, (along_26 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
-        let _e71 = at_43.span.x();
+        let _e71 = at_44.span.x();
         let _e76 = self.v_between(_e59, _e50);
         let _e77 = self.v_shell_point_from(_e10, (along_26 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
@@ -8764,8 +8975,8 @@ impl<'g> Resources<'g> {
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_13 = _e84.max(quarters_1);
-        rt::Scalar(at_43.segments) = (most_13 / params_31.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
-        let _e95 = at_43;
+        rt::Scalar(at_44.segments) = (most_13 / params_33.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        let _e95 = at_44;
         return _e95;
     }
     pub(crate) fn weight_at(
@@ -8782,8 +8993,8 @@ impl<'g> Resources<'g> {
         order: rt::Scalar<u32>,
         weights_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_5 = (order & rt::Scalar(3u32));
-        return weights_2.z().select(weights_2.y(), corner_5.elementwise_eq(rt::Scalar(1u32))).select(weights_2.x(), corner_5.elementwise_eq(rt::Scalar(0u32)));
+        let corner_6 = (order & rt::Scalar(3u32));
+        return weights_2.z().select(weights_2.y(), corner_6.elementwise_eq(rt::Scalar(1u32))).select(weights_2.x(), corner_6.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn ordered_weights(
         &self,
@@ -8842,63 +9053,63 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_32)))
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
-        params_32: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_44: Entered;
+        let mut at_45: Entered;
 
-        let _e2 = self.v_surface_plane_enter(pixel_33, params_32);
-        at_44 = _e2;
-        let _e6 = at_44.point;
-        let _e8 = self.v_quadric_of(pixel_33, _e6, params_32.y());
-        at_44.of_surface = _e8;
-        let _e11 = at_44.metric.x();
-        let _e14 = at_44.metric.z();
-        let _e18 = at_44.metric.y();
-        let _e21 = at_44.metric.y();
-        let area_3 = ((_e11 * _e14) - (_e18 * _e21));
-        rt::Scalar(at_44.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
-        let _e30 = at_44;
+        let _e2 = self.v_surface_plane_enter(pixel_33, params_34);
+        at_45 = _e2;
+        let _e6 = at_45.point;
+        let _e8 = self.v_quadric_of(pixel_33, _e6, params_34.y());
+        at_45.of_surface = _e8;
+        let _e11 = at_45.metric.x();
+        let _e14 = at_45.metric.z();
+        let _e18 = at_45.metric.y();
+        let _e21 = at_45.metric.y();
+        let area_4 = ((_e11 * _e14) - (_e18 * _e21));
+        rt::Scalar(at_45.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_4.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_45;
         return _e30;
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_33)))
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
-        params_33: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_45: Entered;
+        let mut at_46: Entered;
 
-        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_33);
-        at_45 = _e2;
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_35);
+        at_46 = _e2;
         let along_27 = pixel_34.direction.length();
-        let _e6 = at_45;
+        let _e6 = at_46;
         let _e10 = self.v_across_of(_e6, (pixel_34.direction / rt::Vec3::splat_from_scalar(along_27)));
         let _e11 = self.v_plane_normal(pixel_34);
         let _e12 = self.v_plane_distance(pixel_34, _e11);
         let eye_2 = (rt::Scalar(0f32) - (_e12 * along_27));
-        let _e17 = at_45;
+        let _e17 = at_46;
         let _e18 = self.v_across_span(_e17, _e10, eye_2);
-        at_45.span = _e18;
-        let _e22 = rt::Scalar(at_45.segments);
-        let _e28 = at_45.span.y();
-        let _e31 = at_45.span.x();
-        rt::Scalar(at_45.segments) = rt::Scalar(0u32).select((_e22 * params_33.z().to_u32()), _e28.elementwise_gt(_e31));
-        let _e34 = at_45;
+        at_46.span = _e18;
+        let _e22 = rt::Scalar(at_46.segments);
+        let _e28 = at_46.span.y();
+        let _e31 = at_46.span.x();
+        rt::Scalar(at_46.segments) = rt::Scalar(0u32).select((_e22 * params_35.z().to_u32()), _e28.elementwise_gt(_e31));
+        let _e34 = at_46;
         return _e34;
     }
     pub(crate) fn moved_out(
@@ -8959,21 +9170,21 @@ impl<'g> Resources<'g> {
         let mut inside_1: rt::Vec2<f32>;
         let mut local_45: rt::Scalar<bool>;
 
-        let origin_5 = (pixel_35.origin + (along_13 * middle_5));
+        let origin_6 = (pixel_35.origin + (along_13 * middle_5));
         let is_first_2 = number_12.elementwise_eq(rt::Scalar(0u32));
         let is_last_1 = number_12.elementwise_eq(rt::Scalar(2u32));
         let _e12 = self.v_ordered(pixel_35, rt::Scalar(0u32));
         let _e15 = self.v_raised(_e12, rt::Scalar(pixel_35.side), rt::Scalar(0f32));
-        let q0_ = (_e15 - origin_5);
+        let q0_ = (_e15 - origin_6);
         let _e20 = self.v_ordered(pixel_35, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last_1));
         let _e25 = self.v_raised(_e20, rt::Scalar(pixel_35.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last_1));
-        let q1_ = (_e25 - origin_5);
+        let q1_ = (_e25 - origin_6);
         let _e30 = self.v_ordered(pixel_35, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first_2));
         let _e35 = self.v_raised(_e30, rt::Scalar(pixel_35.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first_2));
-        let q2_ = (_e35 - origin_5);
+        let q2_ = (_e35 - origin_6);
         let _e38 = self.v_ordered(pixel_35, rt::Scalar(2u32));
         let _e41 = self.v_raised(_e38, rt::Scalar(pixel_35.side), rt::Scalar(1f32));
-        let q3_ = (_e41 - origin_5);
+        let q3_ = (_e41 - origin_6);
         let e1_ = (q1_ - q0_);
         let e2_ = (q2_ - q0_);
         let e3_ = (q3_ - q0_);
@@ -9052,19 +9263,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_34)))
+        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
-        params_34: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_46: rt::Scalar<bool>;
         let mut local_47: rt::Scalar<bool>;
-        let mut at_46: Entered;
+        let mut at_47: Entered;
 
         let along_28 = pixel_37.direction.normalize();
         let _e4 = self.v_middle_of(pixel_37, along_28);
@@ -9088,9 +9299,9 @@ impl<'g> Resources<'g> {
             return _e22;
         }
         let _e23 = self.v_shell_middle(pixel_37, along_28);
-        at_46 = _e23;
-        rt::Scalar(at_46.segments) = rt::Scalar(3u32);
-        let _e27 = at_46;
+        at_47 = _e23;
+        rt::Scalar(at_47.segments) = rt::Scalar(3u32);
+        let _e27 = at_47;
         return _e27;
     }
     pub(crate) fn triangle_distance(
@@ -9107,18 +9318,18 @@ impl<'g> Resources<'g> {
         pixel_38: PixelIn,
         normal_19: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let a_34 = (pixel_38.a.position - pixel_38.origin);
-        let b_34 = (pixel_38.b.position - pixel_38.origin);
-        let c_25 = (pixel_38.c.position - pixel_38.origin);
+        let a_37 = (pixel_38.a.position - pixel_38.origin);
+        let b_37 = (pixel_38.b.position - pixel_38.origin);
+        let c_27 = (pixel_38.c.position - pixel_38.origin);
         let along_29 = (pixel_38.direction / rt::Vec3::splat_from_scalar(pixel_38.direction.dot(pixel_38.direction)));
-        let places_1 = <rt::Vec3<f32>>::from_scalars(a_34.dot(along_29), b_34.dot(along_29), c_25.dot(along_29));
+        let places_1 = <rt::Vec3<f32>>::from_scalars(a_37.dot(along_29), b_37.dot(along_29), c_27.dot(along_29));
         let least_8 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_14 = places_1.x().max(places_1.y()).max(places_1.z());
         let across_7 = normal_19.dot(pixel_38.direction);
         if rt::Scalar::into_branch_condition(across_7.elementwise_eq(rt::Scalar(0f32))) {
             return least_8;
         }
-        return (normal_19.dot(a_34) / across_7).clamp(least_8, most_14);
+        return (normal_19.dot(a_37) / across_7).clamp(least_8, most_14);
     }
     pub(crate) fn triangle_weights(
         &self,
@@ -9161,15 +9372,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_enter(
         &self,
         pixel_40: PixelIn,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_35)))
+        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_facets_enter(
         &self,
         pixel_40: PixelIn,
-        params_35: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_49: rt::Scalar<bool>;
 
@@ -9177,7 +9388,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
         let point_30 = (pixel_40.origin + (pixel_40.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_40, _e2, point_30);
-        let uv_41 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let uv_42 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_3 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let sum_13 = ((((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z())) * rt::Scalar(pixel_40.side));
@@ -9185,27 +9396,27 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_41);
+            let _e77 = self.v_is_on_map(uv_42);
             local_49 = _e77;
         } else {
             local_49 = rt::Scalar(false);
         }
         let _e79 = local_49;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_30, uv_41, tangent_3, bitangent_2, sum_13.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_30, uv_42, tangent_3, bitangent_2, sum_13.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
         pixel_41: PixelIn,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_36)))
+        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_slices_enter(
         &self,
         pixel_41: PixelIn,
-        params_36: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_50: rt::Scalar<bool>;
         let mut local_51: rt::Scalar<bool>;
@@ -9215,7 +9426,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_41, _e2);
         let point_31 = (pixel_41.origin + (pixel_41.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_41, _e2, point_31);
-        let uv_42 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
+        let uv_43 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
         let tangent_4 = (((pixel_41.a.tangent * _e8.x()) + (pixel_41.b.tangent * _e8.y())) + (pixel_41.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_41.a.bitangent * _e8.x()) + (pixel_41.b.bitangent * _e8.y())) + (pixel_41.c.bitangent * _e8.z()));
         let raw_ = (((pixel_41.a.normal * _e8.x()) + (pixel_41.b.normal * _e8.y())) + (pixel_41.c.normal * _e8.z()));
@@ -9223,12 +9434,12 @@ impl<'g> Resources<'g> {
         let tt_2 = tangent_4.dot(tangent_4);
         let tb_2 = tangent_4.dot(bitangent_3);
         let bb_2 = bitangent_3.dot(bitangent_3);
-        let area_4 = ((tt_2 * bb_2) - (tb_2 * tb_2));
+        let area_5 = ((tt_2 * bb_2) - (tb_2 * tb_2));
         let _e87 = rt::Scalar(self.surface_settings.bias_m);
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
         let height_m = (_e87 + (_e90 * slice_8.x()));
-        let normal_33 = raw_.normalize();
-        let _e95 = self.v_is_on_map(uv_42);
+        let normal_35 = raw_.normalize();
+        let _e95 = self.v_is_on_map(uv_43);
         if rt::Scalar::into_branch_condition(_e95) {
             local_50 = ((slice_8.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
         } else {
@@ -9236,7 +9447,7 @@ impl<'g> Resources<'g> {
         }
         let is_within = local_50;
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            local_51 = area_4.elementwise_gt(rt::Scalar(0f32));
+            local_51 = area_5.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_51 = rt::Scalar(false);
         }
@@ -9248,79 +9459,79 @@ impl<'g> Resources<'g> {
         }
         let _e122 = local_52;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_31 - (raw_ * height_m)), uv_42, tangent_4, bitangent_3, normal_33, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_33, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_8, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_31 - (raw_ * height_m)), uv_43, tangent_4, bitangent_3, normal_35, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_35, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_8, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
         pixel_42: PixelIn,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_37)))
+        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_enter(
         &self,
         pixel_42: PixelIn,
-        params_37: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_47: Entered;
+        let mut at_48: Entered;
 
         let _e2 = self.v_passed_by();
-        at_47 = _e2;
+        at_48 = _e2;
         let _e7 = rt::Scalar(self.surface_settings.solids);
-        rt::Scalar(at_47.segments) = _e7;
-        at_47.point = pixel_42.origin;
-        let _e10 = at_47;
+        rt::Scalar(at_48.segments) = _e7;
+        at_48.point = pixel_42.origin;
+        let _e10 = at_48;
         return _e10;
     }
     pub(crate) fn surface_frames_enter(
         &self,
         pixel_43: PixelIn,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_38)))
+        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_enter(
         &self,
         pixel_43: PixelIn,
-        params_38: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_48: Entered;
+        let mut at_49: Entered;
 
         let _e2 = self.v_passed_by();
-        at_48 = _e2;
-        rt::Scalar(at_48.segments) = FRAMES;
-        at_48.point = pixel_43.origin;
-        let _e8 = at_48;
+        at_49 = _e2;
+        rt::Scalar(at_49.segments) = FRAMES;
+        at_49.point = pixel_43.origin;
+        let _e8 = at_49;
         return _e8;
     }
     pub(crate) fn surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_39)))
+        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
-        params_39: rt::Vec4<f32>,
+        params_41: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_49: Entered;
+        let mut at_50: Entered;
 
         let _e2 = self.v_plane_normal(pixel_44);
         let _e3 = self.v_passed_by();
-        at_49 = _e3;
-        rt::Scalar(at_49.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
+        at_50 = _e3;
+        rt::Scalar(at_50.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
         let _e15 = self.v_triangle_distance(pixel_44, _e2);
-        at_49.point = (pixel_44.origin + (pixel_44.direction * _e15));
-        at_49.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_44.direction).elementwise_gt(rt::Scalar(0f32))));
-        let _e28 = at_49;
+        at_50.point = (pixel_44.origin + (pixel_44.direction * _e15));
+        at_50.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_44.direction).elementwise_gt(rt::Scalar(0f32))));
+        let _e28 = at_50;
         return _e28;
     }
     pub(crate) fn surface_enter_stage(&self, pixel_45: PixelIn) -> Entered {
@@ -9387,26 +9598,26 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_enter_relief(&self, pixel_46: PixelIn) -> Entered {
-        let mut at_50: Entered;
+        let mut at_51: Entered;
 
         let _e1 = self.v_surface_enter_stage(pixel_46);
-        at_50 = _e1;
-        let _e4 = rt::Scalar(at_50.segments);
+        at_51 = _e1;
+        let _e4 = rt::Scalar(at_51.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_50;
+            let _e7 = at_51;
             return _e7;
         }
-        let _e8 = at_50;
+        let _e8 = at_51;
         let _e9 = self.v_detail_stage(pixel_46, _e8);
-        rt::Scalar(at_50.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_50.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_50.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_50;
+        rt::Scalar(at_51.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_51.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_51.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_51;
         return _e16;
     }
     pub(crate) fn entered_once(
         &self,
-        path_27: Path,
+        path_28: Path,
         grid_7: Grid,
         above_1: impl rt::Into<rt::Scalar<f32>>,
         below_1: impl rt::Into<rt::Scalar<f32>>,
@@ -9414,12 +9625,12 @@ impl<'g> Resources<'g> {
         below_gap: impl rt::Into<rt::Scalar<f32>>,
         so_far: impl rt::Into<rt::Vec3<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_entered_once(path_27, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
+        rt::into(self.v_entered_once(path_28, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_entered_once(
         &self,
-        path_27: Path,
+        path_28: Path,
         grid_7: Grid,
         above_1: rt::Scalar<f32>,
         below_1: rt::Scalar<f32>,
@@ -9465,7 +9676,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
-                    let _e42 = self.v_path_gap(path_27, middle_12);
+                    let _e42 = self.v_path_gap(path_28, middle_12);
                     let _e43 = cost_1;
                     cost_1 = (_e43 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
@@ -9571,42 +9782,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn least_at(
         &self,
-        c_8: impl rt::Into<rt::Vec3<f32>>,
+        c_10: impl rt::Into<rt::Vec3<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_least_at(rt::into(c_8), rt::into(span_3)))
+        rt::into(self.v_least_at(rt::into(c_10), rt::into(span_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_least_at(
         &self,
-        c_8: rt::Vec3<f32>,
+        c_10: rt::Vec3<f32>,
         span_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(c_8.z().elementwise_gt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(0f32) - c_8.y()) / (rt::Scalar(2f32) * c_8.z())).clamp(rt::Scalar(0f32), span_3);
+        if rt::Scalar::into_branch_condition(c_10.z().elementwise_gt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(0f32) - c_10.y()) / (rt::Scalar(2f32) * c_10.z())).clamp(rt::Scalar(0f32), span_3);
         }
         return span_3;
     }
     pub(crate) fn falls_in_cell(
         &self,
-        c_9: impl rt::Into<rt::Vec3<f32>>,
+        c_11: impl rt::Into<rt::Vec3<f32>>,
         span_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_falls_in_cell(rt::into(c_9), rt::into(span_4)))
+        rt::into(self.v_falls_in_cell(rt::into(c_11), rt::into(span_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_falls_in_cell(
         &self,
-        c_9: rt::Vec3<f32>,
+        c_11: rt::Vec3<f32>,
         span_4: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut local_54: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!c_9.x().elementwise_le(rt::Scalar(0f32)))) {
-            let _e8 = self.v_least_at(c_9, span_4);
-            let _e9 = self.v_quadratic(c_9, _e8);
+        if rt::Scalar::into_branch_condition((!c_11.x().elementwise_le(rt::Scalar(0f32)))) {
+            let _e8 = self.v_least_at(c_11, span_4);
+            let _e9 = self.v_quadratic(c_11, _e8);
             local_54 = _e9.elementwise_le(rt::Scalar(0f32));
         } else {
             local_54 = rt::Scalar(true);
@@ -9616,53 +9827,73 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn field_heights_cost(
         &self,
-        level_37: impl rt::Into<rt::Scalar<u32>>,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        level_38: impl rt::Into<rt::Scalar<u32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_field_heights_cost(rt::into(level_37), rt::into(params_40)))
+        rt::into(self.v_field_heights_cost(rt::into(level_38), rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_cost(
         &self,
-        level_37: rt::Scalar<u32>,
-        params_40: rt::Vec4<f32>,
+        level_38: rt::Scalar<u32>,
+        params_42: rt::Vec4<f32>,
     ) -> rt::Vec3<u32> {
         return HEIGHTS_READ;
     }
     pub(crate) fn field_volume_cost(
         &self,
-        level_38: impl rt::Into<rt::Scalar<u32>>,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        level_39: impl rt::Into<rt::Scalar<u32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_field_volume_cost(rt::into(level_38), rt::into(params_41)))
+        rt::into(self.v_field_volume_cost(rt::into(level_39), rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_cost(
         &self,
-        level_38: rt::Scalar<u32>,
-        params_41: rt::Vec4<f32>,
+        level_39: rt::Scalar<u32>,
+        params_43: rt::Vec4<f32>,
     ) -> rt::Vec3<u32> {
         return VOXELS_READ;
     }
-    pub(crate) fn field_cost_stage(&self, level_39: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec3<u32> {
-        rt::into(self.v_field_cost_stage(rt::into(level_39)))
+    pub(crate) fn field_motif_cost(
+        &self,
+        level_40: impl rt::Into<rt::Scalar<u32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<u32> {
+        rt::into(self.v_field_motif_cost(rt::into(level_40), rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_field_cost_stage(&self, level_39: rt::Scalar<u32>) -> rt::Vec3<u32> {
+    pub(super) fn v_field_motif_cost(
+        &self,
+        level_40: rt::Scalar<u32>,
+        params_44: rt::Vec4<f32>,
+    ) -> rt::Vec3<u32> {
+        return NO_COST;
+    }
+    pub(crate) fn field_cost_stage(&self, level_41: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec3<u32> {
+        rt::into(self.v_field_cost_stage(rt::into(level_41)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_field_cost_stage(&self, level_41: rt::Scalar<u32>) -> rt::Vec3<u32> {
         let _e5 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[4usize].params;
-                let _e11 = self.v_field_heights_cost(level_39, _e10);
+                let _e11 = self.v_field_heights_cost(level_41, _e10);
                 return _e11;
             }
-            _ => {
+            1u32 => {
                 let _e16 = self.surface_settings.choices[4usize].params;
-                let _e17 = self.v_field_volume_cost(level_39, _e16);
+                let _e17 = self.v_field_volume_cost(level_41, _e16);
                 return _e17;
+            }
+            _ => {
+                let _e22 = self.surface_settings.choices[4usize].params;
+                let _e23 = self.v_field_motif_cost(level_41, _e22);
+                return _e23;
             }
         }
     }
@@ -9670,10 +9901,10 @@ impl<'g> Resources<'g> {
         &self,
         uv_17: impl rt::Into<rt::Vec2<f32>>,
         height_5: impl rt::Into<rt::Scalar<f32>>,
-        level_40: impl rt::Into<rt::Scalar<u32>>,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        level_42: impl rt::Into<rt::Scalar<u32>>,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_heights_height(rt::into(uv_17), rt::into(height_5), rt::into(level_40), rt::into(params_42)))
+        rt::into(self.v_field_heights_height(rt::into(uv_17), rt::into(height_5), rt::into(level_42), rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9681,20 +9912,20 @@ impl<'g> Resources<'g> {
         &self,
         uv_17: rt::Vec2<f32>,
         height_5: rt::Scalar<f32>,
-        level_40: rt::Scalar<u32>,
-        params_42: rt::Vec4<f32>,
+        level_42: rt::Scalar<u32>,
+        params_45: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_height_at(uv_17, level_40);
+        let _e4 = self.v_height_at(uv_17, level_42);
         return _e4;
     }
     pub(crate) fn field_volume_height(
         &self,
         uv_18: impl rt::Into<rt::Vec2<f32>>,
         height_6: impl rt::Into<rt::Scalar<f32>>,
-        level_41: impl rt::Into<rt::Scalar<u32>>,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        level_43: impl rt::Into<rt::Scalar<u32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_volume_height(rt::into(uv_18), rt::into(height_6), rt::into(level_41), rt::into(params_43)))
+        rt::into(self.v_field_volume_height(rt::into(uv_18), rt::into(height_6), rt::into(level_43), rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9702,69 +9933,93 @@ impl<'g> Resources<'g> {
         &self,
         uv_18: rt::Vec2<f32>,
         height_6: rt::Scalar<f32>,
-        level_41: rt::Scalar<u32>,
-        params_43: rt::Vec4<f32>,
+        level_43: rt::Scalar<u32>,
+        params_46: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return height_6;
     }
-    pub(crate) fn field_height_stage(
+    pub(crate) fn field_motif_height(
         &self,
         uv_19: impl rt::Into<rt::Vec2<f32>>,
         height_7: impl rt::Into<rt::Scalar<f32>>,
-        level_42: impl rt::Into<rt::Scalar<u32>>,
+        level_44: impl rt::Into<rt::Scalar<u32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_height_stage(rt::into(uv_19), rt::into(height_7), rt::into(level_42)))
+        rt::into(self.v_field_motif_height(rt::into(uv_19), rt::into(height_7), rt::into(level_44), rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_field_height_stage(
+    pub(super) fn v_field_motif_height(
         &self,
         uv_19: rt::Vec2<f32>,
         height_7: rt::Scalar<f32>,
-        level_42: rt::Scalar<u32>,
+        level_44: rt::Scalar<u32>,
+        params_47: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        return height_7;
+    }
+    pub(crate) fn field_height_stage(
+        &self,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        height_8: impl rt::Into<rt::Scalar<f32>>,
+        level_45: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_field_height_stage(rt::into(uv_20), rt::into(height_8), rt::into(level_45)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_field_height_stage(
+        &self,
+        uv_20: rt::Vec2<f32>,
+        height_8: rt::Scalar<f32>,
+        level_45: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_field_heights_height(uv_19, height_7, level_42, _e12);
+                let _e13 = self.v_field_heights_height(uv_20, height_8, level_45, _e12);
                 return _e13;
             }
-            _ => {
+            1u32 => {
                 let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_field_volume_height(uv_19, height_7, level_42, _e18);
+                let _e19 = self.v_field_volume_height(uv_20, height_8, level_45, _e18);
                 return _e19;
+            }
+            _ => {
+                let _e24 = self.surface_settings.choices[4usize].params;
+                let _e25 = self.v_field_motif_height(uv_20, height_8, level_45, _e24);
+                return _e25;
             }
         }
     }
-    pub(crate) fn from_hit(&self, at_51: Entered, hit_10: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_51, hit_10, light_1))
+    pub(crate) fn from_hit(&self, at_52: Entered, hit_10: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_52, hit_10, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_from_hit(&self, at_51: Entered, hit_10: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_51, light_1.direction);
+    pub(super) fn v_from_hit(&self, at_52: Entered, hit_10: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_52, light_1.direction);
         let _e6 = self.v_near_uv(hit_10.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_51.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_52.level));
         let h_7 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_7, rt::Scalar(0f32), rt::Scalar(0f32), at_51.metric, RAY_SHADOW, rt::Scalar(at_51.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_7, rt::Scalar(0f32), rt::Scalar(0f32), at_52.metric, RAY_SHADOW, rt::Scalar(at_52.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
     }
-    pub(crate) fn way_out(&self, path_28: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_28, light_2))
+    pub(crate) fn way_out(&self, path_29: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_29, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_way_out(&self, path_28: Path, light_2: Toward) -> rt::Scalar<f32> {
+    pub(super) fn v_way_out(&self, path_29: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_19: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
 
-        way_19 = ((rt::Scalar(1f32) - path_28.h.x()) / path_28.h.y()).min(rt::Scalar(light_2.distance));
+        way_19 = ((rt::Scalar(1f32) - path_29.h.x()) / path_29.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way_19;
-            let _e24 = self.v_inside_unit(path_28.uv.x(), path_28.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e24 = self.v_inside_unit(path_29.uv.x(), path_29.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_4 = _e24;
             let _e30 = interval_4;
-            let _e31 = self.v_inside_unit(path_28.uv.y(), path_28.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_29.uv.y(), path_29.duv.y(), _e30);
             interval_4 = _e31;
             let _e33 = interval_4.y();
             way_19 = _e33;
@@ -9772,14 +10027,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_19;
         return _e34;
     }
-    pub(crate) fn light_ray_over_heights(&self, at_52: Entered, hit_11: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray_over_heights(at_52, hit_11, light_3))
+    pub(crate) fn light_ray_over_heights(&self, at_53: Entered, hit_11: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray_over_heights(at_53, hit_11, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_light_ray_over_heights(&self, at_52: Entered, hit_11: Hit, light_3: Toward) -> LightRay {
+    pub(super) fn v_light_ray_over_heights(&self, at_53: Entered, hit_11: Hit, light_3: Toward) -> LightRay {
         let mut local_55: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_52, hit_11, light_3);
+        let _e3 = self.v_from_hit(at_53, hit_11, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -9809,28 +10064,28 @@ impl<'g> Resources<'g> {
         let gap_2 = (end_11 * (_e31.y() + (_e31.z() * end_11)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_8 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_2) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_116 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_11), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_11, rt::Scalar(1f32), rt::Scalar(0f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_116);
+        let path_118 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_11), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_11, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_118);
     }
     pub(crate) fn field_heights_light_ray(
         &self,
-        at_53: Entered,
+        at_54: Entered,
         hit_12: Hit,
         light_4: Toward,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> LightRay {
-        rt::into(self.v_field_heights_light_ray(at_53, hit_12, light_4, rt::into(params_44)))
+        rt::into(self.v_field_heights_light_ray(at_54, hit_12, light_4, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_light_ray(
         &self,
-        at_53: Entered,
+        at_54: Entered,
         hit_12: Hit,
         light_4: Toward,
-        params_44: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> LightRay {
-        let _e4 = self.v_light_ray_over_heights(at_53, hit_12, light_4);
+        let _e4 = self.v_light_ray_over_heights(at_54, hit_12, light_4);
         return _e4;
     }
     pub(crate) fn no_table(&self) -> SeenTable {
@@ -9856,46 +10111,46 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_between(
         &self,
-        at_54: Around,
+        at_55: Around,
         layer_8: impl rt::Into<rt::Scalar<i32>>,
-        level_43: impl rt::Into<rt::Scalar<u32>>,
+        level_46: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_between(at_54, rt::into(layer_8), rt::into(level_43)))
+        rt::into(self.v_normal_between(at_55, rt::into(layer_8), rt::into(level_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_between(
         &self,
-        at_54: Around,
+        at_55: Around,
         layer_8: rt::Scalar<i32>,
-        level_43: rt::Scalar<u32>,
+        level_46: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let k_59 = level_43.to_i32();
-        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_54.columns.x(), at_54.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
-        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_54.columns.y(), at_54.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
-        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_54.columns.x(), at_54.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
-        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_54.columns.y(), at_54.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
-        let _e33 = self.v_bilinear(_e10, _e17, _e24, _e31, at_54.part);
+        let k_59 = level_46.to_i32();
+        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.x(), at_55.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
+        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.y(), at_55.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
+        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.x(), at_55.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
+        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.y(), at_55.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
+        let _e33 = self.v_bilinear(_e10, _e17, _e24, _e31, at_55.part);
         return _e33;
     }
     pub(crate) fn normal_at(
         &self,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
-        level_44: impl rt::Into<rt::Scalar<u32>>,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        level_47: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_20), rt::into(level_44)))
+        rt::into(self.v_normal_at(rt::into(uv_21), rt::into(level_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_at(
         &self,
-        uv_20: rt::Vec2<f32>,
-        level_44: rt::Scalar<u32>,
+        uv_21: rt::Vec2<f32>,
+        level_47: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.normal_size;
-        let _e5 = self.v_level_texels(_e4, level_44);
-        let _e6 = self.v_texels_around(uv_20, _e5);
-        let _e8 = self.v_normal_between(_e6, rt::Scalar(0i32), level_44);
+        let _e5 = self.v_level_texels(_e4, level_47);
+        let _e6 = self.v_texels_around(uv_21, _e5);
+        let _e8 = self.v_normal_between(_e6, rt::Scalar(0i32), level_47);
         return _e8;
     }
     pub(crate) fn sloped_cell(&self, i_6: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec2<i32> {
@@ -9928,36 +10183,36 @@ impl<'g> Resources<'g> {
         beside: rt::Scalar<f32>,
         rate: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let a_35 = (own * rate);
-        let b_35 = (beside * rate);
-        let along_30 = (rt::Scalar(1f32) + (a_35 * b_35));
-        let apart_3 = (a_35 - b_35).abs();
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_30))) {
+        let a_38 = (own * rate);
+        let b_38 = (beside * rate);
+        let along_30 = (rt::Scalar(1f32) + (a_38 * b_38));
+        let apart_4 = (a_38 - b_38).abs();
+        if rt::Scalar::into_branch_condition(apart_4.elementwise_le((rt::Scalar(0.5f32) * along_30))) {
             return beside;
         }
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_30))) {
+        if rt::Scalar::into_branch_condition(apart_4.elementwise_ge((rt::Scalar(1f32) * along_30))) {
             return own;
         }
-        let part_26 = (((apart_3 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
-        return (beside + ((own - beside) * part_26));
+        let part_27 = (((apart_4 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_27));
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_55: Entered,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        at_56: Entered,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_55, rt::into(uv_21)))
+        rt::into(self.v_slopes_between_creases(at_56, rt::into(uv_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slopes_between_creases(
         &self,
-        at_55: Entered,
-        uv_21: rt::Vec2<f32>,
+        at_56: Entered,
+        uv_22: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut part_8: rt::Vec2<f32>;
 
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_32 = ((uv_21 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_32 = ((uv_22 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_32);
         let _e11 = self.v_sloped_cell(_e9.to_i32());
         let cell_43 = _e11.to_f32();
@@ -9992,121 +10247,121 @@ impl<'g> Resources<'g> {
         let _e71 = self.v_cell_slopes(_e69, _e70);
         let behind_v = _e71.y();
         let _e76 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e76) / at_55.tangent.length());
+        let rate_u = ((_e3.x() * _e76) / at_56.tangent.length());
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e84) / at_55.bitangent.length());
+        let rate_v = ((_e3.y() * _e84) / at_56.bitangent.length());
         let _e90 = self.v_slope_beside(_e32.x(), before_u, rate_u);
         let _e92 = self.v_slope_beside(_e32.y(), before_v, rate_v);
-        let before_8 = <rt::Vec2<f32>>::from_scalars(_e90, _e92);
+        let before_10 = <rt::Vec2<f32>>::from_scalars(_e90, _e92);
         let _e95 = self.v_slope_beside(_e32.x(), behind_u, rate_u);
         let _e97 = self.v_slope_beside(_e32.y(), behind_v, rate_v);
         let behind_2 = <rt::Vec2<f32>>::from_scalars(_e95, _e97);
         let _e101 = part_8;
-        return (rt::Scalar(0.5f32) * ((_e32 + before_8) + ((behind_2 - before_8) * _e101)));
+        return (rt::Scalar(0.5f32) * ((_e32 + before_10) + ((behind_2 - before_10) * _e101)));
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_56: Entered,
+        at_57: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_56, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_57, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_of_slopes(
         &self,
-        at_56: Entered,
+        at_57: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_56.tangent + (at_56.normal * slope_u));
-        let along_v_1 = (at_56.bitangent + (at_56.normal * slope_v));
-        let across_8 = along_v_1.cross(along_u_1).normalize();
-        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_56.normal).elementwise_ge(rt::Scalar(0f32))));
+        let along_u_2 = (at_57.tangent + (at_57.normal * slope_u));
+        let along_v_2 = (at_57.bitangent + (at_57.normal * slope_v));
+        let across_8 = along_v_2.cross(along_u_2).normalize();
+        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_57.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn texels_apart(
         &self,
-        place_19: impl rt::Into<rt::Scalar<f32>>,
+        place_22: impl rt::Into<rt::Scalar<f32>>,
         side_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_texels_apart(rt::into(place_19), rt::into(side_3)))
+        rt::into(self.v_texels_apart(rt::into(place_22), rt::into(side_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_texels_apart(
         &self,
-        place_19: rt::Scalar<f32>,
+        place_22: rt::Scalar<f32>,
         side_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e4.elementwise_ne(WRAP_CLAMP)) {
             return rt::Scalar(2f32);
         }
-        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_19).max(rt::Scalar(0f32))) - ((place_19 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
+        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_22).max(rt::Scalar(0f32))) - ((place_22 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_57: Entered,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        at_58: Entered,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_57, rt::into(uv_22)))
+        rt::into(self.v_normal_from_height(at_58, rt::into(uv_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normal_from_height(
         &self,
-        at_57: Entered,
-        uv_22: rt::Vec2<f32>,
+        at_58: Entered,
+        uv_23: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_57, uv_22);
+            let _e9 = self.v_slopes_between_creases(at_58, uv_23);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_57, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_58, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e30 = self.v_height_at((uv_22 + du), rt::Scalar(0u32));
-        let _e33 = self.v_height_at((uv_22 - du), rt::Scalar(0u32));
+        let _e30 = self.v_height_at((uv_23 + du), rt::Scalar(0u32));
+        let _e33 = self.v_height_at((uv_23 - du), rt::Scalar(0u32));
         let rise_u_1 = (_e30 - _e33);
-        let _e37 = self.v_height_at((uv_22 + dv), rt::Scalar(0u32));
-        let _e40 = self.v_height_at((uv_22 - dv), rt::Scalar(0u32));
+        let _e37 = self.v_height_at((uv_23 + dv), rt::Scalar(0u32));
+        let _e40 = self.v_height_at((uv_23 - dv), rt::Scalar(0u32));
         let rise_v_1 = (_e37 - _e40);
-        let _e46 = self.v_texels_apart((uv_22.x() * _e3.x()), _e3.x());
+        let _e46 = self.v_texels_apart((uv_23.x() * _e3.x()), _e3.x());
         let rate_u_1 = (rt::Scalar(1f32) / _e46);
-        let _e53 = self.v_texels_apart((uv_22.y() * _e3.y()), _e3.y());
+        let _e53 = self.v_texels_apart((uv_23.y() * _e3.y()), _e3.y());
         let rate_v_1 = (rt::Scalar(1f32) / _e53);
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u_1 = (rise_u_1 * ((rate_u_1 * _e3.x()) * _e60));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v_1 = (rise_v_1 * ((rate_v_1 * _e3.y()) * _e67));
-        let _e70 = self.v_normal_of_slopes(at_57, slope_u_1, slope_v_1);
+        let _e70 = self.v_normal_of_slopes(at_58, slope_u_1, slope_v_1);
         return _e70;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_58: Entered,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        at_59: Entered,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_58, rt::into(uv_23)))
+        rt::into(self.v_finest_normal(at_59, rt::into(uv_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_finest_normal(
         &self,
-        at_58: Entered,
-        uv_23: rt::Vec2<f32>,
+        at_59: Entered,
+        uv_24: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e8 = self.v_normal_at(uv_23, rt::Scalar(0u32));
-            let _e10 = self.v_from_tangent_space(at_58, _e8.xyz());
+            let _e8 = self.v_normal_at(uv_24, rt::Scalar(0u32));
+            let _e10 = self.v_from_tangent_space(at_59, _e8.xyz());
             return _e10.normalize();
         }
-        let _e12 = self.v_normal_from_height(at_58, uv_23);
+        let _e12 = self.v_normal_from_height(at_59, uv_24);
         return _e12;
     }
     pub(crate) fn means_of_one(&self, n_11: impl rt::Into<rt::Vec3<f32>>) -> Normals {
@@ -10122,73 +10377,73 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_59: Entered,
+        at_60: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_59, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_60, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_to_tangent_space(
         &self,
-        at_59: Entered,
+        at_60: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_2 = at_59.tangent.normalize();
-        let along_v_2 = at_59.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v_1), (-along_v_2.dot(v_1)), at_59.normal.dot(v_1));
+        let along_u_3 = at_60.tangent.normalize();
+        let along_v_3 = at_60.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_60.normal.dot(v_1));
     }
     pub(crate) fn normal_layers(
         &self,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
-        level_45: impl rt::Into<rt::Scalar<u32>>,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        level_48: impl rt::Into<rt::Scalar<u32>>,
     ) -> NormalLayers {
-        rt::into(self.v_normal_layers(rt::into(uv_24), rt::into(level_45)))
+        rt::into(self.v_normal_layers(rt::into(uv_25), rt::into(level_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_layers(
         &self,
-        uv_24: rt::Vec2<f32>,
-        level_45: rt::Scalar<u32>,
+        uv_25: rt::Vec2<f32>,
+        level_48: rt::Scalar<u32>,
     ) -> NormalLayers {
         let _e4 = self.surface_settings.normal_size;
-        let _e5 = self.v_level_texels(_e4, level_45);
-        let _e6 = self.v_texels_around(uv_24, _e5);
-        let _e8 = self.v_normal_between(_e6, rt::Scalar(0i32), level_45);
-        let _e10 = self.v_normal_between(_e6, rt::Scalar(1i32), level_45);
+        let _e5 = self.v_level_texels(_e4, level_48);
+        let _e6 = self.v_texels_around(uv_25, _e5);
+        let _e8 = self.v_normal_between(_e6, rt::Scalar(0i32), level_48);
+        let _e10 = self.v_normal_between(_e6, rt::Scalar(1i32), level_48);
         return <NormalLayers>::new(_e8, _e10);
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_60: Entered,
-        uv_25: impl rt::Into<rt::Vec2<f32>>,
-        level_46: impl rt::Into<rt::Scalar<u32>>,
+        at_61: Entered,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        level_49: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_60, rt::into(uv_25), rt::into(level_46)))
+        rt::into(self.v_normals_of_level(at_61, rt::into(uv_26), rt::into(level_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normals_of_level(
         &self,
-        at_60: Entered,
-        uv_25: rt::Vec2<f32>,
-        level_46: rt::Scalar<u32>,
+        at_61: Entered,
+        uv_26: rt::Vec2<f32>,
+        level_49: rt::Scalar<u32>,
     ) -> Normals {
         let _e5 = rt::Scalar(self.surface_settings.has_normal);
         let has_normal = _e5.elementwise_eq(rt::Scalar(1u32));
-        let _e11 = self.v_normal_layers(uv_25, (level_46 - rt::Scalar(1u32)).select(level_46, has_normal));
+        let _e11 = self.v_normal_layers(uv_26, (level_49 - rt::Scalar(1u32)).select(level_49, has_normal));
         if rt::Scalar::into_branch_condition(has_normal) {
             return <Normals>::new(_e11.first, _e11.second);
         }
-        let tile = self.surface_settings.normal_tile_m;
-        let x_12 = ((tile.x() * at_60.tangent.normalize().dot(at_60.tangent)) / at_60.tangent.dot(at_60.tangent));
-        let y_7 = ((tile.y() * at_60.bitangent.normalize().dot(at_60.bitangent)) / at_60.bitangent.dot(at_60.bitangent));
-        let first_18 = _e11.first;
-        let second_6 = _e11.second;
-        let flatter = <rt::Vec3<f32>>::from_scalars((first_18.x() * x_12), (first_18.y() * y_7), first_18.z());
-        let longer_1 = (first_18.xyz().dot(first_18.xyz()) / flatter.dot(flatter)).sqrt();
-        let squares = (<rt::Vec3<f32>>::from_scalars(((second_6.x() * x_12) * x_12), ((second_6.y() * x_12) * y_7), ((second_6.z() * y_7) * y_7)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (first_18.w() * x_12)), <rt::Vec4<f32>>::new_31(squares, (second_6.w() * y_7)));
+        let tile_1 = self.surface_settings.normal_tile_m;
+        let x_12 = ((tile_1.x() * at_61.tangent.normalize().dot(at_61.tangent)) / at_61.tangent.dot(at_61.tangent));
+        let y_7 = ((tile_1.y() * at_61.bitangent.normalize().dot(at_61.bitangent)) / at_61.bitangent.dot(at_61.bitangent));
+        let first_20 = _e11.first;
+        let second_7 = _e11.second;
+        let flatter = <rt::Vec3<f32>>::from_scalars((first_20.x() * x_12), (first_20.y() * y_7), first_20.z());
+        let longer_1 = (first_20.xyz().dot(first_20.xyz()) / flatter.dot(flatter)).sqrt();
+        let squares = (<rt::Vec3<f32>>::from_scalars(((second_7.x() * x_12) * x_12), ((second_7.y() * x_12) * y_7), ((second_7.z() * y_7) * y_7)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (first_20.w() * x_12)), <rt::Vec4<f32>>::new_31(squares, (second_7.w() * y_7)));
     }
     pub(crate) fn mean_of_five(
         &self,
@@ -10216,58 +10471,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_61: Entered,
+        at_62: Entered,
         normals: Normals,
         view_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_61, normals, rt::into(view_16)))
+        rt::into(self.v_seen_normals(at_62, normals, rt::into(view_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_normals(
         &self,
-        at_61: Entered,
+        at_62: Entered,
         normals: Normals,
         view_16: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_19 = normals.first;
-        let second_7 = normals.second;
-        let slope_11 = <rt::Vec2<f32>>::from_scalars(first_19.w(), second_7.w());
-        let upright_2 = first_19.z().max(rt::Scalar(0.05f32));
-        let x_13 = (first_19.x() / upright_2);
-        let y_8 = (first_19.y() / upright_2);
-        let a_36 = ((second_7.x() / upright_2) - (x_13 * x_13)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_36 = (((second_7.y() / upright_2) - (x_13 * y_8)) / a_36);
-        let spread = ((second_7.z() / upright_2) - (y_8 * y_8)).max(rt::Scalar(0f32));
-        let d_4 = (spread - (b_36 * b_36)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_7.x(), second_7.y(), first_19.x())) - (first_19.xyz() * slope_11.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_7.y(), second_7.z(), first_19.y())) - (first_19.xyz() * slope_11.y()));
-        let most_15 = ((a_36 * a_36) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_31 = (with_x / rt::Vec3::splat_from_scalar(a_36.max((with_x.length() / most_15))));
-        let rest_8 = (with_y - (along_31 * b_36));
+        let first_21 = normals.first;
+        let second_8 = normals.second;
+        let slope_11 = <rt::Vec2<f32>>::from_scalars(first_21.w(), second_8.w());
+        let upright_2 = first_21.z().max(rt::Scalar(0.05f32));
+        let x_13 = (first_21.x() / upright_2);
+        let y_8 = (first_21.y() / upright_2);
+        let a_39 = ((second_8.x() / upright_2) - (x_13 * x_13)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_39 = (((second_8.y() / upright_2) - (x_13 * y_8)) / a_39);
+        let spread = ((second_8.z() / upright_2) - (y_8 * y_8)).max(rt::Scalar(0f32));
+        let d_4 = (spread - (b_39 * b_39)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_8.x(), second_8.y(), first_21.x())) - (first_21.xyz() * slope_11.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_8.y(), second_8.z(), first_21.y())) - (first_21.xyz() * slope_11.y()));
+        let most_15 = ((a_39 * a_39) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_31 = (with_x / rt::Vec3::splat_from_scalar(a_39.max((with_x.length() / most_15))));
+        let rest_8 = (with_y - (along_31 * b_39));
         let across_9 = (rest_8 / rt::Vec3::splat_from_scalar(d_4.max((rest_8.length() / most_15))));
-        let _e77 = self.v_to_tangent_space(at_61, view_16);
+        let _e77 = self.v_to_tangent_space(at_62, view_16);
         let middle_14 = (_e77.z() - _e77.xy().dot(slope_11));
-        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_36) + (_e77.y() * b_36))), (-(_e77.y() * d_4)));
+        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_39) + (_e77.y() * b_39))), (-(_e77.y() * d_4)));
         let one_1 = middle_14.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one_1, _e94);
         let all_2 = _e95.max(rt::Scalar(0.001f32));
         let aside_4 = ((along_31 * ((_e91.x() - _e91.y()) / all_2)) + (across_9 * ((_e91.z() - _e91.w()) / all_2)));
-        let _e113 = self.v_from_tangent_space(at_61, (first_19.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_62, (first_21.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_19.xyz(), along_31, across_9, slope_11, <rt::Vec2<f32>>::from_scalars(a_36, b_36), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_2), (_e91 / rt::Vec4::splat_from_scalar(all_2)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_21.xyz(), along_31, across_9, slope_11, <rt::Vec2<f32>>::from_scalars(a_39, b_39), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_2), (_e91 / rt::Vec4::splat_from_scalar(all_2)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_62: Entered) -> f32 {
-        rt::into(self.v_table_part(at_62))
+    pub(crate) fn table_part(&self, at_63: Entered) -> f32 {
+        rt::into(self.v_table_part(at_63))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_table_part(&self, at_62: Entered) -> rt::Scalar<f32> {
+    pub(super) fn v_table_part(&self, at_63: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_62.fade) * ((rt::Scalar(at_62.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_63.fade) * ((rt::Scalar(at_63.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn has_table(&self, levels: Levels) -> bool {
         rt::into(self.v_has_table(levels))
@@ -10280,18 +10535,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn with_table(
         &self,
-        at_63: Entered,
+        at_64: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_9: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_63, seen_1, table, rt::into(part_9)))
+        rt::into(self.v_with_table(at_64, seen_1, table, rt::into(part_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_with_table(
         &self,
-        at_63: Entered,
+        at_64: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_9: rt::Scalar<f32>,
@@ -10299,9 +10554,9 @@ impl<'g> Resources<'g> {
         let mut blended: SeenNormals;
 
         blended = seen_1;
-        let before_9 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_63, table.mean);
-        let mean_11 = (before_9 + ((_e9 - before_9) * part_9));
+        let before_11 = (seen_1.normal * rt::Scalar(seen_1.length));
+        let _e9 = self.v_from_tangent_space(at_64, table.mean);
+        let mean_11 = (before_11 + ((_e9 - before_11) * part_9));
         blended.normal = mean_11.normalize();
         rt::Scalar(blended.length) = mean_11.length().min(rt::Scalar(1f32));
         rt::Scalar(blended.table_part) = part_9;
@@ -10311,90 +10566,90 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_between(
         &self,
-        a_13: SeenTexel,
-        b_13: SeenTexel,
+        a_16: SeenTexel,
+        b_16: SeenTexel,
         part_10: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_13, b_13, rt::into(part_10)))
+        rt::into(self.v_seen_between(a_16, b_16, rt::into(part_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_between(
         &self,
-        a_13: SeenTexel,
-        b_13: SeenTexel,
+        a_16: SeenTexel,
+        b_16: SeenTexel,
         part_10: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_13.first + ((b_13.first - a_13.first) * part_10)), (a_13.second + ((b_13.second - a_13.second) * part_10)));
+        return <SeenTexel>::new((a_16.first + ((b_16.first - a_16.first) * part_10)), (a_16.second + ((b_16.second - a_16.second) * part_10)));
     }
     pub(crate) fn seen_texel(
         &self,
-        at_64: Around,
+        at_65: Around,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_47: impl rt::Into<rt::Scalar<u32>>,
+        level_50: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(at_64, rt::into(azimuth), rt::into(elevation), rt::into(level_47)))
+        rt::into(self.v_seen_texel(at_65, rt::into(azimuth), rt::into(elevation), rt::into(level_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_texel(
         &self,
-        at_64: Around,
+        at_65: Around,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_47: rt::Scalar<u32>,
+        level_50: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_13 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(at_64, layer_13, level_47);
-        let _e12 = self.v_detail_texel_between(at_64, (layer_13 + rt::Scalar(1i32)), level_47);
+        let _e9 = self.v_detail_texel_between(at_65, layer_13, level_50);
+        let _e12 = self.v_detail_texel_between(at_65, (layer_13 + rt::Scalar(1i32)), level_50);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        at_65: SeenPlace,
+        at_66: SeenPlace,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(at_65, rt::into(azimuth_1), rt::into(elevation_1)))
+        rt::into(self.v_seen_in_levels(at_66, rt::into(azimuth_1), rt::into(elevation_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_in_levels(
         &self,
-        at_65: SeenPlace,
+        at_66: SeenPlace,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
     ) -> SeenTexel {
-        let _e6 = self.v_seen_texel(at_65.fine, azimuth_1, elevation_1, rt::Scalar(at_65.levels.fine));
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_65.levels.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e16 = self.v_seen_texel(at_65.coarse, azimuth_1, elevation_1, (rt::Scalar(at_65.levels.fine) + rt::Scalar(1u32)));
-            let _e19 = self.v_seen_between(_e6, _e16, rt::Scalar(at_65.levels.part));
+        let _e6 = self.v_seen_texel(at_66.fine, azimuth_1, elevation_1, rt::Scalar(at_66.levels.fine));
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_66.levels.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e16 = self.v_seen_texel(at_66.coarse, azimuth_1, elevation_1, (rt::Scalar(at_66.levels.fine) + rt::Scalar(1u32)));
+            let _e19 = self.v_seen_between(_e6, _e16, rt::Scalar(at_66.levels.part));
             return _e19;
         }
         return _e6;
     }
     pub(crate) fn table_of(
         &self,
-        at_66: Entered,
-        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        at_67: Entered,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
         view_17: impl rt::Into<rt::Vec3<f32>>,
         levels_1: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_66, rt::into(uv_26), rt::into(view_17), levels_1))
+        rt::into(self.v_table_of(at_67, rt::into(uv_27), rt::into(view_17), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_table_of(
         &self,
-        at_66: Entered,
-        uv_26: rt::Vec2<f32>,
+        at_67: Entered,
+        uv_27: rt::Vec2<f32>,
         view_17: rt::Vec3<f32>,
         levels_1: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_66, view_17);
-        let tile_1 = self.surface_settings.maps[0usize].tile_m;
+        let _e4 = self.v_climb(at_67, view_17);
+        let tile_2 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
-        let toward_9 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
+        let toward_9 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_2), (_e4.z() * _e15));
         let up_3 = (toward_9.z() / toward_9.length());
         let elevation_3 = ((up_3 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
         let _e29 = self.v_turn_of(toward_9.xy());
@@ -10405,19 +10660,19 @@ impl<'g> Resources<'g> {
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_10 = (azimuth_4 - azimuth_4.floor());
         let _e49 = self.v_height_texels(rt::Scalar(levels_1.fine));
-        let _e50 = self.v_texels_around(uv_26, _e49);
+        let _e50 = self.v_texels_around(uv_27, _e49);
         let _e54 = self.v_height_texels((rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
-        let _e55 = self.v_texels_around(uv_26, _e54);
-        let place_35 = <SeenPlace>::new(_e50, _e55, levels_1);
-        let _e57 = self.v_seen_in_levels(place_35, a0_1, e0_);
-        let _e58 = self.v_seen_in_levels(place_35, a1_1, e0_);
+        let _e55 = self.v_texels_around(uv_27, _e54);
+        let place_42 = <SeenPlace>::new(_e50, _e55, levels_1);
+        let _e57 = self.v_seen_in_levels(place_42, a0_1, e0_);
+        let _e58 = self.v_seen_in_levels(place_42, a1_1, e0_);
         let _e59 = self.v_seen_between(_e57, _e58, across_10);
-        let _e60 = self.v_seen_in_levels(place_35, a0_1, e1_1);
-        let _e61 = self.v_seen_in_levels(place_35, a1_1, e1_1);
+        let _e60 = self.v_seen_in_levels(place_42, a0_1, e1_1);
+        let _e61 = self.v_seen_in_levels(place_42, a1_1, e1_1);
         let _e62 = self.v_seen_between(_e60, _e61, across_10);
         let _e65 = self.v_seen_between(_e59, _e62, (elevation_3 - elevation_3.floor()));
-        let x_14 = ((tile_1.x() * at_66.tangent.normalize().dot(at_66.tangent)) / at_66.tangent.dot(at_66.tangent));
-        let y_9 = ((tile_1.y() * at_66.bitangent.normalize().dot(at_66.bitangent)) / at_66.bitangent.dot(at_66.bitangent));
+        let x_14 = ((tile_2.x() * at_67.tangent.normalize().dot(at_67.tangent)) / at_67.tangent.dot(at_67.tangent));
+        let y_9 = ((tile_2.y() * at_67.bitangent.normalize().dot(at_67.bitangent)) / at_67.bitangent.dot(at_67.bitangent));
         let mean_12 = _e65.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_12.x() * x_14), (mean_12.y() * y_9), mean_12.z());
         let squared_3 = (mean_12.dot(mean_12) / flatter_1.dot(flatter_1));
@@ -10426,17 +10681,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_67: Entered,
-        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        at_68: Entered,
+        uv_28: impl rt::Into<rt::Vec2<f32>>,
         view_18: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_67, rt::into(uv_27), rt::into(view_18)))
+        rt::into(self.v_mesostructure_normals(at_68, rt::into(uv_28), rt::into(view_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_mesostructure_normals(
         &self,
-        at_67: Entered,
-        uv_27: rt::Vec2<f32>,
+        at_68: Entered,
+        uv_28: rt::Vec2<f32>,
         view_18: rt::Vec3<f32>,
     ) -> SeenNormals {
         let mut first_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
@@ -10444,35 +10699,35 @@ impl<'g> Resources<'g> {
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_67.normal);
+            let _e9 = self.v_one_seen(at_68.normal);
             return _e9;
         }
-        let upright_4 = at_67.normal.dot(view_18);
+        let upright_4 = at_68.normal.dot(view_18);
         let shown = upright_4.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_67.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_68.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_5 = ((rt::Scalar(at_67.footprint) * _e22) * width_7);
+        let texels_5 = ((rt::Scalar(at_68.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_5, _e27);
         let _e35 = first_1;
         second = _e35;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            let _e40 = self.v_finest_normal(at_67, uv_27);
+            let _e40 = self.v_finest_normal(at_68, uv_28);
             if rt::Scalar::into_branch_condition((!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)))) {
                 let _e45 = self.v_one_seen(_e40);
                 return _e45;
             }
-            let _e46 = self.v_to_tangent_space(at_67, _e40);
+            let _e46 = self.v_to_tangent_space(at_68, _e40);
             let _e47 = self.v_means_of_one(_e46);
             first_1 = _e47.first;
             second = _e47.second;
         } else {
-            let _e51 = self.v_normals_of_level(at_67, uv_27, rt::Scalar(_e28.fine));
+            let _e51 = self.v_normals_of_level(at_68, uv_28, rt::Scalar(_e28.fine));
             first_1 = _e51.first;
             second = _e51.second;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e60 = self.v_normals_of_level(at_67, uv_27, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e60 = self.v_normals_of_level(at_68, uv_28, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e61 = first_1;
             let _e63 = first_1;
             first_1 = (_e61 + ((_e60.first - _e63) * rt::Scalar(_e28.part)));
@@ -10482,15 +10737,15 @@ impl<'g> Resources<'g> {
         }
         let _e75 = first_1;
         let _e76 = second;
-        let _e78 = self.v_seen_normals(at_67, <Normals>::new(_e75, _e76), view_18);
-        let _e79 = self.v_table_part(at_67);
+        let _e78 = self.v_seen_normals(at_68, <Normals>::new(_e75, _e76), view_18);
+        let _e79 = self.v_table_part(at_68);
         if rt::Scalar::into_branch_condition(_e79.elementwise_gt(rt::Scalar(0f32))) {
             let _e85 = rt::Scalar(self.surface_settings.height_levels);
-            let _e86 = self.v_levels_of(rt::Scalar(at_67.footprint), _e85);
+            let _e86 = self.v_levels_of(rt::Scalar(at_68.footprint), _e85);
             let _e87 = self.v_has_table(_e86);
             if rt::Scalar::into_branch_condition(_e87) {
-                let _e88 = self.v_table_of(at_67, uv_27, view_18, _e86);
-                let _e89 = self.v_with_table(at_67, _e78, _e88, _e79);
+                let _e88 = self.v_table_of(at_68, uv_28, view_18, _e86);
+                let _e89 = self.v_with_table(at_68, _e78, _e88, _e79);
                 return _e89;
             }
         }
@@ -10498,99 +10753,129 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn field_heights_normals(
         &self,
-        at_68: Entered,
+        at_69: Entered,
         hit_13: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_heights_normals(at_68, hit_13, rt::into(view_19), rt::into(params_45)))
+        rt::into(self.v_field_heights_normals(at_69, hit_13, rt::into(view_19), rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_normals(
         &self,
-        at_68: Entered,
+        at_69: Entered,
         hit_13: Hit,
         view_19: rt::Vec3<f32>,
-        params_45: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> SeenNormals {
-        let _e5 = self.v_mesostructure_normals(at_68, hit_13.uv, view_19);
+        let _e5 = self.v_mesostructure_normals(at_69, hit_13.uv, view_19);
         return _e5;
     }
     pub(crate) fn patch_normal(
         &self,
-        at_69: Entered,
-        uv_28: impl rt::Into<rt::Vec2<f32>>,
+        at_70: Entered,
+        uv_29: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_69, rt::into(uv_28)))
+        rt::into(self.v_patch_normal(at_70, rt::into(uv_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_patch_normal(
         &self,
-        at_69: Entered,
-        uv_28: rt::Vec2<f32>,
+        at_70: Entered,
+        uv_29: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_69.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_69.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_70.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_70.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_28, rt::Scalar(at_69.level));
+        let _e18 = self.v_height_and_slope(uv_29, rt::Scalar(at_70.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_3 = (at_69.tangent + (at_69.normal * (_e18.y() * _e24)));
+        let along_u_4 = (at_70.tangent + (at_70.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_3 = (at_69.bitangent + (at_69.normal * (_e18.z() * _e33)));
-        let across_11 = along_v_3.cross(along_u_3).normalize();
-        return (across_11 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_11.dot(at_69.normal).elementwise_ge(rt::Scalar(0f32))));
+        let along_v_4 = (at_70.bitangent + (at_70.normal * (_e18.z() * _e33)));
+        let across_11 = along_v_4.cross(along_u_4).normalize();
+        return (across_11 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_11.dot(at_70.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn field_heights_patch_normal(
         &self,
-        at_70: Entered,
+        at_71: Entered,
         hit_14: Hit,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_field_heights_patch_normal(at_70, hit_14, rt::into(params_46)))
+        rt::into(self.v_field_heights_patch_normal(at_71, hit_14, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_patch_normal(
         &self,
-        at_70: Entered,
+        at_71: Entered,
         hit_14: Hit,
-        params_46: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e4 = self.v_patch_normal(at_70, hit_14.uv);
+        let _e4 = self.v_patch_normal(at_71, hit_14.uv);
         return _e4;
     }
-    pub(crate) fn field_slopes(&self, place_20: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_field_slopes(rt::into(place_20)))
+    pub(crate) fn field_slopes(&self, place_23: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_field_slopes(rt::into(place_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_field_slopes(&self, place_20: rt::Vec3<f32>) -> rt::Vec3<f32> {
+    pub(super) fn v_field_slopes(&self, place_23: rt::Vec3<f32>) -> rt::Vec3<f32> {
         let i_12 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let j_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
         let k_60 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
-        let _e14 = self.v_field_at_voxel((place_20 + i_12));
-        let _e16 = self.v_field_at_voxel((place_20 - i_12));
+        let _e14 = self.v_field_at_voxel((place_23 + i_12));
+        let _e16 = self.v_field_at_voxel((place_23 - i_12));
         let along_i = (_e14 - _e16);
-        let _e19 = self.v_field_at_voxel((place_20 + j_2));
-        let _e21 = self.v_field_at_voxel((place_20 - j_2));
+        let _e19 = self.v_field_at_voxel((place_23 + j_2));
+        let _e21 = self.v_field_at_voxel((place_23 - j_2));
         let along_j = (_e19 - _e21);
-        let _e24 = self.v_field_at_voxel((place_20 + k_60));
-        let _e26 = self.v_field_at_voxel((place_20 - k_60));
+        let _e24 = self.v_field_at_voxel((place_23 + k_60));
+        let _e26 = self.v_field_at_voxel((place_23 - k_60));
         let along_k = (_e24 - _e26);
         return (<rt::Vec3<f32>>::from_scalars(along_i, along_j, along_k) / rt::Vec3::splat_from_scalar(rt::Scalar(1f32)));
     }
-    pub(crate) fn light_ray_out_of_volume(&self, at_71: Entered, hit_15: Hit, light_5: Toward) -> LightRay {
-        rt::into(self.v_light_ray_out_of_volume(at_71, hit_15, light_5))
+    pub(crate) fn light_ray_from(
+        &self,
+        at_72: Entered,
+        begin_4: impl rt::Into<rt::Vec3<f32>>,
+        change_1: impl rt::Into<rt::Vec3<f32>>,
+        light_5: Toward,
+    ) -> LightRay {
+        rt::into(self.v_light_ray_from(at_72, rt::into(begin_4), rt::into(change_1), light_5))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_light_ray_out_of_volume(&self, at_71: Entered, hit_15: Hit, light_5: Toward) -> LightRay {
+    #[inline(always)]
+    pub(super) fn v_light_ray_from(
+        &self,
+        at_72: Entered,
+        begin_4: rt::Vec3<f32>,
+        change_1: rt::Vec3<f32>,
+        light_5: Toward,
+    ) -> LightRay {
+        let h_9 = <rt::Vec3<f32>>::from_scalars(begin_4.z(), change_1.z(), rt::Scalar(0f32));
+        let way_27 = <Path>::new(begin_4.xy(), change_1.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_72.metric, RAY_SHADOW, rt::Scalar(at_72.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition((!change_1.z().elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_DARK, way_27);
+        }
+        let _e25 = self.v_way_out(way_27, light_5);
+        if rt::Scalar::into_branch_condition((!_e25.elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_LIT, way_27);
+        }
+        let path_119 = <Path>::new(begin_4.xy(), change_1.xy(), h_9, _e25, rt::Scalar(0f32), at_72.metric, RAY_SHADOW, rt::Scalar(at_72.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_119);
+    }
+    pub(crate) fn light_ray_out_of_volume(&self, at_73: Entered, hit_15: Hit, light_6: Toward) -> LightRay {
+        rt::into(self.v_light_ray_out_of_volume(at_73, hit_15, light_6))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_light_ray_out_of_volume(&self, at_73: Entered, hit_15: Hit, light_6: Toward) -> LightRay {
         let mut outside: rt::Vec3<f32>;
 
-        let _e4 = self.v_climb(at_71, light_5.direction);
+        let _e4 = self.v_climb(at_73, light_6.direction);
         let _e6 = self.v_near_uv(hit_15.uv);
         let _e9 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(_e6, rt::Scalar(hit_15.height)));
         let _e10 = self.v_field_slopes(_e9);
@@ -10601,182 +10886,425 @@ impl<'g> Resources<'g> {
         }
         let _e19 = outside;
         let _e25 = self.v_volume_size();
-        let begin_10 = ((_e19 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))) / _e25);
-        let h_9 = <rt::Vec3<f32>>::from_scalars(begin_10.z(), _e4.z(), rt::Scalar(0f32));
-        let way_26 = <Path>::new(begin_10.xy(), _e4.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_71.metric, RAY_SHADOW, rt::Scalar(at_71.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
-        if rt::Scalar::into_branch_condition((!_e4.z().elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_DARK, way_26);
-        }
-        let _e48 = self.v_way_out(way_26, light_5);
-        if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_LIT, way_26);
-        }
-        let path_117 = <Path>::new(begin_10.xy(), _e4.xy(), h_9, _e48, rt::Scalar(0f32), at_71.metric, RAY_SHADOW, rt::Scalar(at_71.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_117);
+        let _e27 = self.v_light_ray_from(at_73, ((_e19 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))) / _e25), _e4, light_6);
+        return _e27;
     }
     pub(crate) fn field_volume_light_ray(
         &self,
-        at_72: Entered,
+        at_74: Entered,
         hit_16: Hit,
-        light_6: Toward,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        light_7: Toward,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> LightRay {
-        rt::into(self.v_field_volume_light_ray(at_72, hit_16, light_6, rt::into(params_47)))
+        rt::into(self.v_field_volume_light_ray(at_74, hit_16, light_7, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_light_ray(
         &self,
-        at_72: Entered,
+        at_74: Entered,
         hit_16: Hit,
-        light_6: Toward,
-        params_47: rt::Vec4<f32>,
+        light_7: Toward,
+        params_51: rt::Vec4<f32>,
     ) -> LightRay {
-        let _e4 = self.v_light_ray_out_of_volume(at_72, hit_16, light_6);
+        let _e4 = self.v_light_ray_out_of_volume(at_74, hit_16, light_7);
         return _e4;
     }
-    pub(crate) fn field_light_ray_stage(&self, at_73: Entered, hit_17: Hit, light_7: Toward) -> LightRay {
-        rt::into(self.v_field_light_ray_stage(at_73, hit_17, light_7))
+    pub(crate) fn motif_texel(&self, place_24: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_motif_texel(rt::into(place_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_field_light_ray_stage(&self, at_73: Entered, hit_17: Hit, light_7: Toward) -> LightRay {
+    pub(super) fn v_motif_texel(&self, place_24: rt::Scalar<u32>) -> rt::Vec4<f32> {
+        let row_12 = (place_24 >> TREE_SHIFT);
+        let _e9 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars((place_24 - (row_12 * TREE_COLUMNS)).to_i32(), row_12.to_i32()));
+        return _e9;
+    }
+    pub(crate) fn nearest_of_leaf(
+        &self,
+        place_25: impl rt::Into<rt::Vec3<f32>>,
+        leaf: impl rt::Into<rt::Scalar<u32>>,
+        before_2: NearTriangle,
+    ) -> NearTriangle {
+        rt::into(self.v_nearest_of_leaf(rt::into(place_25), rt::into(leaf), before_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_nearest_of_leaf(
+        &self,
+        place_25: rt::Vec3<f32>,
+        leaf: rt::Scalar<u32>,
+        before_2: NearTriangle,
+    ) -> NearTriangle {
+        let mut nearest: NearTriangle;
+        let mut triangle: rt::Scalar<u32>;
+
+        nearest = before_2;
+        triangle = leaf;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e5 = triangle;
+                if rt::Scalar::into_branch_condition(_e5.elementwise_ne(rt::Scalar(0u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e8 = triangle;
+                    let _e9 = self.v_motif_texel(_e8);
+                    let _e10 = triangle;
+                    let _e13 = self.v_motif_texel((_e10 + rt::Scalar(1u32)));
+                    let _e14 = triangle;
+                    let _e17 = self.v_motif_texel((_e14 + rt::Scalar(2u32)));
+                    let _e21 = self.v_apart_from_triangle(place_25, _e9.xyz(), _e13.xyz(), _e17.xyz());
+                    let _e23 = rt::Scalar(nearest.apart);
+                    if rt::Scalar::into_branch_condition(_e21.elementwise_lt(_e23)) {
+                        let _e25 = triangle;
+                        nearest = <NearTriangle>::new(_e25, _e21);
+                    }
+                    let _e27 = triangle;
+                    triangle = (_e27 + rt::Scalar(3u32)).select(rt::Scalar(0u32), _e9.w().elementwise_eq(rt::Scalar(0f32)));
+                }
+            }
+        }
+        let _e35 = nearest;
+        return _e35;
+    }
+    pub(crate) fn point_of_triangle(
+        &self,
+        triangle_1: impl rt::Into<rt::Scalar<u32>>,
+        place_26: impl rt::Into<rt::Vec3<f32>>,
+    ) -> MotifPoint {
+        rt::into(self.v_point_of_triangle(rt::into(triangle_1), rt::into(place_26)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_point_of_triangle(
+        &self,
+        triangle_1: rt::Scalar<u32>,
+        place_26: rt::Vec3<f32>,
+    ) -> MotifPoint {
+        let _e2 = self.v_motif_texel(triangle_1);
+        let a_40 = _e2.xyz();
+        let _e6 = self.v_motif_texel((triangle_1 + rt::Scalar(1u32)));
+        let b_40 = _e6.xyz();
+        let _e10 = self.v_motif_texel((triangle_1 + rt::Scalar(2u32)));
+        let c_28 = _e10.xyz();
+        let _e13 = self.v_motif_texel(rt::Scalar(0u32));
+        let normals_1 = (triangle_1 + _e13.x().to_u32());
+        let _e17 = self.v_weights_under(place_26, a_40, b_40, c_28);
+        let weights_7 = _e17.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e23 = self.v_motif_texel(normals_1);
+        let first_22 = (_e23.xyz() * weights_7.x());
+        let _e29 = self.v_motif_texel((normals_1 + rt::Scalar(1u32)));
+        let second_9 = (_e29.xyz() * weights_7.y());
+        let _e36 = self.v_motif_texel((normals_1 + rt::Scalar(2u32)));
+        let sum_14 = ((first_22 + second_9) + (_e36.xyz() * weights_7.z()));
+        let flat_normal = (b_40 - a_40).cross((c_28 - a_40)).normalize();
+        let facet_1 = (flat_normal * rt::Scalar(1f32).select(rt::Scalar(-1f32), flat_normal.dot(sum_14).elementwise_lt(rt::Scalar(0f32))));
+        let size_5 = sum_14.length();
+        if rt::Scalar::into_branch_condition(size_5.elementwise_gt(rt::Scalar(0f32))) {
+            return <MotifPoint>::new((sum_14 / rt::Vec3::splat_from_scalar(size_5)), facet_1);
+        }
+        return <MotifPoint>::new(facet_1, facet_1);
+    }
+    pub(crate) fn motif_at(&self, place_27: impl rt::Into<rt::Vec3<f32>>) -> MotifPoint {
+        rt::into(self.v_motif_at(rt::into(place_27)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_motif_at(&self, place_27: rt::Vec3<f32>) -> MotifPoint {
+        let mut nearest_1: NearTriangle = <NearTriangle>::new(rt::Scalar(0u32), rt::Scalar(0.00000001f32));
+        let mut node: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut next_2: rt::Scalar<u32>;
+
+        let reach_5 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.0001f32), rt::Scalar(0.0001f32), rt::Scalar(0.0001f32));
+        'naga_break: loop {
+            'naga_continue: {
+                let _e11 = node;
+                if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e14 = node;
+                    let _e15 = self.v_motif_texel(_e14);
+                    let _e16 = node;
+                    let _e19 = self.v_motif_texel((_e16 + rt::Scalar(1u32)));
+                    next_2 = _e15.w().to_u32();
+                    let beyond_5 = ((_e15.xyz() - reach_5) - place_27).max(((place_27 - _e19.xyz()) - reach_5));
+                    if rt::Scalar::into_branch_condition(beyond_5.x().max(beyond_5.y()).max(beyond_5.z()).elementwise_le(rt::Scalar(0f32))) {
+                        if rt::Scalar::into_branch_condition(_e19.w().elementwise_eq(rt::Scalar(0f32))) {
+                            let _e40 = node;
+                            next_2 = (_e40 + rt::Scalar(2u32));
+                        } else {
+                            let _e45 = nearest_1;
+                            let _e46 = self.v_nearest_of_leaf(place_27, _e19.w().to_u32(), _e45);
+                            nearest_1 = _e46;
+                        }
+                    }
+                    let _e47 = next_2;
+                    node = _e47;
+                }
+            }
+        }
+        let _e49 = rt::Scalar(nearest_1.triangle);
+        if rt::Scalar::into_branch_condition(_e49.elementwise_eq(rt::Scalar(0u32))) {
+            return <MotifPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32)));
+        }
+        let _e62 = rt::Scalar(nearest_1.triangle);
+        let _e63 = self.v_point_of_triangle(_e62, place_27);
+        return _e63;
+    }
+    pub(crate) fn motif_of(&self, hit_17: Hit) -> MotifPoint {
+        rt::into(self.v_motif_of(hit_17))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_motif_of(&self, hit_17: Hit) -> MotifPoint {
+        let _e7 = self.v_motif_at(<rt::Vec3<f32>>::new_21((hit_17.uv - hit_17.uv.floor()), rt::Scalar(hit_17.height)));
+        return _e7;
+    }
+    pub(crate) fn light_ray_out_of_motif(&self, at_75: Entered, hit_18: Hit, light_8: Toward) -> LightRay {
+        rt::into(self.v_light_ray_out_of_motif(at_75, hit_18, light_8))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_light_ray_out_of_motif(&self, at_75: Entered, hit_18: Hit, light_8: Toward) -> LightRay {
+        let _e4 = self.v_climb(at_75, light_8.direction);
+        let _e5 = self.v_motif_of(hit_18);
+        let facet_2 = _e5.facet;
+        let aside_5 = (facet_2 * rt::Scalar(-0.0002f32).select(rt::Scalar(0.0002f32), facet_2.dot(_e4).elementwise_gt(rt::Scalar(0f32))));
+        let _e15 = self.v_near_uv(hit_18.uv);
+        let _e19 = self.v_light_ray_from(at_75, (<rt::Vec3<f32>>::new_21(_e15, rt::Scalar(hit_18.height)) + aside_5), _e4, light_8);
+        return _e19;
+    }
+    pub(crate) fn field_motif_light_ray(
+        &self,
+        at_76: Entered,
+        hit_19: Hit,
+        light_9: Toward,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
+    ) -> LightRay {
+        rt::into(self.v_field_motif_light_ray(at_76, hit_19, light_9, rt::into(params_52)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_motif_light_ray(
+        &self,
+        at_76: Entered,
+        hit_19: Hit,
+        light_9: Toward,
+        params_52: rt::Vec4<f32>,
+    ) -> LightRay {
+        let _e4 = self.v_light_ray_out_of_motif(at_76, hit_19, light_9);
+        return _e4;
+    }
+    pub(crate) fn field_light_ray_stage(&self, at_77: Entered, hit_20: Hit, light_10: Toward) -> LightRay {
+        rt::into(self.v_field_light_ray_stage(at_77, hit_20, light_10))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_field_light_ray_stage(&self, at_77: Entered, hit_20: Hit, light_10: Toward) -> LightRay {
         let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_field_heights_light_ray(at_73, hit_17, light_7, _e12);
+                let _e13 = self.v_field_heights_light_ray(at_77, hit_20, light_10, _e12);
                 return _e13;
             }
-            _ => {
+            1u32 => {
                 let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_field_volume_light_ray(at_73, hit_17, light_7, _e18);
+                let _e19 = self.v_field_volume_light_ray(at_77, hit_20, light_10, _e18);
                 return _e19;
+            }
+            _ => {
+                let _e24 = self.surface_settings.choices[4usize].params;
+                let _e25 = self.v_field_motif_light_ray(at_77, hit_20, light_10, _e24);
+                return _e25;
             }
         }
     }
-    pub(crate) fn normal_of_field(&self, at_74: Entered, hit_18: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_field(at_74, hit_18))
+    pub(crate) fn motif_is_closed(&self) -> bool {
+        rt::into(self.v_motif_is_closed())
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_normal_of_field(&self, at_74: Entered, hit_18: Hit) -> rt::Vec3<f32> {
+    #[inline(always)]
+    pub(super) fn v_motif_is_closed(&self) -> rt::Scalar<bool> {
+        let _e1 = self.v_motif_texel(rt::Scalar(0u32));
+        return _e1.z().elementwise_eq(rt::Scalar(1f32));
+    }
+    pub(crate) fn field_motif_normals(
+        &self,
+        at_78: Entered,
+        hit_21: Hit,
+        view_20: impl rt::Into<rt::Vec3<f32>>,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_field_motif_normals(at_78, hit_21, rt::into(view_20), rt::into(params_53)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_field_motif_normals(
+        &self,
+        at_78: Entered,
+        hit_21: Hit,
+        view_20: rt::Vec3<f32>,
+        params_53: rt::Vec4<f32>,
+    ) -> SeenNormals {
         let mut local_56: rt::Scalar<bool>;
 
-        let _e5 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(hit_18.uv, rt::Scalar(hit_18.height)));
+        let _e4 = self.v_motif_of(hit_21);
+        let _e5 = self.v_motif_is_closed();
+        if rt::Scalar::into_branch_condition((!_e5)) {
+            let _e10 = self.v_covector(at_78, _e4.facet);
+            local_56 = _e10.dot(view_20).elementwise_ge(rt::Scalar(0f32));
+        } else {
+            local_56 = rt::Scalar(true);
+        }
+        let is_front = local_56;
+        let side_9 = rt::Scalar(-1f32).select(rt::Scalar(1f32), is_front);
+        let _e20 = self.v_covector(at_78, _e4.normal);
+        let _e23 = self.v_one_seen((_e20.normalize() * side_9));
+        return _e23;
+    }
+    pub(crate) fn field_motif_patch_normal(
+        &self,
+        at_79: Entered,
+        hit_22: Hit,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_field_motif_patch_normal(at_79, hit_22, rt::into(params_54)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_motif_patch_normal(
+        &self,
+        at_79: Entered,
+        hit_22: Hit,
+        params_54: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e3 = self.v_motif_of(hit_22);
+        let _e5 = self.v_covector(at_79, _e3.facet);
+        return _e5.normalize();
+    }
+    pub(crate) fn normal_of_field(&self, at_80: Entered, hit_23: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_field(at_80, hit_23))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_normal_of_field(&self, at_80: Entered, hit_23: Hit) -> rt::Vec3<f32> {
+        let mut local_57: rt::Scalar<bool>;
+
+        let _e5 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(hit_23.uv, rt::Scalar(hit_23.height)));
         let _e6 = self.v_field_at_voxel(_e5);
         if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0.51f32))) {
-            return at_74.normal;
+            return at_80.normal;
         }
         let _e10 = self.v_field_slopes(_e5);
         let _e11 = self.v_volume_size();
-        let slopes_1 = (_e10 * _e11);
-        let metric_3 = at_74.metric;
-        let area_5 = ((metric_3.x() * metric_3.z()) - (metric_3.y() * metric_3.y()));
-        let along_u_4 = (((at_74.tangent * metric_3.z()) - (at_74.bitangent * metric_3.y())) / rt::Vec3::splat_from_scalar(area_5));
-        let along_v_4 = (((at_74.bitangent * metric_3.x()) - (at_74.tangent * metric_3.y())) / rt::Vec3::splat_from_scalar(area_5));
-        let _e43 = rt::Scalar(self.surface_settings.scale_m);
-        let rise_2 = (at_74.normal * (slopes_1.z() / _e43));
-        let rising = (((along_u_4 * slopes_1.x()) + (along_v_4 * slopes_1.y())) + rise_2);
-        let steepness_1 = rising.length();
+        let _e13 = self.v_covector(at_80, (_e10 * _e11));
+        let steepness_1 = _e13.length();
         if rt::Scalar::into_branch_condition(steepness_1.elementwise_gt(rt::Scalar(0f32))) {
-            local_56 = steepness_1.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32));
+            local_57 = steepness_1.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32));
         } else {
-            local_56 = rt::Scalar(false);
+            local_57 = rt::Scalar(false);
         }
-        let _e60 = local_56;
-        if rt::Scalar::into_branch_condition(_e60) {
-            return (rising * (rt::Scalar(-1f32) / steepness_1));
+        let _e22 = local_57;
+        if rt::Scalar::into_branch_condition(_e22) {
+            return (_e13 * (rt::Scalar(-1f32) / steepness_1));
         }
-        return at_74.normal;
+        return at_80.normal;
     }
     pub(crate) fn field_volume_normals(
         &self,
-        at_75: Entered,
-        hit_19: Hit,
-        view_20: impl rt::Into<rt::Vec3<f32>>,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        at_81: Entered,
+        hit_24: Hit,
+        view_21: impl rt::Into<rt::Vec3<f32>>,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_volume_normals(at_75, hit_19, rt::into(view_20), rt::into(params_48)))
+        rt::into(self.v_field_volume_normals(at_81, hit_24, rt::into(view_21), rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_normals(
         &self,
-        at_75: Entered,
-        hit_19: Hit,
-        view_20: rt::Vec3<f32>,
-        params_48: rt::Vec4<f32>,
+        at_81: Entered,
+        hit_24: Hit,
+        view_21: rt::Vec3<f32>,
+        params_55: rt::Vec4<f32>,
     ) -> SeenNormals {
-        let _e4 = self.v_normal_of_field(at_75, hit_19);
+        let _e4 = self.v_normal_of_field(at_81, hit_24);
         let _e5 = self.v_one_seen(_e4);
         return _e5;
     }
     pub(crate) fn field_normals_stage(
         &self,
-        at_76: Entered,
-        hit_20: Hit,
-        view_21: impl rt::Into<rt::Vec3<f32>>,
+        at_82: Entered,
+        hit_25: Hit,
+        view_22: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_normals_stage(at_76, hit_20, rt::into(view_21)))
+        rt::into(self.v_field_normals_stage(at_82, hit_25, rt::into(view_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
     pub(super) fn v_field_normals_stage(
         &self,
-        at_76: Entered,
-        hit_20: Hit,
-        view_21: rt::Vec3<f32>,
+        at_82: Entered,
+        hit_25: Hit,
+        view_22: rt::Vec3<f32>,
     ) -> SeenNormals {
         let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_field_heights_normals(at_76, hit_20, view_21, _e12);
+                let _e13 = self.v_field_heights_normals(at_82, hit_25, view_22, _e12);
                 return _e13;
             }
-            _ => {
+            1u32 => {
                 let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_field_volume_normals(at_76, hit_20, view_21, _e18);
+                let _e19 = self.v_field_volume_normals(at_82, hit_25, view_22, _e18);
                 return _e19;
+            }
+            _ => {
+                let _e24 = self.surface_settings.choices[4usize].params;
+                let _e25 = self.v_field_motif_normals(at_82, hit_25, view_22, _e24);
+                return _e25;
             }
         }
     }
     pub(crate) fn field_volume_patch_normal(
         &self,
-        at_77: Entered,
-        hit_21: Hit,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        at_83: Entered,
+        hit_26: Hit,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_field_volume_patch_normal(at_77, hit_21, rt::into(params_49)))
+        rt::into(self.v_field_volume_patch_normal(at_83, hit_26, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_patch_normal(
         &self,
-        at_77: Entered,
-        hit_21: Hit,
-        params_49: rt::Vec4<f32>,
+        at_83: Entered,
+        hit_26: Hit,
+        params_56: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_normal_of_field(at_77, hit_21);
+        let _e3 = self.v_normal_of_field(at_83, hit_26);
         return _e3;
     }
-    pub(crate) fn field_patch_normal_stage(&self, at_78: Entered, hit_22: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_field_patch_normal_stage(at_78, hit_22))
+    pub(crate) fn field_patch_normal_stage(&self, at_84: Entered, hit_27: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_field_patch_normal_stage(at_84, hit_27))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_field_patch_normal_stage(&self, at_78: Entered, hit_22: Hit) -> rt::Vec3<f32> {
+    pub(super) fn v_field_patch_normal_stage(&self, at_84: Entered, hit_27: Hit) -> rt::Vec3<f32> {
         let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[4usize].params;
-                let _e12 = self.v_field_heights_patch_normal(at_78, hit_22, _e11);
+                let _e12 = self.v_field_heights_patch_normal(at_84, hit_27, _e11);
                 return _e12;
             }
-            _ => {
+            1u32 => {
                 let _e17 = self.surface_settings.choices[4usize].params;
-                let _e18 = self.v_field_volume_patch_normal(at_78, hit_22, _e17);
+                let _e18 = self.v_field_volume_patch_normal(at_84, hit_27, _e17);
                 return _e18;
+            }
+            _ => {
+                let _e23 = self.surface_settings.choices[4usize].params;
+                let _e24 = self.v_field_motif_patch_normal(at_84, hit_27, _e23);
+                return _e24;
             }
         }
     }
@@ -10791,19 +11319,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_segment(
         &self,
         pixel_47: PixelIn,
-        at_79: Entered,
+        at_85: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_47, at_79, rt::into(k_8), rt::into(params_50)))
+        rt::into(self.v_surface_plane_segment(pixel_47, at_85, rt::into(k_8), rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_plane_segment(
         &self,
         pixel_47: PixelIn,
-        at_79: Entered,
+        at_85: Entered,
         k_8: rt::Scalar<u32>,
-        params_50: rt::Vec4<f32>,
+        params_57: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
@@ -10811,9 +11339,9 @@ impl<'g> Resources<'g> {
 
         let along_32 = pixel_47.direction.length();
         let direction_8 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_32));
-        let _e9 = self.v_climb(at_79, direction_8);
+        let _e9 = self.v_climb(at_85, direction_8);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_79.normal.dot(direction_8));
+        let descent_3 = (rt::Scalar(0f32) - at_85.normal.dot(direction_8));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_12 = ((rt::Scalar(0f32) - descent_3) / _e15);
@@ -10831,10 +11359,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_4;
-            let _e51 = self.v_inside_unit(at_79.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_85.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_5 = _e51;
             let _e56 = interval_5;
-            let _e57 = self.v_inside_unit(at_79.uv.y(), duv_5.y(), _e56);
+            let _e57 = self.v_inside_unit(at_85.uv.y(), duv_5.y(), _e56);
             interval_5 = _e57;
             let _e59 = interval_5.x();
             enter = _e59;
@@ -10850,269 +11378,269 @@ impl<'g> Resources<'g> {
         let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_79.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_12, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_79.metric, RAY_VIEW, rt::Scalar(at_79.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_85.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_12, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_85.metric, RAY_VIEW, rt::Scalar(at_85.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn folded_segment(
         &self,
         pixel_48: PixelIn,
-        at_80: Entered,
+        at_86: Entered,
         k_9: impl rt::Into<rt::Scalar<u32>>,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_48, at_80, rt::into(k_9), rt::into(params_51)))
+        rt::into(self.v_folded_segment(pixel_48, at_86, rt::into(k_9), rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_folded_segment(
         &self,
         pixel_48: PixelIn,
-        at_80: Entered,
+        at_86: Entered,
         k_9: rt::Scalar<u32>,
-        params_51: rt::Vec4<f32>,
+        params_58: rt::Vec4<f32>,
     ) -> Path {
-        let mut a_14: WayPoint;
-        let mut b_14: WayPoint;
-        let mut path_29: Path;
-        let mut local_57: rt::Scalar<bool>;
+        let mut a_17: WayPoint;
+        let mut b_17: WayPoint;
+        let mut path_30: Path;
+        let mut local_58: rt::Scalar<bool>;
 
         let along_33 = pixel_48.direction.normalize();
         let _e6 = self.v_middle_of(pixel_48, along_33);
-        let _e7 = self.v_prism_of(pixel_48, along_33, _e6, params_51);
+        let _e7 = self.v_prism_of(pixel_48, along_33, _e6, params_58);
         let _e8 = self.v_shell_slack(pixel_48, _e6);
         let _e9 = self.v_way_of(pixel_48, _e7, along_33);
         let _e10 = self.v_way_offsets(pixel_48, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_48, at_80, _e6, params_51);
+        let _e11 = self.v_chord_reach(pixel_48, at_86, _e6, params_58);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_48, _e7, along_33, _e9, _e10, _e12, params_51.x(), k_9);
+        let _e14 = self.v_way_chord(pixel_48, _e7, along_33, _e9, _e10, _e12, params_58.x(), k_9);
         let _e16 = self.v_before_turn(_e7, along_33, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_33, _e9, _e16.x());
-        a_14 = _e18;
+        a_17 = _e18;
         let _e25 = self.v_way_point(_e7, along_33, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
         let _e27 = self.v_way_point(_e7, along_33, _e9, _e16.y());
-        b_14 = _e27;
-        let _e30 = rt::Scalar(b_14.t);
-        let _e32 = rt::Scalar(a_14.t);
+        b_17 = _e27;
+        let _e30 = rt::Scalar(b_17.t);
+        let _e32 = rt::Scalar(a_17.t);
         if rt::Scalar::into_branch_condition(_e30.elementwise_lt(_e32)) {
-            let turned_2 = b_14;
-            let _e35 = a_14;
-            b_14 = _e35;
-            a_14 = turned_2;
+            let turned_2 = b_17;
+            let _e35 = a_17;
+            b_17 = _e35;
+            a_17 = turned_2;
         }
-        let _e38 = rt::Scalar(a_14.t);
-        let _e41 = rt::Scalar(b_14.t);
-        let _e43 = rt::Scalar(a_14.t);
-        let part_27 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
-        let _e48 = rt::Scalar(a_14.point.height);
-        let _e53 = rt::Scalar(b_14.point.height);
-        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_27);
-        let _e56 = a_14.point;
-        let _e58 = b_14.point;
-        let _e60 = rt::Scalar(a_14.t);
-        let _e62 = rt::Scalar(b_14.t);
-        let _e64 = self.v_chord_path(pixel_48, at_80, _e6, params_51, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
-        path_29 = _e64;
-        let _e67 = rt::Scalar(a_14.beside);
+        let _e38 = rt::Scalar(a_17.t);
+        let _e41 = rt::Scalar(b_17.t);
+        let _e43 = rt::Scalar(a_17.t);
+        let part_28 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
+        let _e48 = rt::Scalar(a_17.point.height);
+        let _e53 = rt::Scalar(b_17.point.height);
+        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_28);
+        let _e56 = a_17.point;
+        let _e58 = b_17.point;
+        let _e60 = rt::Scalar(a_17.t);
+        let _e62 = rt::Scalar(b_17.t);
+        let _e64 = self.v_chord_path(pixel_48, at_86, _e6, params_58, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        path_30 = _e64;
+        let _e67 = rt::Scalar(a_17.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
-            let _e76 = rt::Scalar(b_14.beside);
-            local_57 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            let _e76 = rt::Scalar(b_17.beside);
+            local_58 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_57 = rt::Scalar(true);
+            local_58 = rt::Scalar(true);
         }
-        let _e82 = local_57;
+        let _e82 = local_58;
         if rt::Scalar::into_branch_condition(_e82) {
-            rt::Scalar(path_29.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_30.exit) = rt::Scalar(0f32);
         }
-        let _e85 = path_29;
+        let _e85 = path_30;
         return _e85;
     }
     pub(crate) fn surface_prism_segment(
         &self,
         pixel_49: PixelIn,
-        at_81: Entered,
+        at_87: Entered,
         k_10: impl rt::Into<rt::Scalar<u32>>,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_49, at_81, rt::into(k_10), rt::into(params_52)))
+        rt::into(self.v_surface_prism_segment(pixel_49, at_87, rt::into(k_10), rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_segment(
         &self,
         pixel_49: PixelIn,
-        at_81: Entered,
+        at_87: Entered,
         k_10: rt::Scalar<u32>,
-        params_52: rt::Vec4<f32>,
+        params_59: rt::Vec4<f32>,
     ) -> Path {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_49.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_49, at_81, k_10, params_52);
+            let _e8 = self.v_folded_segment(pixel_49, at_87, k_10, params_59);
             return _e8;
         }
         let along_34 = pixel_49.direction.normalize();
         let _e11 = self.v_middle_of(pixel_49, along_34);
-        let _e12 = self.v_prism_of(pixel_49, along_34, _e11, params_52);
+        let _e12 = self.v_prism_of(pixel_49, along_34, _e11, params_59);
         let heights_2 = pixel_49.shell.heights;
         let mean_13 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_81, k_10);
-        let _e23 = self.v_chord_end(at_81, (k_10 + rt::Scalar(1u32)));
+        let _e20 = self.v_chord_end(at_87, k_10);
+        let _e23 = self.v_chord_end(at_87, (k_10 + rt::Scalar(1u32)));
         let _e25 = self.v_shell_point(_e12, (along_34 * _e20), mean_13);
         let _e27 = self.v_shell_point(_e12, (along_34 * _e23), mean_13);
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_34 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_8 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_49, at_81, _e11, params_52);
-        let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_49, at_81, _e11, params_52, _e25, _e27, bend_8, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e56 = self.v_chord_reach(pixel_49, at_87, _e11, params_59);
+        let beyond_6 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
+        let _e68 = self.v_chord_path(pixel_49, at_87, _e11, params_59, _e25, _e27, bend_8, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_6);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
         pixel_50: PixelIn,
-        at_82: Entered,
+        at_88: Entered,
         k_11: impl rt::Into<rt::Scalar<u32>>,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_82, rt::into(k_11), rt::into(params_53)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_88, rt::into(k_11), rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_perpendicular_segment(
         &self,
         pixel_50: PixelIn,
-        at_82: Entered,
+        at_88: Entered,
         k_11: rt::Scalar<u32>,
-        params_53: rt::Vec4<f32>,
+        params_60: rt::Vec4<f32>,
     ) -> Path {
-        let mut begin_4: rt::Scalar<f32>;
+        let mut begin_5: rt::Scalar<f32>;
         let mut end_3: rt::Scalar<f32>;
-        let mut local_58: rt::Scalar<bool>;
-        let mut path_30: Path;
+        let mut local_59: rt::Scalar<bool>;
+        let mut path_31: Path;
         let mut inside_2: rt::Vec2<f32>;
 
         let along_35 = pixel_50.direction.length();
-        let _e9 = self.v_across_of(at_82, (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35)));
+        let _e9 = self.v_across_of(at_88, (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35)));
         let _e10 = self.v_traced_scale_m();
         let _e11 = self.v_plane_normal(pixel_50);
         let _e12 = self.v_plane_distance(pixel_50, _e11);
         let distance_1 = (_e12 * along_35);
-        let whole_1 = (at_82.span.y() - at_82.span.x());
-        let first_20 = (at_82.span.x() + (whole_1 * (k_11.to_f32() / params_53.z())));
-        let last_12 = (at_82.span.x() + (whole_1 * ((k_11 + rt::Scalar(1u32)).to_f32() / params_53.z())));
-        let long_4 = (last_12 - first_20);
-        let _e38 = self.v_across_depth(_e9, first_20);
-        begin_4 = (at_82.of_surface.w() - (_e38 / _e10));
+        let whole_1 = (at_88.span.y() - at_88.span.x());
+        let first_23 = (at_88.span.x() + (whole_1 * (k_11.to_f32() / params_60.z())));
+        let last_12 = (at_88.span.x() + (whole_1 * ((k_11 + rt::Scalar(1u32)).to_f32() / params_60.z())));
+        let long_4 = (last_12 - first_23);
+        let _e38 = self.v_across_depth(_e9, first_23);
+        begin_5 = (at_88.of_surface.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_11.elementwise_eq(rt::Scalar(0u32))) {
-            let _e44 = begin_4;
-            begin_4 = _e44.min(rt::Scalar(1f32));
+            let _e44 = begin_5;
+            begin_5 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_20 + last_12)));
-        let middle_15 = (at_82.of_surface.w() - (_e52 / _e10));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_23 + last_12)));
+        let middle_15 = (at_88.of_surface.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_12);
-        end_3 = (at_82.of_surface.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_11 + rt::Scalar(1u32)).elementwise_eq(params_53.z().to_u32())) {
+        end_3 = (at_88.of_surface.w() - (_e57 / _e10));
+        if rt::Scalar::into_branch_condition((k_11 + rt::Scalar(1u32)).elementwise_eq(params_60.z().to_u32())) {
             let _e68 = end_3;
-            local_58 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_59 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_58 = rt::Scalar(false);
+            local_59 = rt::Scalar(false);
         }
-        let _e72 = local_58;
+        let _e72 = local_59;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_3;
             end_3 = _e73.min(rt::Scalar(-0.000001f32));
         }
-        let _e76 = begin_4;
+        let _e76 = begin_5;
         let _e77 = end_3;
         let bend_9 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_15)));
         let _e84 = end_3;
-        let _e85 = begin_4;
+        let _e85 = begin_5;
         let slope_13 = ((_e84 - _e85) - bend_9);
-        let base_3 = (rt::Scalar(0f32) - first_20).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e98 = begin_4;
-        path_30 = <Path>::new((at_82.uv + (_e9.duv * first_20)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_13 / long_4), (bend_9 / (long_4 * long_4))), long_4, base_3, at_82.metric, RAY_VIEW, rt::Scalar(at_82.level), (distance_1 + first_20), (rt::Scalar(1f32) / params_53.z()), rt::Scalar(0f32));
+        let base_3 = (rt::Scalar(0f32) - first_23).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e98 = begin_5;
+        path_31 = <Path>::new((at_88.uv + (_e9.duv * first_23)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_13 / long_4), (bend_9 / (long_4 * long_4))), long_4, base_3, at_88.metric, RAY_VIEW, rt::Scalar(at_88.level), (distance_1 + first_23), (rt::Scalar(1f32) / params_60.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e118 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
-            let _e123 = path_30.uv.x();
+            let _e123 = path_31.uv.x();
             let _e126 = inside_2;
             let _e127 = self.v_inside_unit(_e123, _e9.duv.x(), _e126);
             inside_2 = _e127;
-            let _e130 = path_30.uv.y();
+            let _e130 = path_31.uv.y();
             let _e133 = inside_2;
             let _e134 = self.v_inside_unit(_e130, _e9.duv.y(), _e133);
             inside_2 = _e134;
             let _e137 = inside_2.y();
-            rt::Scalar(path_30.exit) = _e137;
-            let _e138 = path_30;
+            rt::Scalar(path_31.exit) = _e137;
+            let _e138 = path_31;
             let _e140 = inside_2.x();
             let _e141 = self.v_path_from(_e138, _e140);
-            path_30 = _e141;
+            path_31 = _e141;
         }
-        let _e143 = rt::Scalar(path_30.exit);
+        let _e143 = rt::Scalar(path_31.exit);
         if rt::Scalar::into_branch_condition((!_e143.elementwise_gt(rt::Scalar(0f32)))) {
-            rt::Scalar(path_30.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_31.exit) = rt::Scalar(0f32);
         }
-        let _e149 = path_30;
+        let _e149 = path_31;
         return _e149;
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
         pixel_51: PixelIn,
-        at_83: Entered,
+        at_89: Entered,
         k_12: impl rt::Into<rt::Scalar<u32>>,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_83, rt::into(k_12), rt::into(params_54)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_89, rt::into(k_12), rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_segment(
         &self,
         pixel_51: PixelIn,
-        at_83: Entered,
+        at_89: Entered,
         k_12: rt::Scalar<u32>,
-        params_54: rt::Vec4<f32>,
+        params_61: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_59: rt::Scalar<bool>;
         let mut local_60: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_6: rt::Vec2<f32>;
-        let mut path_31: Path;
-        let mut local_61: rt::Scalar<bool>;
+        let mut path_32: Path;
+        let mut local_62: rt::Scalar<bool>;
 
         let along_36 = pixel_51.direction.length();
         let direction_9 = (pixel_51.direction / rt::Vec3::splat_from_scalar(along_36));
-        let _e9 = self.v_climb(at_83, direction_9);
+        let _e9 = self.v_climb(at_89, direction_9);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_83.normal.dot(direction_9));
+        let descent_4 = (rt::Scalar(0f32) - at_89.normal.dot(direction_9));
         let _e15 = self.v_traced_scale_m();
-        let height_22 = at_83.of_surface.w();
+        let height_23 = at_89.of_surface.w();
         let slope_14 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_83.of_surface.xyz(), duv_6);
+        let _e23 = self.v_quadric_at(at_89.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_51);
         let _e28 = self.v_plane_distance(pixel_51, _e27);
         let distance_2 = (_e28 * along_36);
         let eye_4 = (rt::Scalar(0f32) - distance_2);
-        let _e35 = self.v_bent_descent(((height_22 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
+        let _e35 = self.v_bent_descent(((height_23 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-            if rt::Scalar::into_branch_condition((!height_22.elementwise_lt(rt::Scalar(1f32)))) {
-                local_60 = _e35.elementwise_ge(rt::Scalar(0f32));
+            if rt::Scalar::into_branch_condition((!height_23.elementwise_lt(rt::Scalar(1f32)))) {
+                local_61 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_60 = rt::Scalar(true);
+                local_61 = rt::Scalar(true);
             }
-            let _e48 = local_60;
-            local_59 = _e48;
+            let _e48 = local_61;
+            local_60 = _e48;
         } else {
-            local_59 = rt::Scalar(false);
+            local_60 = rt::Scalar(false);
         }
-        let comes_down = local_59;
+        let comes_down = local_60;
         enter_1 = _e35.max(eye_4);
         let _e53 = enter_1;
         let _e54 = enter_1;
         let _e59 = enter_1;
-        let begin_11 = (height_22 + (_e53 * (slope_14 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
+        let begin_11 = (height_23 + (_e53 * (slope_14 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
         let _e63 = enter_1;
         let _e66 = enter_1;
         let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_11, (slope_14 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
         leave_5 = (_e63 + _e70);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
-            leave_5 = ((height_22 * _e15) / descent_4);
+            leave_5 = ((height_23 * _e15) / descent_4);
             let _e77 = leave_5;
             let _e78 = leave_5;
             leave_5 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
@@ -11121,10 +11649,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_5;
-            let _e94 = self.v_inside_unit(at_83.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_89.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_6 = _e94;
             let _e99 = interval_6;
-            let _e100 = self.v_inside_unit(at_83.uv.y(), duv_6.y(), _e99);
+            let _e100 = self.v_inside_unit(at_89.uv.y(), duv_6.y(), _e99);
             interval_6 = _e100;
             let _e102 = interval_6.x();
             enter_1 = _e102;
@@ -11134,7 +11662,7 @@ impl<'g> Resources<'g> {
         let _e105 = enter_1;
         let _e106 = enter_1;
         let _e111 = enter_1;
-        let entry_height_1 = (height_22 + (_e105 * (slope_14 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
+        let entry_height_1 = (height_23 + (_e105 * (slope_14 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
         let _e115 = enter_1;
         let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e122 = enter_1;
@@ -11142,40 +11670,40 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_31 = <Path>::new((at_83.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_14 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_83.metric, RAY_VIEW, rt::Scalar(at_83.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
+        path_32 = <Path>::new((at_89.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_14 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_89.metric, RAY_VIEW, rt::Scalar(at_89.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
-            let _e148 = rt::Scalar(path_31.exit);
-            local_61 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
+            let _e148 = rt::Scalar(path_32.exit);
+            local_62 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_61 = rt::Scalar(true);
+            local_62 = rt::Scalar(true);
         }
-        let _e153 = local_61;
+        let _e153 = local_62;
         if rt::Scalar::into_branch_condition(_e153) {
-            rt::Scalar(path_31.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_32.exit) = rt::Scalar(0f32);
         }
-        let _e156 = path_31;
+        let _e156 = path_32;
         return _e156;
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
         pixel_52: PixelIn,
-        at_84: Entered,
+        at_90: Entered,
         k_13: impl rt::Into<rt::Scalar<u32>>,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_84, rt::into(k_13), rt::into(params_55)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_90, rt::into(k_13), rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_segment(
         &self,
         pixel_52: PixelIn,
-        at_84: Entered,
+        at_90: Entered,
         k_13: rt::Scalar<u32>,
-        params_55: rt::Vec4<f32>,
+        params_62: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
-        let mut path_32: Path;
+        let mut path_33: Path;
 
         let along_37 = pixel_52.direction.normalize();
         let _e6 = self.v_middle_of(pixel_52, along_37);
@@ -11197,25 +11725,25 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_52, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_43 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_44 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_52, _e6);
-        let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
+        let beyond_7 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen_1.inside;
         inside_3 = _e68;
         let _e70 = inside_3;
-        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_52.shell.heights.x()), g.w(), beyond_6);
+        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_52.shell.heights.x()), g.w(), beyond_7);
         inside_3 = _e77;
         let _e78 = inside_3;
-        let _e87 = self.v_where_positive(_e78, (pixel_52.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
+        let _e87 = self.v_where_positive(_e78, (pixel_52.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_7);
         inside_3 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_43.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_44.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_43.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_44.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_2 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -11226,52 +11754,52 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_32 = <Path>::new((uv_43 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_84.metric, RAY_VIEW, rt::Scalar(at_84.level), (_e6 + _e146), ((_e149 - _e151) / whole_2), rt::Scalar(0f32));
-        let _e159 = rt::Scalar(path_32.exit);
+        path_33 = <Path>::new((uv_44 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_90.metric, RAY_VIEW, rt::Scalar(at_90.level), (_e6 + _e146), ((_e149 - _e151) / whole_2), rt::Scalar(0f32));
+        let _e159 = rt::Scalar(path_33.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
-            let _e162 = path_32;
-            let _e163 = path_32;
+            let _e162 = path_33;
+            let _e163 = path_33;
             let _e167 = self.v_out_of_ground(_e163, (rt::Scalar(4f32) * _e61), rt::Scalar(0f32));
             let _e168 = self.v_path_from(_e162, _e167);
-            path_32 = _e168;
+            path_33 = _e168;
         }
-        let _e169 = path_32;
+        let _e169 = path_33;
         return _e169;
     }
     pub(crate) fn surface_facets_segment(
         &self,
         pixel_53: PixelIn,
-        at_85: Entered,
+        at_91: Entered,
         k_14: impl rt::Into<rt::Scalar<u32>>,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_53, at_85, rt::into(k_14), rt::into(params_56)))
+        rt::into(self.v_surface_facets_segment(pixel_53, at_91, rt::into(k_14), rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_segment(
         &self,
         pixel_53: PixelIn,
-        at_85: Entered,
+        at_91: Entered,
         k_14: rt::Scalar<u32>,
-        params_56: rt::Vec4<f32>,
+        params_63: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_53);
         let _e5 = self.v_triangle_distance(pixel_53, _e4);
         let start_6 = (_e5 * pixel_53.direction.length());
-        let _e11 = self.v_height_at(at_85.uv, rt::Scalar(at_85.level));
+        let _e11 = self.v_height_at(at_91.uv, rt::Scalar(at_91.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let h_10 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_85.uv, duv_8, h_10, rt::Scalar(1f32), rt::Scalar(0f32), at_85.metric, RAY_VIEW, rt::Scalar(at_85.level), start_6, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(at_91.uv, duv_8, h_10, rt::Scalar(1f32), rt::Scalar(0f32), at_91.metric, RAY_VIEW, rt::Scalar(at_91.level), start_6, rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn slice_inside(
         &self,
         map_1: impl rt::Into<rt::Scalar<f32>>,
         slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice_2), rt::into(spacing), rt::into(params_57)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice_2), rt::into(spacing), rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11280,7 +11808,7 @@ impl<'g> Resources<'g> {
         map_1: rt::Scalar<f32>,
         slice_2: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
-        params_57: rt::Vec4<f32>,
+        params_64: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_1.elementwise_gt(slice_2);
     }
@@ -11289,9 +11817,9 @@ impl<'g> Resources<'g> {
         map_2: impl rt::Into<rt::Scalar<f32>>,
         slice_3: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_3), rt::into(spacing_1), rt::into(params_58)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_3), rt::into(spacing_1), rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11300,7 +11828,7 @@ impl<'g> Resources<'g> {
         map_2: rt::Scalar<f32>,
         slice_3: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
-        params_58: rt::Vec4<f32>,
+        params_65: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_2.elementwise_ge(slice_3);
     }
@@ -11309,9 +11837,9 @@ impl<'g> Resources<'g> {
         map_3: impl rt::Into<rt::Scalar<f32>>,
         slice_4: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_4), rt::into(spacing_2), rt::into(params_59)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_4), rt::into(spacing_2), rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11320,7 +11848,7 @@ impl<'g> Resources<'g> {
         map_3: rt::Scalar<f32>,
         slice_4: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
-        params_59: rt::Vec4<f32>,
+        params_66: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return (map_3 - slice_4).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
@@ -11360,100 +11888,100 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_spacing(
         &self,
-        at_86: Entered,
+        at_92: Entered,
         axis_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_slice_spacing(at_86, rt::into(axis_1)))
+        rt::into(self.v_slice_spacing(at_92, rt::into(axis_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_spacing(
         &self,
-        at_86: Entered,
+        at_92: Entered,
         axis_1: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let step_6 = at_86.of_surface.y();
+        let step_7 = at_92.of_surface.y();
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            return step_6;
+            return step_7;
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
             let _e12 = self.v_traced_scale_m();
-            return ((step_6 * at_86.metric.x().sqrt()) / _e12);
+            return ((step_7 * at_92.metric.x().sqrt()) / _e12);
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
             let _e20 = self.v_traced_scale_m();
-            return ((step_6 * at_86.metric.z().sqrt()) / _e20);
+            return ((step_7 * at_92.metric.z().sqrt()) / _e20);
         }
         let _e22 = self.v_traced_scale_m();
-        return (step_6 / _e22);
+        return (step_7 / _e22);
     }
     pub(crate) fn slice_above(
         &self,
         pixel_54: PixelIn,
-        at_87: Entered,
+        at_93: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_54, at_87, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_54, at_93, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_above(
         &self,
         pixel_54: PixelIn,
-        at_87: Entered,
+        at_93: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_62: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_54.direction.dot(at_87.normal).elementwise_lt(rt::Scalar(0f32))) * at_87.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_54.direction.dot(at_93.normal).elementwise_lt(rt::Scalar(0f32))) * at_93.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
-        let a_37 = (pixel_54.a.position + (pixel_54.a.normal * step_m));
-        let b_37 = (pixel_54.b.position + (pixel_54.b.normal * step_m));
-        let c_26 = (pixel_54.c.position + (pixel_54.c.normal * step_m));
-        let n_17 = (b_37 - a_37).cross((c_26 - a_37));
-        let t_50 = (n_17.dot((a_37 - pixel_54.origin)) / n_17.dot(pixel_54.direction));
-        let lead = (far_2 - (t_50 * along_16));
+        let a_41 = (pixel_54.a.position + (pixel_54.a.normal * step_m));
+        let b_41 = (pixel_54.b.position + (pixel_54.b.normal * step_m));
+        let c_29 = (pixel_54.c.position + (pixel_54.c.normal * step_m));
+        let n_17 = (b_41 - a_41).cross((c_29 - a_41));
+        let t_52 = (n_17.dot((a_41 - pixel_54.origin)) / n_17.dot(pixel_54.direction));
+        let lead = (far_2 - (t_52 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_62 = t_50.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_63 = t_52.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_62 = rt::Scalar(false);
+            local_63 = rt::Scalar(false);
         }
-        let _e57 = local_62;
+        let _e57 = local_63;
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_37, b_37, c_26, n_17, (pixel_54.origin + (pixel_54.direction * t_50)));
-        let aside_5 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_87.uv);
-        return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_5, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
+        let _e68 = self.v_weights_of(a_41, b_41, c_29, n_17, (pixel_54.origin + (pixel_54.direction * t_52)));
+        let aside_6 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_93.uv);
+        return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_6, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
         &self,
-        at_88: Entered,
+        at_94: Entered,
         climbs: impl rt::Into<rt::Vec3<f32>>,
         pace: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_beside(at_88, rt::into(climbs), rt::into(pace)))
+        rt::into(self.v_slice_beside(at_94, rt::into(climbs), rt::into(pace)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_beside(
         &self,
-        at_88: Entered,
+        at_94: Entered,
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
 
-        let up_4 = (at_88.of_surface.x().select((rt::Scalar(1f32) - at_88.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
-        let lead_1 = (at_88.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_4, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        let up_4 = (at_94.of_surface.x().select((rt::Scalar(1f32) - at_94.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_94.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_4, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
-            local_63 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
+            local_64 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_63 = rt::Scalar(false);
+            local_64 = rt::Scalar(false);
         }
-        let _e33 = local_63;
+        let _e33 = local_64;
         if rt::Scalar::into_branch_condition((!_e33)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -11462,68 +11990,68 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_before(
         &self,
         pixel_55: PixelIn,
-        at_89: Entered,
+        at_95: Entered,
         axis_2: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_55, at_89, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_55, at_95, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_before(
         &self,
         pixel_55: PixelIn,
-        at_89: Entered,
+        at_95: Entered,
         axis_2: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_55, at_89, along_17, far_3);
+            let _e7 = self.v_slice_above(pixel_55, at_95, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_89, (pixel_55.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e11 = self.v_climb(at_95, (pixel_55.direction / rt::Vec3::splat_from_scalar(along_17)));
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_U)) {
-            let _e16 = self.v_slice_beside(at_89, _e11, _e11.x().abs());
+            let _e16 = self.v_slice_beside(at_95, _e11, _e11.x().abs());
             return _e16;
         }
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_V)) {
-            let _e21 = self.v_slice_beside(at_89, _e11, _e11.y().abs());
+            let _e21 = self.v_slice_beside(at_95, _e11, _e11.y().abs());
             return _e21;
         }
-        let _e24 = self.v_slice_beside(at_89, _e11, (rt::Scalar(1f32) / along_17));
+        let _e24 = self.v_slice_beside(at_95, _e11, (rt::Scalar(1f32) / along_17));
         return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
         pixel_56: PixelIn,
-        at_90: Entered,
+        at_96: Entered,
         k_15: impl rt::Into<rt::Scalar<u32>>,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_56, at_90, rt::into(k_15), rt::into(params_60)))
+        rt::into(self.v_surface_slices_segment(pixel_56, at_96, rt::into(k_15), rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_segment(
         &self,
         pixel_56: PixelIn,
-        at_90: Entered,
+        at_96: Entered,
         k_15: rt::Scalar<u32>,
-        params_60: rt::Vec4<f32>,
+        params_67: rt::Vec4<f32>,
     ) -> Path {
         let along_38 = pixel_56.direction.length();
         let _e6 = self.v_plane_normal(pixel_56);
         let _e7 = self.v_triangle_distance(pixel_56, _e6);
-        let far_10 = (_e7 * along_38);
-        let axis_5 = pixel_56.a.of_surface.z().to_u32();
-        let height_23 = at_90.of_surface.x();
-        let _e17 = self.v_height_at(at_90.uv, rt::Scalar(at_90.level));
-        let _e18 = self.v_slice_spacing(at_90, axis_5);
-        let _e19 = self.v_slices_stage(_e17, height_23, _e18);
-        let _e20 = self.v_slice_before(pixel_56, at_90, axis_5, along_38, far_10);
-        let lead_2 = (far_10 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_10), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_90.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_23 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_90.metric, RAY_VIEW, rt::Scalar(at_90.level), (far_10 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
+        let far_13 = (_e7 * along_38);
+        let axis_7 = pixel_56.a.of_surface.z().to_u32();
+        let height_24 = at_96.of_surface.x();
+        let _e17 = self.v_height_at(at_96.uv, rt::Scalar(at_96.level));
+        let _e18 = self.v_slice_spacing(at_96, axis_7);
+        let _e19 = self.v_slices_stage(_e17, height_24, _e18);
+        let _e20 = self.v_slice_before(pixel_56, at_96, axis_7, along_38, far_13);
+        let lead_2 = (far_13 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_13), _e20.w().elementwise_gt(rt::Scalar(0f32)));
+        return <Path>::new((at_96.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_24 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_96.metric, RAY_VIEW, rt::Scalar(at_96.level), (far_13 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn within_bounds(
         &self,
@@ -11544,23 +12072,23 @@ impl<'g> Resources<'g> {
         high_1: rt::Scalar<f32>,
         interval_7: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_64: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx_2.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x_3.elementwise_lt(low_1))) {
-                local_64 = x_3.elementwise_gt(high_1);
+                local_65 = x_3.elementwise_gt(high_1);
             } else {
-                local_64 = rt::Scalar(true);
+                local_65 = rt::Scalar(true);
             }
-            let _e13 = local_64;
+            let _e13 = local_65;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(0f32));
             }
             return interval_7;
         }
-        let a_38 = ((low_1 - x_3) / dx_2);
-        let b_38 = ((high_1 - x_3) / dx_2);
-        return <rt::Vec2<f32>>::from_scalars(interval_7.x().max(a_38.min(b_38)), interval_7.y().min(a_38.max(b_38)));
+        let a_42 = ((low_1 - x_3) / dx_2);
+        let b_42 = ((high_1 - x_3) / dx_2);
+        return <rt::Vec2<f32>>::from_scalars(interval_7.x().max(a_42.min(b_42)), interval_7.y().min(a_42.max(b_42)));
     }
     pub(crate) fn metric_of_image(
         &self,
@@ -11596,79 +12124,79 @@ impl<'g> Resources<'g> {
         pixel_57: PixelIn,
         k_16: rt::Scalar<u32>,
     ) -> Path {
-        let mut begin_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_65: rt::Scalar<bool>;
+        let mut begin_6: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_66: rt::Scalar<bool>;
         let mut interval_8: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let mut height_8: rt::Vec3<f32>;
+        let mut height_9: rt::Vec3<f32>;
 
         let along_39 = pixel_57.direction.normalize();
         let _e4 = self.v_image_of_object(k_16);
         let deepens = _e4.depth.xyz().dot(along_39);
         let _e9 = self.v_depth_in_image(_e4, pixel_57.origin);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e4.has_eye)) {
-            let nearest_2 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
-            begin_5 = rt::Scalar(0f32).select(rt::Scalar(300000000000000000000000000000000000000f32), _e9.elementwise_lt(nearest_2));
-            if rt::Scalar::into_branch_condition(_e9.elementwise_lt(nearest_2)) {
-                local_65 = deepens.elementwise_gt(rt::Scalar(0f32));
+            let nearest_4 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
+            begin_6 = rt::Scalar(0f32).select(rt::Scalar(300000000000000000000000000000000000000f32), _e9.elementwise_lt(nearest_4));
+            if rt::Scalar::into_branch_condition(_e9.elementwise_lt(nearest_4)) {
+                local_66 = deepens.elementwise_gt(rt::Scalar(0f32));
             } else {
-                local_65 = rt::Scalar(false);
+                local_66 = rt::Scalar(false);
             }
-            let _e26 = local_65;
+            let _e26 = local_66;
             if rt::Scalar::into_branch_condition(_e26) {
-                begin_5 = ((nearest_2 - _e9) / deepens);
+                begin_6 = ((nearest_4 - _e9) / deepens);
             }
         }
-        let _e30 = begin_5;
-        let origin_6 = (pixel_57.origin + (along_39 * _e30));
-        let _e33 = self.v_depth_in_image(_e4, origin_6);
+        let _e30 = begin_6;
+        let origin_7 = (pixel_57.origin + (along_39 * _e30));
+        let _e33 = self.v_depth_in_image(_e4, origin_7);
         let bend_10 = (deepens / _e33);
-        let u_3 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
-        let v_5 = ((_e4.v.xyz().dot(origin_6) + _e4.v.w()) / _e33);
-        let h_11 = ((_e4.height.xyz().dot(origin_6) + _e4.height.w()) / _e33);
+        let u_3 = ((_e4.u.xyz().dot(origin_7) + _e4.u.w()) / _e33);
+        let v_6 = ((_e4.v.xyz().dot(origin_7) + _e4.v.w()) / _e33);
+        let h_11 = ((_e4.height.xyz().dot(origin_7) + _e4.height.w()) / _e33);
         let du_1 = ((_e4.u.xyz().dot(along_39) - (u_3 * deepens)) / _e33);
-        let dv_1 = ((_e4.v.xyz().dot(along_39) - (v_5 * deepens)) / _e33);
+        let dv_1 = ((_e4.v.xyz().dot(along_39) - (v_6 * deepens)) / _e33);
         let dh_1 = ((_e4.height.xyz().dot(along_39) - (h_11 * deepens)) / _e33);
         let _e74 = self.v_beyond_image(_e4);
         let _e85 = interval_8;
         let _e86 = self.v_within_bounds(u_3, du_1, (rt::Scalar(0f32) - _e74.x()), (rt::Scalar(1f32) + _e74.x()), _e85);
         interval_8 = _e86;
         let _e93 = interval_8;
-        let _e94 = self.v_within_bounds(v_5, dv_1, (rt::Scalar(0f32) - _e74.y()), (rt::Scalar(1f32) + _e74.y()), _e93);
+        let _e94 = self.v_within_bounds(v_6, dv_1, (rt::Scalar(0f32) - _e74.y()), (rt::Scalar(1f32) + _e74.y()), _e93);
         interval_8 = _e94;
         let _e97 = interval_8;
         let _e98 = self.v_within_bounds(h_11, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
         interval_8 = _e98;
         let start_7 = interval_8.x();
         let nearer = (rt::Scalar(1f32) - (bend_10 * start_7));
-        let change_5 = (nearer * nearer);
-        height_8 = <rt::Vec3<f32>>::from_scalars((h_11 + (dh_1 * start_7)), (dh_1 * change_5), rt::Scalar(0f32));
+        let change_6 = (nearer * nearer);
+        height_9 = <rt::Vec3<f32>>::from_scalars((h_11 + (dh_1 * start_7)), (dh_1 * change_6), rt::Scalar(0f32));
         let _e113 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e113.elementwise_eq(CELLS_MASK)) {
-            height_8 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
+            height_9 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e133 = height_8;
+        let _e133 = height_9;
         let _e135 = interval_8.y();
         let _e140 = self.v_metric_of_image(_e4, (_e33 / nearer));
-        let _e143 = begin_5;
-        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_3 + (du_1 * start_7)), (v_5 + (dv_1 * start_7))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_7) / change_5), k_16.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_7 / nearer)), rt::Scalar(1f32), (bend_10 * nearer));
+        let _e143 = begin_6;
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_3 + (du_1 * start_7)), (v_6 + (dv_1 * start_7))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_6), _e133, ((_e135 - start_7) / change_6), k_16.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_7 / nearer)), rt::Scalar(1f32), (bend_10 * nearer));
     }
     pub(crate) fn surface_object_segment(
         &self,
         pixel_58: PixelIn,
-        at_91: Entered,
+        at_97: Entered,
         k_17: impl rt::Into<rt::Scalar<u32>>,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_58, at_91, rt::into(k_17), rt::into(params_61)))
+        rt::into(self.v_surface_object_segment(pixel_58, at_97, rt::into(k_17), rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_segment(
         &self,
         pixel_58: PixelIn,
-        at_91: Entered,
+        at_97: Entered,
         k_17: rt::Scalar<u32>,
-        params_61: rt::Vec4<f32>,
+        params_68: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_path_through_image(pixel_58, k_17);
         return _e4;
@@ -11676,20 +12204,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_frames_segment(
         &self,
         pixel_59: PixelIn,
-        at_92: Entered,
+        at_98: Entered,
         k_18: impl rt::Into<rt::Scalar<u32>>,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_59, at_92, rt::into(k_18), rt::into(params_62)))
+        rt::into(self.v_surface_frames_segment(pixel_59, at_98, rt::into(k_18), rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_segment(
         &self,
         pixel_59: PixelIn,
-        at_92: Entered,
+        at_98: Entered,
         k_18: rt::Scalar<u32>,
-        params_62: rt::Vec4<f32>,
+        params_69: rt::Vec4<f32>,
     ) -> Path {
         let _e7 = self.v_frames_around((-pixel_59.direction.normalize()));
         let _e8 = self.v_frame_number(_e7, k_18);
@@ -11709,62 +12237,62 @@ impl<'g> Resources<'g> {
         image_9: Image,
         point_15: rt::Vec3<f32>,
     ) -> OnImage {
-        let mut local_66: rt::Scalar<bool>;
         let mut local_67: rt::Scalar<bool>;
         let mut local_68: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
 
         let _e2 = self.v_depth_in_image(image_9, point_15);
         let u_4 = ((image_9.u.xyz().dot(point_15) + image_9.u.w()) / _e2);
-        let v_6 = ((image_9.v.xyz().dot(point_15) + image_9.v.w()) / _e2);
+        let v_7 = ((image_9.v.xyz().dot(point_15) + image_9.v.w()) / _e2);
         let h_12 = ((image_9.height.xyz().dot(point_15) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
-        let beside_6 = ((u_4 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_6 - rt::Scalar(0.5f32)).abs() - _e24.y()));
-        let uv_44 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_4, v_6)));
+        let beside_6 = ((u_4 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_7 - rt::Scalar(0.5f32)).abs() - _e24.y()));
+        let uv_45 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_4, v_7)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_177 = (((uv_44 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
-        let _e52 = self.v_cell_of(at_177);
-        let part_28 = (at_177 - _e52);
+        let at_183 = (((uv_45 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let _e52 = self.v_cell_of(at_183);
+        let part_29 = (at_183 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
-        let top_9 = (_e56.x() + ((_e56.y() - _e56.x()) * part_28.x()));
-        let bottom_5 = (_e56.z() + ((_e56.w() - _e56.z()) * part_28.x()));
-        let map_5 = (top_9 + ((bottom_5 - top_9) * part_28.y()));
+        let top_9 = (_e56.x() + ((_e56.y() - _e56.x()) * part_29.x()));
+        let bottom_5 = (_e56.z() + ((_e56.w() - _e56.z()) * part_29.x()));
+        let map_5 = (top_9 + ((bottom_5 - top_9) * part_29.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
-            local_66 = beside_6.elementwise_le(rt::Scalar(0.5f32));
-        } else {
-            local_66 = rt::Scalar(false);
-        }
-        let _e82 = local_66;
-        if rt::Scalar::into_branch_condition(_e82) {
-            local_67 = h_12.elementwise_gt(rt::Scalar(0.00001f32));
+            local_67 = beside_6.elementwise_le(rt::Scalar(0.5f32));
         } else {
             local_67 = rt::Scalar(false);
         }
-        let _e88 = local_67;
-        if rt::Scalar::into_branch_condition(_e88) {
-            local_68 = h_12.elementwise_le(rt::Scalar(1f32));
+        let _e82 = local_67;
+        if rt::Scalar::into_branch_condition(_e82) {
+            local_68 = h_12.elementwise_gt(rt::Scalar(0.00001f32));
         } else {
             local_68 = rt::Scalar(false);
         }
-        let is_inside_2 = local_68;
-        let _e97 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_44, h_12.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
-    }
-    pub(crate) fn is_in_image(&self, at_93: OnImage) -> bool {
-        rt::into(self.v_is_in_image(at_93))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    pub(super) fn v_is_in_image(&self, at_93: OnImage) -> rt::Scalar<bool> {
-        let mut local_69: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_93.is_inside)) {
-            let _e7 = self.v_slices_stage(rt::Scalar(at_93.map), rt::Scalar(at_93.height), rt::Scalar(0f32));
-            local_69 = _e7;
+        let _e88 = local_68;
+        if rt::Scalar::into_branch_condition(_e88) {
+            local_69 = h_12.elementwise_le(rt::Scalar(1f32));
         } else {
             local_69 = rt::Scalar(false);
         }
-        let _e9 = local_69;
+        let is_inside_2 = local_69;
+        let _e97 = rt::Scalar(self.surface_settings.cells);
+        return <OnImage>::new(uv_45, h_12.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
+    }
+    pub(crate) fn is_in_image(&self, at_99: OnImage) -> bool {
+        rt::into(self.v_is_in_image(at_99))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_is_in_image(&self, at_99: OnImage) -> rt::Scalar<bool> {
+        let mut local_70: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_99.is_inside)) {
+            let _e7 = self.v_slices_stage(rt::Scalar(at_99.map), rt::Scalar(at_99.height), rt::Scalar(0f32));
+            local_70 = _e7;
+        } else {
+            local_70 = rt::Scalar(false);
+        }
+        let _e9 = local_70;
         return _e9;
     }
     pub(crate) fn with_image(
@@ -11799,7 +12327,7 @@ impl<'g> Resources<'g> {
     pub(super) fn v_slice_at(&self, point_17: rt::Vec3<f32>) -> OnSlice {
         let mut slice_7: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_15: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_70: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -11807,11 +12335,11 @@ impl<'g> Resources<'g> {
                 let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_7.passes);
-                    local_70 = _e23;
+                    local_71 = _e23;
                 } else {
-                    local_70 = rt::Scalar(false);
+                    local_71 = rt::Scalar(false);
                 }
-                let _e25 = local_70;
+                let _e25 = local_71;
                 if rt::Scalar::into_branch_condition(_e25) {
                 } else {
                     break 'naga_break;
@@ -11832,110 +12360,110 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_segment(
         &self,
         pixel_60: PixelIn,
-        at_94: Entered,
+        at_100: Entered,
         k_19: impl rt::Into<rt::Scalar<u32>>,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_60, at_94, rt::into(k_19), rt::into(params_63)))
+        rt::into(self.v_surface_object_slices_segment(pixel_60, at_100, rt::into(k_19), rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_segment(
         &self,
         pixel_60: PixelIn,
-        at_94: Entered,
+        at_100: Entered,
         k_19: rt::Scalar<u32>,
-        params_63: rt::Vec4<f32>,
+        params_70: rt::Vec4<f32>,
     ) -> Path {
-        let _e5 = self.v_slice_at(at_94.point);
+        let _e5 = self.v_slice_at(at_100.point);
         let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
-        let far_11 = (at_94.point - pixel_60.origin).length();
-        let lead_3 = (far_11 * rt::Scalar(0.0000005f32));
-        let _e28 = self.v_depth_in_image(_e7, at_94.point);
+        let far_14 = (at_100.point - pixel_60.origin).length();
+        let lead_3 = (far_14 * rt::Scalar(0.0000005f32));
+        let _e28 = self.v_depth_in_image(_e7, at_100.point);
         let _e29 = self.v_metric_of_image(_e7, _e28);
-        return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e29, RAY_VIEW, rt::Scalar(0u32), (far_11 - lead_3), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e29, RAY_VIEW, rt::Scalar(0u32), (far_14 - lead_3), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
         pixel_61: PixelIn,
-        at_95: Entered,
+        at_101: Entered,
         k_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_61, at_95, rt::into(k_20)))
+        rt::into(self.v_surface_segment_stage(pixel_61, at_101, rt::into(k_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_segment_stage(
         &self,
         pixel_61: PixelIn,
-        at_95: Entered,
+        at_101: Entered,
         k_20: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_61, at_95, k_20, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_61, at_101, k_20, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_61, at_95, k_20, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_61, at_101, k_20, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_61, at_95, k_20, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_61, at_101, k_20, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_61, at_95, k_20, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_61, at_101, k_20, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_61, at_95, k_20, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_61, at_101, k_20, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_61, at_95, k_20, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_61, at_101, k_20, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_61, at_95, k_20, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_61, at_101, k_20, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_61, at_95, k_20, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_61, at_101, k_20, _e54);
                 return _e55;
             }
             8u32 => {
                 let _e60 = self.surface_settings.choices[1usize].params;
-                let _e61 = self.v_surface_frames_segment(pixel_61, at_95, k_20, _e60);
+                let _e61 = self.v_surface_frames_segment(pixel_61, at_101, k_20, _e60);
                 return _e61;
             }
             _ => {
                 let _e66 = self.surface_settings.choices[1usize].params;
-                let _e67 = self.v_surface_object_slices_segment(pixel_61, at_95, k_20, _e66);
+                let _e67 = self.v_surface_object_slices_segment(pixel_61, at_101, k_20, _e66);
                 return _e67;
             }
         }
     }
     pub(crate) fn flattened(
         &self,
-        path_33: Path,
+        path_34: Path,
         middle_9: impl rt::Into<rt::Scalar<f32>>,
         part_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_33, rt::into(middle_9), rt::into(part_11)))
+        rt::into(self.v_flattened(path_34, rt::into(middle_9), rt::into(part_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_flattened(
         &self,
-        path_33: Path,
+        path_34: Path,
         middle_9: rt::Scalar<f32>,
         part_11: rt::Scalar<f32>,
     ) -> Path {
@@ -11943,149 +12471,149 @@ impl<'g> Resources<'g> {
 
         let kept = (rt::Scalar(1f32) - part_11);
         let top_10 = (middle_9 + ((rt::Scalar(1f32) - middle_9) * kept));
-        let above_7 = (path_33.h.x() - top_10);
-        let begins = above_7.elementwise_gt(rt::Scalar(0f32));
+        let above_8 = (path_34.h.x() - top_10);
+        let begins = above_8.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_7, path_33.h.y(), path_33.h.z()), rt::Scalar(path_33.exit));
-            start_1 = _e22.min(rt::Scalar(path_33.exit));
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_8, path_34.h.y(), path_34.h.z()), rt::Scalar(path_34.exit));
+            start_1 = _e22.min(rt::Scalar(path_34.exit));
         }
-        let height_24 = (middle_9 + ((path_33.h.x() - middle_9) / kept)).select(rt::Scalar(1f32), begins);
+        let height_25 = (middle_9 + ((path_34.h.x() - middle_9) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start_1;
-        let _e33 = self.v_path_slope(path_33, _e32);
-        let h_13 = <rt::Vec3<f32>>::from_scalars(height_24, (_e33 / kept), (path_33.h.z() / kept));
+        let _e33 = self.v_path_slope(path_34, _e32);
+        let h_13 = <rt::Vec3<f32>>::from_scalars(height_25, (_e33 / kept), (path_34.h.z() / kept));
         let _e40 = start_1;
-        let rest_9 = (rt::Scalar(path_33.exit) - _e40);
+        let rest_9 = (rt::Scalar(path_34.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_13.x().max(rt::Scalar(0f32)), h_13.y(), h_13.z()), rest_9);
         let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_9);
         let _e53 = start_1;
-        let base_5 = (rt::Scalar(path_33.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_5 = (rt::Scalar(path_34.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start_1;
-        let _e59 = self.v_path_uv(path_33, _e58);
+        let _e59 = self.v_path_uv(path_34, _e58);
         let _e65 = start_1;
-        return <Path>::new(_e59, path_33.duv, h_13, exit_1, base_5, path_33.metric, rt::Scalar(path_33.ray), rt::Scalar(path_33.level), (rt::Scalar(path_33.start) + _e65), rt::Scalar(path_33.share), rt::Scalar(path_33.bend));
+        return <Path>::new(_e59, path_34.duv, h_13, exit_1, base_5, path_34.metric, rt::Scalar(path_34.ray), rt::Scalar(path_34.level), (rt::Scalar(path_34.start) + _e65), rt::Scalar(path_34.share), rt::Scalar(path_34.bend));
     }
     pub(crate) fn segment_of(
         &self,
         pixel_62: PixelIn,
-        at_96: Entered,
+        at_102: Entered,
         k_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_62, at_96, rt::into(k_21)))
+        rt::into(self.v_segment_of(pixel_62, at_102, rt::into(k_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_segment_of(
         &self,
         pixel_62: PixelIn,
-        at_96: Entered,
+        at_102: Entered,
         k_21: rt::Scalar<u32>,
     ) -> Path {
-        let mut path_34: Path;
+        let mut path_35: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_62, at_96, k_21);
-        path_34 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_96.fade).elementwise_gt(rt::Scalar(0f32))) {
-            let _e8 = path_34;
+        let _e3 = self.v_surface_segment_stage(pixel_62, at_102, k_21);
+        path_35 = _e3;
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_102.fade).elementwise_gt(rt::Scalar(0f32))) {
+            let _e8 = path_35;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_96.fade));
-            path_34 = _e13;
-            let _e16 = path_34.h.x();
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_102.fade));
+            path_35 = _e13;
+            let _e16 = path_35.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
-                rt::Scalar(path_34.exit) = rt::Scalar(0f32);
+                rt::Scalar(path_35.exit) = rt::Scalar(0f32);
             }
         }
-        let _e22 = path_34;
+        let _e22 = path_35;
         return _e22;
     }
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_63: PixelIn,
-        at_97: Entered,
-        path_35: Path,
-        hit_23: Hit,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        at_103: Entered,
+        path_36: Path,
+        hit_28: Hit,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_63, at_97, path_35, hit_23, rt::into(params_64)))
+        rt::into(self.v_surface_plane_polish(pixel_63, at_103, path_36, hit_28, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_plane_polish(
         &self,
         pixel_63: PixelIn,
-        at_97: Entered,
-        path_35: Path,
-        hit_23: Hit,
-        params_64: rt::Vec4<f32>,
+        at_103: Entered,
+        path_36: Path,
+        hit_28: Hit,
+        params_71: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_23;
+        return hit_28;
     }
     pub(crate) fn weights_at_offset(
         &self,
         prism_11: Prism,
-        place_21: impl rt::Into<rt::Vec3<f32>>,
+        place_28: impl rt::Into<rt::Vec3<f32>>,
         offset_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_21), rt::into(offset_5)))
+        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_28), rt::into(offset_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_weights_at_offset(
         &self,
         prism_11: Prism,
-        place_21: rt::Vec3<f32>,
+        place_28: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
-        let a_39 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
-        let b_39 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_10 = (place_21 - corner_6);
-        let across_12 = a_39.cross(b_39);
+        let corner_7 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
+        let a_43 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
+        let b_43 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
+        let rest_10 = (place_28 - corner_7);
+        let across_12 = a_43.cross(b_43);
         let square_5 = across_12.dot(across_12);
         if rt::Scalar::into_branch_condition((!square_5.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_8 = (rest_10.cross(b_39).dot(across_12) / square_5);
-        let third_4 = (a_39.cross(rest_10).dot(across_12) / square_5);
-        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_8) - third_4), second_8, third_4);
+        let second_10 = (rest_10.cross(b_43).dot(across_12) / square_5);
+        let third_5 = (a_43.cross(rest_10).dot(across_12) / square_5);
+        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_10) - third_5), second_10, third_5);
     }
     pub(crate) fn shell_point_near(
         &self,
         prism_12: Prism,
-        place_22: impl rt::Into<rt::Vec3<f32>>,
-        height_9: impl rt::Into<rt::Scalar<f32>>,
+        place_29: impl rt::Into<rt::Vec3<f32>>,
+        height_10: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_22), rt::into(height_9)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_29), rt::into(height_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shell_point_near(
         &self,
         prism_12: Prism,
-        place_22: rt::Vec3<f32>,
-        height_9: rt::Scalar<f32>,
+        place_29: rt::Vec3<f32>,
+        height_10: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let low_7 = self.surface_settings.shell_m.x();
+        let low_8 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let offset_8 = (low_7 + ((_e10 - low_7).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_9));
-        let _e16 = self.v_weights_at_offset(prism_12, place_22, offset_8);
+        let offset_8 = (low_8 + ((_e10 - low_8).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_10));
+        let _e16 = self.v_weights_at_offset(prism_12, place_29, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
-        let _e20 = self.v_weights_at_offset(prism_12, place_22, (offset_8 + _e18));
-        let near_9 = <ShellPoint>::new(_e20, height_9);
-        let _e22 = self.v_shell_point_from(prism_12, place_22, near_9);
-        let moved = (_e22.weights - near_9.weights).abs();
-        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_9).abs()));
+        let _e20 = self.v_weights_at_offset(prism_12, place_29, (offset_8 + _e18));
+        let near_12 = <ShellPoint>::new(_e20, height_10);
+        let _e22 = self.v_shell_point_from(prism_12, place_29, near_12);
+        let moved = (_e22.weights - near_12.weights).abs();
+        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_10).abs()));
         if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
             return _e22;
         }
-        return near_9;
+        return near_12;
     }
     pub(crate) fn point_of_way(
         &self,
         pixel_64: PixelIn,
         prism_13: Prism,
-        place_23: impl rt::Into<rt::Vec3<f32>>,
-        height_10: impl rt::Into<rt::Scalar<f32>>,
+        place_30: impl rt::Into<rt::Vec3<f32>>,
+        height_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_64, prism_13, rt::into(place_23), rt::into(height_10)))
+        rt::into(self.v_point_of_way(pixel_64, prism_13, rt::into(place_30), rt::into(height_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12093,55 +12621,55 @@ impl<'g> Resources<'g> {
         &self,
         pixel_64: PixelIn,
         prism_13: Prism,
-        place_23: rt::Vec3<f32>,
-        height_10: rt::Scalar<f32>,
+        place_30: rt::Vec3<f32>,
+        height_11: rt::Scalar<f32>,
     ) -> ShellPoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_23, height_10);
+            let _e8 = self.v_shell_point_near(prism_13, place_30, height_11);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_13, place_23, height_10);
+        let _e9 = self.v_shell_point(prism_13, place_30, height_11);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
         &self,
         pixel_65: PixelIn,
-        at_98: Entered,
-        path_36: Path,
-        hit_24: Hit,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        at_104: Entered,
+        path_37: Path,
+        hit_29: Hit,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_65, at_98, path_36, hit_24, rt::into(params_65)))
+        rt::into(self.v_surface_prism_polish(pixel_65, at_104, path_37, hit_29, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_polish(
         &self,
         pixel_65: PixelIn,
-        at_98: Entered,
-        path_36: Path,
-        hit_24: Hit,
-        params_65: rt::Vec4<f32>,
+        at_104: Entered,
+        path_37: Path,
+        hit_29: Hit,
+        params_72: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_22: rt::Scalar<f32>;
+        let mut t_23: rt::Scalar<f32>;
         let mut point_18: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e6 = self.v_field_is_ground_stage(rt::Scalar(path_36.level));
+        let _e6 = self.v_field_is_ground_stage(rt::Scalar(path_37.level));
         if rt::Scalar::into_branch_condition((!_e6)) {
-            return hit_24;
+            return hit_29;
         }
         let along_40 = pixel_65.direction.normalize();
         let _e10 = self.v_middle_of(pixel_65, along_40);
-        let _e11 = self.v_prism_of(pixel_65, along_40, _e10, params_65);
-        let _e13 = self.v_path_gap(path_36, rt::Scalar(hit_24.t));
-        let _e14 = self.v_grid_of(path_36);
+        let _e11 = self.v_prism_of(pixel_65, along_40, _e10, params_72);
+        let _e13 = self.v_path_gap(path_37, rt::Scalar(hit_29.t));
+        let _e14 = self.v_grid_of(path_37);
         let texels_6 = _e14.step.abs();
-        let most_16 = ((rt::Scalar(2f32) * params_65.x()) / texels_6.x().max(texels_6.y()).max((path_36.h.y().abs() / rt::Scalar(0.0625f32))));
-        t_22 = rt::Scalar(hit_24.t);
-        let _e33 = t_22;
-        let _e37 = t_22;
-        let _e38 = self.v_path_height(path_36, _e37);
-        let _e39 = self.v_point_of_way(pixel_65, _e11, (along_40 * ((rt::Scalar(path_36.start) + _e33) - _e10)), _e38);
+        let most_16 = ((rt::Scalar(2f32) * params_72.x()) / texels_6.x().max(texels_6.y()).max((path_37.h.y().abs() / rt::Scalar(0.0625f32))));
+        t_23 = rt::Scalar(hit_29.t);
+        let _e33 = t_23;
+        let _e37 = t_23;
+        let _e38 = self.v_path_height(path_37, _e37);
+        let _e39 = self.v_point_of_way(pixel_65, _e11, (along_40 * ((rt::Scalar(path_37.start) + _e33) - _e10)), _e38);
         point_18 = _e39;
         'naga_break: loop {
             'naga_continue: {
@@ -12156,27 +12684,27 @@ impl<'g> Resources<'g> {
                     let _e50 = rt::Scalar(point_18.height);
                     let _e52 = point_18.weights;
                     let _e53 = self.v_uv_of(pixel_65, _e52);
-                    let _e55 = self.v_height_at(_e53, rt::Scalar(path_36.level));
+                    let _e55 = self.v_height_at(_e53, rt::Scalar(path_37.level));
                     let gap_3 = ((_e50 - _e55) - _e13);
-                    let _e60 = t_22;
+                    let _e60 = t_23;
                     let _e63 = self.v_cell_of((_e14.origin + (_e14.step * _e60)));
-                    let _e64 = t_22;
-                    let _e65 = self.v_cell_gap(path_36, _e14, _e63, _e64);
-                    let change_6 = _e65.y();
-                    if rt::Scalar::into_branch_condition(change_6.elementwise_lt(rt::Scalar(0f32))) {
-                        let _e69 = t_22;
-                        t_22 = (_e69 - (gap_3 / change_6)).clamp((rt::Scalar(hit_24.t) - most_16), (rt::Scalar(hit_24.t) + most_16));
+                    let _e64 = t_23;
+                    let _e65 = self.v_cell_gap(path_37, _e14, _e63, _e64);
+                    let change_7 = _e65.y();
+                    if rt::Scalar::into_branch_condition(change_7.elementwise_lt(rt::Scalar(0f32))) {
+                        let _e69 = t_23;
+                        t_23 = (_e69 - (gap_3 / change_7)).clamp((rt::Scalar(hit_29.t) - most_16), (rt::Scalar(hit_29.t) + most_16));
                     }
-                    let _e78 = t_22;
-                    let place_36 = (along_40 * ((rt::Scalar(path_36.start) + _e78) - _e10));
+                    let _e78 = t_23;
+                    let place_43 = (along_40 * ((rt::Scalar(path_37.start) + _e78) - _e10));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_ge(SHELL_FOLDED)) {
-                        let _e86 = t_22;
-                        let _e87 = self.v_path_height(path_36, _e86);
-                        let _e88 = self.v_shell_point_near(_e11, place_36, _e87);
+                        let _e86 = t_23;
+                        let _e87 = self.v_path_height(path_37, _e86);
+                        let _e88 = self.v_shell_point_near(_e11, place_43, _e87);
                         point_18 = _e88;
                     } else {
                         let _e89 = point_18;
-                        let _e90 = self.v_shell_point_from(_e11, place_36, _e89);
+                        let _e90 = self.v_shell_point_from(_e11, place_43, _e89);
                         point_18 = _e90;
                     }
                 }
@@ -12185,150 +12713,150 @@ impl<'g> Resources<'g> {
         let _e94 = point_18.weights;
         let _e95 = self.v_uv_of(pixel_65, _e94);
         let _e97 = rt::Scalar(point_18.height);
-        let _e98 = t_22;
-        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_24.exhausted), _e95, _e97, _e98, hit_24.cost);
+        let _e98 = t_23;
+        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_29.exhausted), _e95, _e97, _e98, hit_29.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
         pixel_66: PixelIn,
-        at_99: Entered,
-        path_37: Path,
-        hit_25: Hit,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        at_105: Entered,
+        path_38: Path,
+        hit_30: Hit,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_99, path_37, hit_25, rt::into(params_66)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_105, path_38, hit_30, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_66: PixelIn,
-        at_99: Entered,
-        path_37: Path,
-        hit_25: Hit,
-        params_66: rt::Vec4<f32>,
+        at_105: Entered,
+        path_38: Path,
+        hit_30: Hit,
+        params_73: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_25;
+        return hit_30;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
         pixel_67: PixelIn,
-        at_100: Entered,
-        path_38: Path,
-        hit_26: Hit,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        at_106: Entered,
+        path_39: Path,
+        hit_31: Hit,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_100, path_38, hit_26, rt::into(params_67)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_106, path_39, hit_31, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_vertical_polish(
         &self,
         pixel_67: PixelIn,
-        at_100: Entered,
-        path_38: Path,
-        hit_26: Hit,
-        params_67: rt::Vec4<f32>,
+        at_106: Entered,
+        path_39: Path,
+        hit_31: Hit,
+        params_74: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_26;
+        return hit_31;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
         pixel_68: PixelIn,
-        at_101: Entered,
-        path_39: Path,
-        hit_27: Hit,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        at_107: Entered,
+        path_40: Path,
+        hit_32: Hit,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_101, path_39, hit_27, rt::into(params_68)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_107, path_40, hit_32, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_tetrahedra_polish(
         &self,
         pixel_68: PixelIn,
-        at_101: Entered,
-        path_39: Path,
-        hit_27: Hit,
-        params_68: rt::Vec4<f32>,
+        at_107: Entered,
+        path_40: Path,
+        hit_32: Hit,
+        params_75: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_27;
+        return hit_32;
     }
     pub(crate) fn surface_facets_polish(
         &self,
         pixel_69: PixelIn,
-        at_102: Entered,
-        path_40: Path,
-        hit_28: Hit,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        at_108: Entered,
+        path_41: Path,
+        hit_33: Hit,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_69, at_102, path_40, hit_28, rt::into(params_69)))
+        rt::into(self.v_surface_facets_polish(pixel_69, at_108, path_41, hit_33, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_polish(
         &self,
         pixel_69: PixelIn,
-        at_102: Entered,
-        path_40: Path,
-        hit_28: Hit,
-        params_69: rt::Vec4<f32>,
+        at_108: Entered,
+        path_41: Path,
+        hit_33: Hit,
+        params_76: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_28;
+        return hit_33;
     }
     pub(crate) fn surface_slices_polish(
         &self,
         pixel_70: PixelIn,
-        at_103: Entered,
-        path_41: Path,
-        hit_29: Hit,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        at_109: Entered,
+        path_42: Path,
+        hit_34: Hit,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_70, at_103, path_41, hit_29, rt::into(params_70)))
+        rt::into(self.v_surface_slices_polish(pixel_70, at_109, path_42, hit_34, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_polish(
         &self,
         pixel_70: PixelIn,
-        at_103: Entered,
-        path_41: Path,
-        hit_29: Hit,
-        params_70: rt::Vec4<f32>,
+        at_109: Entered,
+        path_42: Path,
+        hit_34: Hit,
+        params_77: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted: Hit;
 
-        counted = hit_29;
-        counted.cost = (hit_29.cost + HEIGHTS_READ);
+        counted = hit_34;
+        counted.cost = (hit_34.cost + HEIGHTS_READ);
         let _e10 = counted;
         return _e10;
     }
     pub(crate) fn metres_on(
         &self,
-        path_42: Path,
-        t_23: impl rt::Into<rt::Scalar<f32>>,
+        path_43: Path,
+        t_24: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_metres_on(path_42, rt::into(t_23)))
+        rt::into(self.v_metres_on(path_43, rt::into(t_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_metres_on(
         &self,
-        path_42: Path,
-        t_23: rt::Scalar<f32>,
+        path_43: Path,
+        t_24: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (t_23 / (rt::Scalar(1f32) - (rt::Scalar(path_42.bend) * t_23)));
+        return (t_24 / (rt::Scalar(1f32) - (rt::Scalar(path_43.bend) * t_24)));
     }
-    pub(crate) fn polished_on_image(&self, path_43: Path, hit_30: Hit) -> Hit {
-        rt::into(self.v_polished_on_image(path_43, hit_30))
+    pub(crate) fn polished_on_image(&self, path_44: Path, hit_35: Hit) -> Hit {
+        rt::into(self.v_polished_on_image(path_44, hit_35))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_polished_on_image(&self, path_43: Path, hit_30: Hit) -> Hit {
+    pub(super) fn v_polished_on_image(&self, path_44: Path, hit_35: Hit) -> Hit {
         let mut polished: Hit;
 
-        polished = hit_30;
-        let _e5 = self.v_metres_on(path_43, rt::Scalar(hit_30.t));
+        polished = hit_35;
+        let _e5 = self.v_metres_on(path_44, rt::Scalar(hit_35.t));
         rt::Scalar(polished.t) = _e5;
         let _e6 = polished;
         return _e6;
@@ -12336,144 +12864,144 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_polish(
         &self,
         pixel_71: PixelIn,
-        at_104: Entered,
-        path_44: Path,
-        hit_31: Hit,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        at_110: Entered,
+        path_45: Path,
+        hit_36: Hit,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_71, at_104, path_44, hit_31, rt::into(params_71)))
+        rt::into(self.v_surface_object_polish(pixel_71, at_110, path_45, hit_36, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_polish(
         &self,
         pixel_71: PixelIn,
-        at_104: Entered,
-        path_44: Path,
-        hit_31: Hit,
-        params_71: rt::Vec4<f32>,
+        at_110: Entered,
+        path_45: Path,
+        hit_36: Hit,
+        params_78: rt::Vec4<f32>,
     ) -> Hit {
-        let _e5 = self.v_polished_on_image(path_44, hit_31);
+        let _e5 = self.v_polished_on_image(path_45, hit_36);
         return _e5;
     }
     pub(crate) fn surface_frames_polish(
         &self,
         pixel_72: PixelIn,
-        at_105: Entered,
-        path_45: Path,
-        hit_32: Hit,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        at_111: Entered,
+        path_46: Path,
+        hit_37: Hit,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_72, at_105, path_45, hit_32, rt::into(params_72)))
+        rt::into(self.v_surface_frames_polish(pixel_72, at_111, path_46, hit_37, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_polish(
         &self,
         pixel_72: PixelIn,
-        at_105: Entered,
-        path_45: Path,
-        hit_32: Hit,
-        params_72: rt::Vec4<f32>,
+        at_111: Entered,
+        path_46: Path,
+        hit_37: Hit,
+        params_79: rt::Vec4<f32>,
     ) -> Hit {
-        let _e5 = self.v_polished_on_image(path_45, hit_32);
+        let _e5 = self.v_polished_on_image(path_46, hit_37);
         return _e5;
     }
     pub(crate) fn surface_object_slices_polish(
         &self,
         pixel_73: PixelIn,
-        at_106: Entered,
-        path_46: Path,
-        hit_33: Hit,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
+        at_112: Entered,
+        path_47: Path,
+        hit_38: Hit,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_73, at_106, path_46, hit_33, rt::into(params_73)))
+        rt::into(self.v_surface_object_slices_polish(pixel_73, at_112, path_47, hit_38, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_polish(
         &self,
         pixel_73: PixelIn,
-        at_106: Entered,
-        path_46: Path,
-        hit_33: Hit,
-        params_73: rt::Vec4<f32>,
+        at_112: Entered,
+        path_47: Path,
+        hit_38: Hit,
+        params_80: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted_1: Hit;
 
-        counted_1 = hit_33;
+        counted_1 = hit_38;
         let _e10 = rt::Scalar(self.surface_settings.solids);
         let _e15 = rt::Scalar(self.surface_settings.solids);
-        counted_1.cost = (hit_33.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
+        counted_1.cost = (hit_38.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_107: Entered, path_47: Path, hit_34: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_74, at_107, path_47, hit_34))
+    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_113: Entered, path_48: Path, hit_39: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_74, at_113, path_48, hit_39))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_107: Entered, path_47: Path, hit_34: Hit) -> Hit {
+    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_113: Entered, path_48: Path, hit_39: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_74, at_107, path_47, hit_34, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_74, at_113, path_48, hit_39, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_74, at_107, path_47, hit_34, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_74, at_113, path_48, hit_39, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_107, path_47, hit_34, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_113, path_48, hit_39, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_107, path_47, hit_34, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_113, path_48, hit_39, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_107, path_47, hit_34, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_113, path_48, hit_39, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_74, at_107, path_47, hit_34, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_74, at_113, path_48, hit_39, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_74, at_107, path_47, hit_34, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_74, at_113, path_48, hit_39, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_74, at_107, path_47, hit_34, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_74, at_113, path_48, hit_39, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_74, at_107, path_47, hit_34, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_74, at_113, path_48, hit_39, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_107, path_47, hit_34, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_113, path_48, hit_39, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_108: Entered, path_48: Path, hit_35: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_75, at_108, path_48, hit_35))
+    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_114: Entered, path_49: Path, hit_40: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_75, at_114, path_49, hit_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_108: Entered, path_48: Path, hit_35: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_75, at_108, path_48, hit_35);
+    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_114: Entered, path_49: Path, hit_40: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_75, at_114, path_49, hit_40);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -12486,14 +13014,14 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_8.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn is_in_hole(&self, uv_29: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_in_hole(rt::into(uv_29)))
+    pub(crate) fn is_in_hole(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_in_hole(rt::into(uv_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_is_in_hole(&self, uv_29: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    pub(super) fn v_is_in_hole(&self, uv_30: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition((_e3 & rt::Scalar(2u32)).elementwise_ne(rt::Scalar(0u32))) {
-            let _e9 = self.v_color_at(uv_29, rt::Scalar(0u32));
+            let _e9 = self.v_color_at(uv_30, rt::Scalar(0u32));
             let _e13 = rt::Scalar(self.surface_settings.cutoff);
             if rt::Scalar::into_branch_condition(_e9.w().elementwise_lt(_e13)) {
                 return rt::Scalar(true);
@@ -12505,47 +13033,47 @@ impl<'g> Resources<'g> {
         }
         let _e25 = self.v_height_texels(rt::Scalar(0u32));
         let _e27 = self.v_height_size(rt::Scalar(0u32));
-        let _e33 = self.v_cell_of(((uv_29 * _e27) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e33 = self.v_cell_of(((uv_30 * _e27) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let cell_44 = _e33.to_i32();
         let _e37 = self.v_wrap_pair(cell_44.x(), _e25.x());
         let _e40 = self.v_wrap_pair(cell_44.y(), _e25.y());
         let _e46 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37.x(), _e40.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e53 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37.y(), _e40.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let above_8 = _e46.x().max(_e53.x());
+        let above_9 = _e46.x().max(_e53.x());
         let _e61 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37.x(), _e40.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e68 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37.y(), _e40.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let below_7 = _e61.x().max(_e68.x());
-        return above_8.max(below_7).elementwise_gt(rt::Scalar(0f32));
+        return above_9.max(below_7).elementwise_gt(rt::Scalar(0f32));
     }
-    pub(crate) fn in_hole(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_30)))
+    pub(crate) fn in_hole(&self, uv_31: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_in_hole(&self, uv_30: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    pub(super) fn v_in_hole(&self, uv_31: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(false);
         }
-        let _e7 = self.v_is_in_hole(uv_30);
+        let _e7 = self.v_is_in_hole(uv_31);
         return _e7;
     }
     pub(crate) fn hit_on_segment(
         &self,
         pixel_76: PixelIn,
-        at_109: Entered,
-        path_49: Path,
+        at_115: Entered,
+        path_50: Path,
         found: Hit,
         k_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_76, at_109, path_49, found, rt::into(k_22)))
+        rt::into(self.v_hit_on_segment(pixel_76, at_115, path_50, found, rt::into(k_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_hit_on_segment(
         &self,
         pixel_76: PixelIn,
-        at_109: Entered,
-        path_49: Path,
+        at_115: Entered,
+        path_50: Path,
         found: Hit,
         k_22: rt::Scalar<u32>,
     ) -> FirstHit {
@@ -12553,8 +13081,8 @@ impl<'g> Resources<'g> {
 
         first_2 = <FirstHit>::new(found, k_22, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_76, at_109, path_49, found);
-            let _e12 = self.v_depth_on_ray(pixel_76, path_49, _e11);
+            let _e11 = self.v_polish_hit(pixel_76, at_115, path_50, found);
+            let _e12 = self.v_depth_on_ray(pixel_76, path_50, _e11);
             let _e13 = self.v_key_of(_e12);
             first_2 = <FirstHit>::new(_e11, k_22, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
@@ -12565,75 +13093,75 @@ impl<'g> Resources<'g> {
         let _e20 = first_2;
         return _e20;
     }
-    pub(crate) fn leaves_at_exit(&self, path_50: Path) -> bool {
-        rt::into(self.v_leaves_at_exit(path_50))
+    pub(crate) fn leaves_at_exit(&self, path_51: Path) -> bool {
+        rt::into(self.v_leaves_at_exit(path_51))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_leaves_at_exit(&self, path_50: Path) -> rt::Scalar<bool> {
-        let mut local_71: rt::Scalar<bool>;
+    pub(super) fn v_leaves_at_exit(&self, path_51: Path) -> rt::Scalar<bool> {
+        let mut local_72: rt::Scalar<bool>;
 
-        let _e2 = self.v_path_height(path_50, rt::Scalar(path_50.exit));
+        let _e2 = self.v_path_height(path_51, rt::Scalar(path_51.exit));
         if rt::Scalar::into_branch_condition((!_e2.elementwise_gt(rt::Scalar(0.000001f32)))) {
-            let _e9 = self.v_field_is_ground_stage(rt::Scalar(path_50.level));
-            local_71 = (!_e9);
+            let _e9 = self.v_field_is_ground_stage(rt::Scalar(path_51.level));
+            local_72 = (!_e9);
         } else {
-            local_71 = rt::Scalar(true);
+            local_72 = rt::Scalar(true);
         }
-        let _e12 = local_71;
+        let _e12 = local_72;
         return _e12;
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_51: Path,
-        t_24: impl rt::Into<rt::Scalar<f32>>,
+        path_52: Path,
+        t_25: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_51, rt::into(t_24), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_52, rt::into(t_25), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_hit_on_path(
         &self,
-        path_51: Path,
-        t_24: rt::Scalar<f32>,
+        path_52: Path,
+        t_25: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_72: rt::Scalar<bool>;
+        let mut local_73: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_24.elementwise_gt(rt::Scalar(path_51.exit))) {
-            let _e8 = self.v_leaves_at_exit(path_51);
-            local_72 = _e8;
+        if rt::Scalar::into_branch_condition(t_25.elementwise_gt(rt::Scalar(path_52.exit))) {
+            let _e8 = self.v_leaves_at_exit(path_52);
+            local_73 = _e8;
         } else {
-            local_72 = rt::Scalar(false);
+            local_73 = rt::Scalar(false);
         }
-        let _e10 = local_72;
+        let _e10 = local_73;
         if rt::Scalar::into_branch_condition(_e10) {
             let _e11 = self.v_miss(cost_3);
             return _e11;
         }
-        let inside_6 = t_24.clamp(rt::Scalar(0f32), rt::Scalar(path_51.exit));
-        let _e16 = self.v_path_uv(path_51, inside_6);
-        let _e17 = self.v_path_height(path_51, inside_6);
+        let inside_6 = t_25.clamp(rt::Scalar(0f32), rt::Scalar(path_52.exit));
+        let _e16 = self.v_path_uv(path_52, inside_6);
+        let _e17 = self.v_path_height(path_52, inside_6);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e16, _e17, inside_6, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_52: Path, found_1: SearchResult) -> f32 {
-        rt::into(self.v_starting_point(path_52, found_1))
+    pub(crate) fn starting_point(&self, path_53: Path, found_1: SearchResult) -> f32 {
+        rt::into(self.v_starting_point(path_53, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_starting_point(&self, path_52: Path, found_1: SearchResult) -> rt::Scalar<f32> {
-        let mut local_73: rt::Scalar<bool>;
+    pub(super) fn v_starting_point(&self, path_53: Path, found_1: SearchResult) -> rt::Scalar<f32> {
+        let mut local_74: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_52.base);
+            return rt::Scalar(path_53.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_73 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_74 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_73 = rt::Scalar(true);
+            local_74 = rt::Scalar(true);
         }
-        let _e16 = local_73;
+        let _e16 = local_74;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -12641,175 +13169,175 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_53: Path,
+        path_54: Path,
         found_2: SearchResult,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_53, found_2, rt::into(params_74)))
+        rt::into(self.v_refine_none(path_54, found_2, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_refine_none(
         &self,
-        path_53: Path,
+        path_54: Path,
         found_2: SearchResult,
-        params_74: rt::Vec4<f32>,
+        params_81: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_53, found_2);
-        let _e16 = self.v_hit_on_path(path_53, _e14, exhausted_1, found_2.cost);
+        let _e14 = self.v_starting_point(path_54, found_2);
+        let _e16 = self.v_hit_on_path(path_54, _e14, exhausted_1, found_2.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_54: Path,
+        path_55: Path,
         found_3: SearchResult,
-        params_75: impl rt::Into<rt::Vec4<f32>>,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_54, found_3, rt::into(params_75)))
+        rt::into(self.v_refine_offset(path_55, found_3, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_offset(
         &self,
-        path_54: Path,
+        path_55: Path,
         found_3: SearchResult,
-        params_75: rt::Vec4<f32>,
+        params_82: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_25: rt::Scalar<f32>;
+        let mut t_26: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_54, found_3);
-        let _e9 = self.v_path_uv(path_54, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_54.level));
-        let _e12 = self.v_path_slope(path_54, _e8);
-        t_25 = _e8;
+        let _e8 = self.v_starting_point(path_55, found_3);
+        let _e9 = self.v_path_uv(path_55, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_55.level));
+        let _e12 = self.v_path_slope(path_55, _e8);
+        t_26 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_54, _e8);
-            t_25 = (_e8 + ((_e11 - _e16) / _e12));
+            let _e16 = self.v_path_height(path_55, _e8);
+            t_26 = (_e8 + ((_e11 - _e16) / _e12));
         }
-        let _e20 = t_25;
-        let _e30 = self.v_hit_on_path(path_54, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
+        let _e20 = t_26;
+        let _e30 = self.v_hit_on_path(path_55, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_55: Path,
+        path_56: Path,
         found_4: SearchResult,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_55, found_4, rt::into(params_76)))
+        rt::into(self.v_refine_offset_limited(path_56, found_4, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_offset_limited(
         &self,
-        path_55: Path,
+        path_56: Path,
         found_4: SearchResult,
-        params_76: rt::Vec4<f32>,
+        params_83: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_36: Hit;
+        let mut hit_41: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_55, found_4);
-        let _e9 = self.v_path_uv(path_55, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_55.level));
-        let _e12 = self.v_path_height(path_55, _e8);
-        let rise_m = ((_e11 - _e12) * path_55.metric.w());
+        let _e8 = self.v_starting_point(path_56, found_4);
+        let _e9 = self.v_path_uv(path_56, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_56.level));
+        let _e12 = self.v_path_height(path_56, _e8);
+        let rise_m = ((_e11 - _e12) * path_56.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_55, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
-        hit_36 = _e27;
-        let _e30 = rt::Scalar(hit_36.found);
+        let _e27 = self.v_hit_on_path(path_56, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
+        hit_41 = _e27;
+        let _e30 = rt::Scalar(hit_41.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_36.height) = _e11;
+            rt::Scalar(hit_41.height) = _e11;
         }
-        let _e34 = hit_36;
+        let _e34 = hit_41;
         return _e34;
     }
     pub(crate) fn normal_z(
         &self,
-        path_56: Path,
+        path_57: Path,
         slope_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_56, rt::into(slope_1)))
+        rt::into(self.v_normal_z(path_57, rt::into(slope_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_z(
         &self,
-        path_56: Path,
+        path_57: Path,
         slope_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_5 = path_56.metric;
+        let m_5 = path_57.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let squared_4 = (((((slope_1.x() * slope_1.x()) * m_5.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_5.y())) + ((slope_1.y() * slope_1.y()) * m_5.x())) / area_6);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_5.w() * m_5.w()) * squared_4)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_57: Path,
+        path_58: Path,
         found_5: SearchResult,
-        params_77: impl rt::Into<rt::Vec4<f32>>,
+        params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_57, found_5, rt::into(params_77)))
+        rt::into(self.v_refine_slope(path_58, found_5, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_slope(
         &self,
-        path_57: Path,
+        path_58: Path,
         found_5: SearchResult,
-        params_77: rt::Vec4<f32>,
+        params_84: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_26: rt::Scalar<f32>;
+        let mut t_27: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_57, found_5);
-        let _e9 = self.v_path_uv(path_57, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_57.level));
-        let _e13 = self.v_path_height(path_57, _e8);
+        let _e8 = self.v_starting_point(path_58, found_5);
+        let _e9 = self.v_path_uv(path_58, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_58.level));
+        let _e13 = self.v_path_height(path_58, _e8);
         let rise_3 = (_e11.x() - _e13);
-        t_26 = _e8;
-        if rt::Scalar::into_branch_condition(params_77.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_57, _e8);
-            let closing = (_e19 - ((_e11.y() * path_57.duv.x()) + (_e11.z() * path_57.duv.y())));
+        t_27 = _e8;
+        if rt::Scalar::into_branch_condition(params_84.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_58, _e8);
+            let closing = (_e19 - ((_e11.y() * path_58.duv.x()) + (_e11.z() * path_58.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_26 = (_e8 + (rise_3 / closing));
+                t_27 = (_e8 + (rise_3 / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_57, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_26 = (_e8 - ((rise_3 * path_57.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_58, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_27 = (_e8 - ((rise_3 * path_58.metric.w()) * _e40));
         }
-        let _e43 = t_26;
-        let _e53 = self.v_hit_on_path(path_57, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e43 = t_27;
+        let _e53 = self.v_hit_on_path(path_58, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_58: Path,
+        path_59: Path,
         found_6: SearchResult,
-        params_78: impl rt::Into<rt::Vec4<f32>>,
+        params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_58, found_6, rt::into(params_78)))
+        rt::into(self.v_refine_slope_iterative(path_59, found_6, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_slope_iterative(
         &self,
-        path_58: Path,
+        path_59: Path,
         found_6: SearchResult,
-        params_78: rt::Vec4<f32>,
+        params_85: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_27: rt::Scalar<f32>;
+        let mut t_28: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
         let mut k_23: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -12817,50 +13345,50 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_58, found_6);
-        t_27 = _e8;
+        let _e8 = self.v_starting_point(path_59, found_6);
+        t_28 = _e8;
         cost_4 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_23;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_78.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_85.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
-                    let _e20 = t_27;
-                    let _e21 = self.v_path_uv(path_58, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_58.level));
+                    let _e20 = t_28;
+                    let _e21 = self.v_path_uv(path_59, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_59.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
-                    let _e28 = t_27;
-                    let _e29 = self.v_path_height(path_58, _e28);
+                    let _e28 = t_28;
+                    let _e29 = self.v_path_height(path_59, _e28);
                     let rise_4 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_78.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e34 = t_27;
-                        let _e35 = self.v_path_slope(path_58, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_58.duv.x()) + (_e23.z() * path_58.duv.y())));
+                    if rt::Scalar::into_branch_condition(params_85.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e34 = t_28;
+                        let _e35 = self.v_path_slope(path_59, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_59.duv.x()) + (_e23.z() * path_59.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e48 = t_27;
-                            t_27 = (_e48 + (rise_4 / closing_1));
+                            let _e48 = t_28;
+                            t_28 = (_e48 + (rise_4 / closing_1));
                         }
                     } else {
-                        let _e51 = t_27;
-                        let _e58 = self.v_normal_z(path_58, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_27 = (_e51 - ((rise_4 * path_58.metric.w()) * _e58));
+                        let _e51 = t_28;
+                        let _e58 = self.v_normal_z(path_59, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_28 = (_e51 - ((rise_4 * path_59.metric.w()) * _e58));
                     }
-                    let _e61 = t_27;
-                    t_27 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_58.exit));
+                    let _e61 = t_28;
+                    t_28 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_59.exit));
                     let _e65 = k_23;
                     k_23 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e68 = t_27;
+        let _e68 = t_28;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_58, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_59, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_7: SearchResult) -> bool {
@@ -12868,55 +13396,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_has_interval(&self, found_7: SearchResult) -> rt::Scalar<bool> {
-        let mut local_74: rt::Scalar<bool>;
         let mut local_75: rt::Scalar<bool>;
         let mut local_76: rt::Scalar<bool>;
+        let mut local_77: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_75 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_75 = rt::Scalar(true);
-            }
-            let _e16 = local_75;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_76 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_76 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
                 local_76 = rt::Scalar(true);
             }
-            let _e24 = local_76;
-            local_74 = _e24;
+            let _e16 = local_76;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_77 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_77 = rt::Scalar(true);
+            }
+            let _e24 = local_77;
+            local_75 = _e24;
         } else {
-            local_74 = rt::Scalar(false);
+            local_75 = rt::Scalar(false);
         }
-        let _e26 = local_74;
+        let _e26 = local_75;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_59: Path,
+        path_60: Path,
         found_8: SearchResult,
-        params_79: impl rt::Into<rt::Vec4<f32>>,
+        params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_59, found_8, rt::into(params_79)))
+        rt::into(self.v_refine_binary(path_60, found_8, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_binary(
         &self,
-        path_59: Path,
+        path_60: Path,
         found_8: SearchResult,
-        params_79: rt::Vec4<f32>,
+        params_86: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_77: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_24: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_59, found_8, params_79);
+            let _e5 = self.v_refine_none(path_60, found_8, params_86);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -12924,17 +13452,17 @@ impl<'g> Resources<'g> {
         cost_5 = found_8.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
-            let _e19 = self.v_path_height(path_59, _e18);
-            local_77 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_60, _e18);
+            local_78 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_77 = rt::Scalar(true);
+            local_78 = rt::Scalar(true);
         }
-        let _e23 = local_77;
+        let _e23 = local_78;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = k_24;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_79.x())) {
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_86.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -12945,9 +13473,9 @@ impl<'g> Resources<'g> {
                     let _e34 = far_4;
                     let middle_16 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
-                    let _e40 = self.v_field_cost_stage(rt::Scalar(path_59.level));
+                    let _e40 = self.v_field_cost_stage(rt::Scalar(path_60.level));
                     cost_5 = (_e38 + _e40);
-                    let _e42 = self.v_path_gap(path_59, middle_16);
+                    let _e42 = self.v_path_gap(path_60, middle_16);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
                         far_4 = middle_16;
                         crossed = rt::Scalar(true);
@@ -12968,35 +13496,35 @@ impl<'g> Resources<'g> {
         let _e53 = near_2;
         let _e54 = far_4;
         let _e59 = cost_5;
-        let _e60 = self.v_hit_on_path(path_59, (rt::Scalar(0.5f32) * (_e53 + _e54)), rt::Scalar(0u32), _e59);
+        let _e60 = self.v_hit_on_path(path_60, (rt::Scalar(0.5f32) * (_e53 + _e54)), rt::Scalar(0u32), _e59);
         return _e60;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_60: Path,
+        path_61: Path,
         found_9: SearchResult,
-        params_80: impl rt::Into<rt::Vec4<f32>>,
+        params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_60, found_9, rt::into(params_80)))
+        rt::into(self.v_refine_secant(path_61, found_9, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_secant(
         &self,
-        path_60: Path,
+        path_61: Path,
         found_9: SearchResult,
-        params_80: rt::Vec4<f32>,
+        params_87: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
         let mut near_gap_1: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut t_28: rt::Scalar<f32>;
+        let mut t_29: rt::Scalar<f32>;
         let mut k_25: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_60, found_9, params_80);
+            let _e5 = self.v_refine_none(path_61, found_9, params_87);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -13006,14 +13534,14 @@ impl<'g> Resources<'g> {
         cost_6 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_60, _e19);
+            let _e20 = self.v_path_gap(path_61, _e19);
             near_gap_1 = _e20;
             let _e21 = far_5;
-            let _e22 = self.v_path_gap(path_60, _e21);
+            let _e22 = self.v_path_gap(path_61, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
-            let _e25 = self.v_field_cost_stage(rt::Scalar(path_60.level));
-            let _e28 = self.v_field_cost_stage(rt::Scalar(path_60.level));
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_61.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_61.level));
             cost_6 = ((_e23 + _e25) + _e28);
             let _e30 = far_gap_1;
             if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
@@ -13023,11 +13551,11 @@ impl<'g> Resources<'g> {
             }
         }
         let _e35 = far_5;
-        t_28 = _e35;
+        t_29 = _e35;
         'naga_break: loop {
             'naga_continue: {
                 let _e39 = k_25;
-                if rt::Scalar::into_branch_condition(_e39.elementwise_le(params_80.x())) {
+                if rt::Scalar::into_branch_condition(_e39.elementwise_le(params_87.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13044,20 +13572,20 @@ impl<'g> Resources<'g> {
                     let _e52 = far_5;
                     let _e53 = near_3;
                     let _e55 = near_gap_1;
-                    t_28 = (_e51 + ((_e52 - _e53) * (_e55 / drop)));
+                    t_29 = (_e51 + ((_e52 - _e53) * (_e55 / drop)));
                     let _e59 = k_25;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_80.x())) {
-                        let _e62 = t_28;
-                        let _e63 = self.v_path_gap(path_60, _e62);
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_87.x())) {
+                        let _e62 = t_29;
+                        let _e63 = self.v_path_gap(path_61, _e62);
                         let _e64 = cost_6;
-                        let _e66 = self.v_field_cost_stage(rt::Scalar(path_60.level));
+                        let _e66 = self.v_field_cost_stage(rt::Scalar(path_61.level));
                         cost_6 = (_e64 + _e66);
                         if rt::Scalar::into_branch_condition(_e63.elementwise_le(rt::Scalar(0f32))) {
-                            let _e70 = t_28;
+                            let _e70 = t_29;
                             far_5 = _e70;
                             far_gap_1 = _e63;
                         } else {
-                            let _e71 = t_28;
+                            let _e71 = t_29;
                             near_3 = _e71;
                             near_gap_1 = _e63;
                         }
@@ -13067,27 +13595,27 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e75 = t_28;
+        let _e75 = t_29;
         let _e77 = cost_6;
-        let _e78 = self.v_hit_on_path(path_60, _e75, rt::Scalar(0u32), _e77);
+        let _e78 = self.v_hit_on_path(path_61, _e75, rt::Scalar(0u32), _e77);
         return _e78;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_61: Path,
+        path_62: Path,
         found_10: SearchResult,
-        params_81: impl rt::Into<rt::Vec4<f32>>,
+        params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_61, found_10, rt::into(params_81)))
+        rt::into(self.v_refine_true_secant(path_62, found_10, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_true_secant(
         &self,
-        path_61: Path,
+        path_62: Path,
         found_10: SearchResult,
-        params_81: rt::Vec4<f32>,
+        params_88: rt::Vec4<f32>,
     ) -> Hit {
-        let mut before_2: rt::Scalar<f32>;
+        let mut before_3: rt::Scalar<f32>;
         let mut last_1: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
@@ -13096,24 +13624,24 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_61, found_10, params_81);
+            let _e5 = self.v_refine_none(path_62, found_10, params_88);
             return _e5;
         }
-        before_2 = rt::Scalar(found_10.near);
+        before_3 = rt::Scalar(found_10.near);
         last_1 = rt::Scalar(found_10.far);
         before_gap = rt::Scalar(found_10.near_gap);
         last_gap = rt::Scalar(found_10.far_gap);
         cost_7 = found_10.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
-            let _e19 = before_2;
-            let _e20 = self.v_path_gap(path_61, _e19);
+            let _e19 = before_3;
+            let _e20 = self.v_path_gap(path_62, _e19);
             before_gap = _e20;
             let _e21 = last_1;
-            let _e22 = self.v_path_gap(path_61, _e21);
+            let _e22 = self.v_path_gap(path_62, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
-            let _e25 = self.v_field_cost_stage(rt::Scalar(path_61.level));
-            let _e28 = self.v_field_cost_stage(rt::Scalar(path_61.level));
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_62.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_62.level));
             cost_7 = ((_e23 + _e25) + _e28);
             let _e30 = last_gap;
             if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
@@ -13125,7 +13653,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e37 = k_26;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_81.x())) {
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_88.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13134,26 +13662,26 @@ impl<'g> Resources<'g> {
                     cost_7 = (_e40 + STEP);
                     let _e43 = before_gap;
                     let _e44 = last_gap;
-                    let change_7 = (_e43 - _e44);
-                    if rt::Scalar::into_branch_condition(change_7.elementwise_eq(rt::Scalar(0f32))) {
+                    let change_8 = (_e43 - _e44);
+                    if rt::Scalar::into_branch_condition(change_8.elementwise_eq(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e48 = last_1;
                     let _e49 = last_1;
-                    let _e50 = before_2;
+                    let _e50 = before_3;
                     let _e52 = last_gap;
-                    let t_51 = (_e48 + ((_e49 - _e50) * (_e52 / change_7))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let t_53 = (_e48 + ((_e49 - _e50) * (_e52 / change_8))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
                     let _e59 = last_1;
-                    before_2 = _e59;
+                    before_3 = _e59;
                     let _e60 = last_gap;
                     before_gap = _e60;
-                    last_1 = t_51;
+                    last_1 = t_53;
                     let _e61 = k_26;
-                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(params_81.x())) {
-                        let _e64 = self.v_path_gap(path_61, t_51);
+                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(params_88.x())) {
+                        let _e64 = self.v_path_gap(path_62, t_53);
                         last_gap = _e64;
                         let _e65 = cost_7;
-                        let _e67 = self.v_field_cost_stage(rt::Scalar(path_61.level));
+                        let _e67 = self.v_field_cost_stage(rt::Scalar(path_62.level));
                         cost_7 = (_e65 + _e67);
                     }
                     let _e69 = k_26;
@@ -13163,53 +13691,53 @@ impl<'g> Resources<'g> {
         }
         let _e72 = last_1;
         let _e74 = cost_7;
-        let _e75 = self.v_hit_on_path(path_61, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_62, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_62: Path,
+        path_63: Path,
         found_11: SearchResult,
-        params_82: impl rt::Into<rt::Vec4<f32>>,
+        params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_62, found_11, rt::into(params_82)))
+        rt::into(self.v_refine_patch(path_63, found_11, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_patch(
         &self,
-        path_62: Path,
+        path_63: Path,
         found_11: SearchResult,
-        params_82: rt::Vec4<f32>,
+        params_89: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_29: rt::Scalar<f32>;
+        let mut t_30: rt::Scalar<f32>;
         let mut cell_25: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_78: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_62, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
+            let _e14 = self.v_hit_on_path(path_63, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_62, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
+            let _e21 = self.v_hit_on_path(path_63, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_62);
-        t_29 = rt::Scalar(found_11.near);
-        let _e27 = t_29;
+        let _e22 = self.v_grid_of(path_63);
+        t_30 = rt::Scalar(found_11.near);
+        let _e27 = t_30;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_25 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit_2 = (_e35 + params_82.x().to_u32());
+        let limit_3 = (_e35 + params_89.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
-                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(limit_2)) {
+                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(limit_3)) {
                 } else {
                     break 'naga_break;
                 }
@@ -13219,36 +13747,36 @@ impl<'g> Resources<'g> {
                     let _e45 = cell_25;
                     let _e46 = self.v_cell_leave(_e22, _e45);
                     let end_12 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
-                    let _e52 = t_29;
+                    let _e52 = t_30;
                     let span_9 = (end_12 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_25;
-                    let _e57 = t_29;
-                    let _e58 = self.v_cell_gap(path_62, _e22, _e56, _e57);
+                    let _e57 = t_30;
+                    let _e58 = self.v_cell_gap(path_63, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e65 = t_29;
+                        let _e65 = t_30;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_62, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_63, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_9);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e72 = t_29;
+                        let _e72 = t_30;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_62, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_63, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
                     if rt::Scalar::into_branch_condition(end_12.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_78 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_79 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_78 = rt::Scalar(true);
+                            local_79 = rt::Scalar(true);
                         }
-                        let _e89 = local_78;
+                        let _e89 = local_79;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_62, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_63, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
@@ -13258,56 +13786,56 @@ impl<'g> Resources<'g> {
                     let _e96 = cell_25;
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
                     cell_25 = _e97;
-                    let _e98 = t_29;
-                    t_29 = _e98.max(end_12);
+                    let _e98 = t_30;
+                    t_30 = _e98.max(end_12);
                 }
             }
         }
-        let _e100 = t_29;
+        let _e100 = t_30;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_62, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_63, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_63: Path,
+        path_64: Path,
         found_12: SearchResult,
-        params_83: impl rt::Into<rt::Vec4<f32>>,
+        params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_63, found_12, rt::into(params_83)))
+        rt::into(self.v_refine_half_texel(path_64, found_12, rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_half_texel(
         &self,
-        path_63: Path,
+        path_64: Path,
         found_12: SearchResult,
-        params_83: rt::Vec4<f32>,
+        params_90: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_12: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_63, found_12, params_83);
+            let _e6 = self.v_refine_none(path_64, found_12, params_90);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_63.level));
-        let speed_1 = (path_63.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_63.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_63, found_12, params_83);
+        let _e9 = self.v_height_size(rt::Scalar(path_64.level));
+        let speed_1 = (path_64.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_64.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_64, found_12, params_90);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_12.far) - half_1).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_63.exit));
-        let _e28 = self.v_path_gap(path_63, backward);
-        let before_10 = _e28.abs();
-        let _e30 = self.v_path_gap(path_63, forward_2);
+        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_64.exit));
+        let _e28 = self.v_path_gap(path_64, backward);
+        let before_12 = _e28.abs();
+        let _e30 = self.v_path_gap(path_64, forward_2);
         let behind_3 = _e30.abs();
-        if rt::Scalar::into_branch_condition((before_10 + behind_3).elementwise_gt(rt::Scalar(0f32))) {
-            part_12 = (before_10 / (before_10 + behind_3));
+        if rt::Scalar::into_branch_condition((before_12 + behind_3).elementwise_gt(rt::Scalar(0f32))) {
+            part_12 = (before_12 / (before_12 + behind_3));
         }
-        let cost_28 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let cost_31 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_12;
-        let _e49 = self.v_hit_on_path(path_63, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_28);
+        let _e49 = self.v_hit_on_path(path_64, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_31);
         return _e49;
     }
     pub(crate) fn greatest_value(&self, cell_26: VoxelCell) -> f32 {
@@ -13336,33 +13864,33 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_inflections(&self, q_4: Quartic) -> rt::Vec2<f32> {
-        let mut local_79: rt::Scalar<bool>;
         let mut local_80: rt::Scalar<bool>;
+        let mut local_81: rt::Scalar<bool>;
 
-        let b_40 = (rt::Scalar(3f32) * rt::Scalar(q_4.d));
-        let a_40 = (rt::Scalar(6f32) * rt::Scalar(q_4.e));
-        let discriminant_4 = ((b_40 * b_40) - ((rt::Scalar(4f32) * a_40) * rt::Scalar(q_4.c)));
+        let b_44 = (rt::Scalar(3f32) * rt::Scalar(q_4.d));
+        let a_44 = (rt::Scalar(6f32) * rt::Scalar(q_4.e));
+        let discriminant_4 = ((b_44 * b_44) - ((rt::Scalar(4f32) * a_44) * rt::Scalar(q_4.c)));
         if rt::Scalar::into_branch_condition((!discriminant_4.elementwise_ge(rt::Scalar(0f32)))) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32));
         }
         let root_5 = discriminant_4.sqrt();
-        let s_2 = (rt::Scalar(-0.5f32) * (b_40 + (rt::Scalar(0f32) - root_5).select(root_5, b_40.elementwise_ge(rt::Scalar(0f32)))));
-        let first_21 = rt::Scalar(1f32).select((s_2 / a_40), a_40.elementwise_ne(rt::Scalar(0f32)));
-        let second_9 = rt::Scalar(1f32).select((rt::Scalar(q_4.c) / s_2), s_2.elementwise_ne(rt::Scalar(0f32)));
-        if rt::Scalar::into_branch_condition(first_21.elementwise_gt(rt::Scalar(0f32))) {
-            local_79 = first_21.elementwise_lt(rt::Scalar(1f32));
-        } else {
-            local_79 = rt::Scalar(false);
-        }
-        let _e46 = local_79;
-        let x_15 = rt::Scalar(1f32).select(first_21, _e46);
-        if rt::Scalar::into_branch_condition(second_9.elementwise_gt(rt::Scalar(0f32))) {
-            local_80 = second_9.elementwise_lt(rt::Scalar(1f32));
+        let s_2 = (rt::Scalar(-0.5f32) * (b_44 + (rt::Scalar(0f32) - root_5).select(root_5, b_44.elementwise_ge(rt::Scalar(0f32)))));
+        let first_24 = rt::Scalar(1f32).select((s_2 / a_44), a_44.elementwise_ne(rt::Scalar(0f32)));
+        let second_11 = rt::Scalar(1f32).select((rt::Scalar(q_4.c) / s_2), s_2.elementwise_ne(rt::Scalar(0f32)));
+        if rt::Scalar::into_branch_condition(first_24.elementwise_gt(rt::Scalar(0f32))) {
+            local_80 = first_24.elementwise_lt(rt::Scalar(1f32));
         } else {
             local_80 = rt::Scalar(false);
         }
-        let _e56 = local_80;
-        let y_10 = rt::Scalar(1f32).select(second_9, _e56);
+        let _e46 = local_80;
+        let x_15 = rt::Scalar(1f32).select(first_24, _e46);
+        if rt::Scalar::into_branch_condition(second_11.elementwise_gt(rt::Scalar(0f32))) {
+            local_81 = second_11.elementwise_lt(rt::Scalar(1f32));
+        } else {
+            local_81 = rt::Scalar(false);
+        }
+        let _e56 = local_81;
+        let y_10 = rt::Scalar(1f32).select(second_11, _e56);
         return <rt::Vec2<f32>>::from_scalars(x_15.min(y_10), x_15.max(y_10));
     }
     pub(crate) fn quartic_at(
@@ -13432,9 +13960,9 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_first_root_of_quartic(&self, q_7: Quartic) -> rt::Scalar<f32> {
-        let mut begin_6: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut begin_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_28: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_81: rt::Scalar<bool>;
+        let mut local_82: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(q_7.a).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
@@ -13455,36 +13983,36 @@ impl<'g> Resources<'g> {
                     let _e17 = k_28;
                     let _e23 = k_28;
                     let end_13 = rt::Scalar(1f32).select(_e8.y(), _e17.elementwise_eq(rt::Scalar(1u32))).select(_e8.x(), _e23.elementwise_eq(rt::Scalar(0u32)));
-                    let _e27 = begin_6;
+                    let _e27 = begin_7;
                     if rt::Scalar::into_branch_condition(end_13.elementwise_gt(_e27)) {
-                        let _e29 = begin_6;
+                        let _e29 = begin_7;
                         let _e30 = self.v_quartic_slope(q_7, _e29);
                         let _e31 = self.v_quartic_slope(q_7, end_13);
                         if rt::Scalar::into_branch_condition(_e30.elementwise_lt(rt::Scalar(0f32))) {
-                            local_81 = _e31.elementwise_gt(rt::Scalar(0f32));
+                            local_82 = _e31.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_81 = rt::Scalar(false);
+                            local_82 = rt::Scalar(false);
                         }
-                        let _e39 = local_81;
+                        let _e39 = local_82;
                         if rt::Scalar::into_branch_condition(_e39) {
-                            let _e40 = begin_6;
+                            let _e40 = begin_7;
                             let _e41 = self.v_extremum_between(q_7, _e40, end_13);
                             let _e42 = self.v_quartic_at(q_7, _e41);
                             if rt::Scalar::into_branch_condition((!_e42.elementwise_gt(rt::Scalar(0f32)))) {
-                                let _e46 = begin_6;
+                                let _e46 = begin_7;
                                 let _e47 = self.v_root_between(q_7, _e46, _e41);
                                 return _e47;
                             }
                         }
                         let _e48 = self.v_quartic_at(q_7, end_13);
                         if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(rt::Scalar(0f32)))) {
-                            let _e52 = begin_6;
+                            let _e52 = begin_7;
                             let _e53 = self.v_root_between(q_7, _e52, end_13);
                             return _e53;
                         }
                     }
-                    let _e54 = begin_6;
-                    begin_6 = _e54.max(end_13);
+                    let _e54 = begin_7;
+                    begin_7 = _e54.max(end_13);
                     let _e56 = k_28;
                     k_28 = (_e56 + rt::Scalar(1u32));
                 }
@@ -13496,10 +14024,10 @@ impl<'g> Resources<'g> {
         &self,
         way_20: VoxelPath,
         cell_27: impl rt::Into<rt::Vec3<f32>>,
-        t_30: impl rt::Into<rt::Scalar<f32>>,
+        t_31: impl rt::Into<rt::Scalar<f32>>,
         span_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> RootInCell {
-        rt::into(self.v_root_in_voxel_cell(way_20, rt::into(cell_27), rt::into(t_30), rt::into(span_5)))
+        rt::into(self.v_root_in_voxel_cell(way_20, rt::into(cell_27), rt::into(t_31), rt::into(span_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13507,7 +14035,7 @@ impl<'g> Resources<'g> {
         &self,
         way_20: VoxelPath,
         cell_27: rt::Vec3<f32>,
-        t_30: rt::Scalar<f32>,
+        t_31: rt::Scalar<f32>,
         span_5: rt::Scalar<f32>,
     ) -> RootInCell {
         let _e5 = self.v_voxel_cell(cell_27.to_i32());
@@ -13515,37 +14043,37 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(0.5f32))) {
             return <RootInCell>::new(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(1f32));
         }
-        let _e12 = self.v_gap_in_cell(way_20, cell_27, _e5, t_30, span_5);
+        let _e12 = self.v_gap_in_cell(way_20, cell_27, _e5, t_31, span_5);
         let _e13 = self.v_first_root_of_quartic(_e12);
         return <RootInCell>::new(_e13, rt::Scalar(_e12.a));
     }
     pub(crate) fn first_root_on_path(
         &self,
-        path_64: Path,
+        path_65: Path,
         from_t: impl rt::Into<rt::Scalar<f32>>,
         to_t: impl rt::Into<rt::Scalar<f32>>,
         limit: impl rt::Into<rt::Scalar<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_first_root_on_path(path_64, rt::into(from_t), rt::into(to_t), rt::into(limit)))
+        rt::into(self.v_first_root_on_path(path_65, rt::into(from_t), rt::into(to_t), rt::into(limit)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_first_root_on_path(
         &self,
-        path_64: Path,
+        path_65: Path,
         from_t: rt::Scalar<f32>,
         to_t: rt::Scalar<f32>,
         limit: rt::Scalar<u32>,
     ) -> SearchResult {
         let mut has_turned_3: rt::Scalar<bool>;
-        let mut t_31: rt::Scalar<f32>;
+        let mut t_32: rt::Scalar<f32>;
         let mut cell_28: rt::Vec3<f32>;
         let mut cost_9: rt::Vec3<u32> = NO_COST;
 
-        let _e4 = self.v_voxel_path(path_64);
+        let _e4 = self.v_voxel_path(path_65);
         let _e5 = self.v_turning_point(_e4);
         has_turned_3 = from_t.elementwise_ge(_e5);
-        t_31 = from_t;
-        let _e9 = t_31;
+        t_32 = from_t;
+        let _e9 = t_32;
         let _e10 = self.v_voxel_place_on(_e4, _e9);
         cell_28 = _e10.floor();
         'naga_break: loop {
@@ -13563,17 +14091,17 @@ impl<'g> Resources<'g> {
                     let _e26 = cell_28;
                     let _e28 = has_turned_3;
                     let _e29 = self.v_voxel_leave(_e4, _e26, rt::Scalar(0f32), _e28);
-                    let side_9 = _e29.x().min(_e29.y()).min(_e29.z());
-                    let _e36 = t_31;
-                    let end_14 = side_9.min(end_of_part).max(_e36);
+                    let side_10 = _e29.x().min(_e29.y()).min(_e29.z());
+                    let _e36 = t_32;
+                    let end_14 = side_10.min(end_of_part).max(_e36);
                     let _e38 = cell_28;
-                    let _e39 = t_31;
-                    let _e40 = t_31;
+                    let _e39 = t_32;
+                    let _e40 = t_32;
                     let _e42 = self.v_root_in_voxel_cell(_e4, _e38, _e39, (end_14 - _e40));
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e42.root).elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e47 = t_31;
-                        let _e48 = t_31;
-                        let _e50 = t_31;
+                        let _e47 = t_32;
+                        let _e48 = t_32;
+                        let _e50 = t_32;
                         let _e55 = cost_9;
                         return <SearchResult>::new(FOUND_BRACKET, _e47, (_e48 + (rt::Scalar(_e42.root) * (end_14 - _e50))), rt::Scalar(_e42.gap), rt::Scalar(0f32), _e55);
                     }
@@ -13581,7 +14109,7 @@ impl<'g> Resources<'g> {
                         let _e60 = cost_9;
                         return <SearchResult>::new(FOUND_MISS, end_14, end_14, rt::Scalar(1f32), rt::Scalar(1f32), _e60);
                     }
-                    if rt::Scalar::into_branch_condition(side_9.elementwise_gt(end_of_part)) {
+                    if rt::Scalar::into_branch_condition(side_10.elementwise_gt(end_of_part)) {
                         has_turned_3 = rt::Scalar(true);
                     } else {
                         let _e66 = cell_28;
@@ -13590,151 +14118,151 @@ impl<'g> Resources<'g> {
                         let _e70 = self.v_next_voxel_cell(_e4, _e66, rt::Scalar(0f32), _e29, _e69, end_14);
                         cell_28 = _e70;
                     }
-                    t_31 = end_14;
+                    t_32 = end_14;
                 }
             }
         }
-        let _e72 = t_31;
-        let _e73 = t_31;
+        let _e72 = t_32;
+        let _e73 = t_32;
         let _e74 = cost_9;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e72, _e73, rt::Scalar(1f32), rt::Scalar(1f32), _e74);
     }
     pub(crate) fn refine_trilinear(
         &self,
-        path_65: Path,
+        path_66: Path,
         found_13: SearchResult,
-        params_84: impl rt::Into<rt::Vec4<f32>>,
+        params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_trilinear(path_65, found_13, rt::into(params_84)))
+        rt::into(self.v_refine_trilinear(path_66, found_13, rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_trilinear(
         &self,
-        path_65: Path,
+        path_66: Path,
         found_13: SearchResult,
-        params_84: rt::Vec4<f32>,
+        params_91: rt::Vec4<f32>,
     ) -> Hit {
         let _e3 = self.v_has_interval(found_13);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_65, found_13, params_84);
+            let _e5 = self.v_refine_none(path_66, found_13, params_91);
             return _e5;
         }
-        let _e10 = self.v_first_root_on_path(path_65, rt::Scalar(found_13.near), rt::Scalar(found_13.far), params_84.x().to_u32());
-        let cost_29 = (found_13.cost + _e10.cost);
+        let _e10 = self.v_first_root_on_path(path_66, rt::Scalar(found_13.near), rt::Scalar(found_13.far), params_91.x().to_u32());
+        let cost_32 = (found_13.cost + _e10.cost);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e10.status).elementwise_eq(FOUND_BRACKET)) {
-            let _e19 = self.v_hit_on_path(path_65, rt::Scalar(_e10.far), rt::Scalar(0u32), cost_29);
+            let _e19 = self.v_hit_on_path(path_66, rt::Scalar(_e10.far), rt::Scalar(0u32), cost_32);
             return _e19;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_13.status).elementwise_eq(FOUND_BRACKET)) {
-            let _e30 = self.v_hit_on_path(path_65, rt::Scalar(found_13.far), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(_e10.status).elementwise_eq(FOUND_EXHAUSTED)), cost_29);
+            let _e30 = self.v_hit_on_path(path_66, rt::Scalar(found_13.far), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(_e10.status).elementwise_eq(FOUND_EXHAUSTED)), cost_32);
             return _e30;
         }
-        let _e31 = self.v_miss(cost_29);
+        let _e31 = self.v_miss(cost_32);
         return _e31;
     }
-    pub(crate) fn refine_stage(&self, path_66: Path, found_14: SearchResult) -> Hit {
-        rt::into(self.v_refine_stage(path_66, found_14))
+    pub(crate) fn refine_stage(&self, path_67: Path, found_14: SearchResult) -> Hit {
+        rt::into(self.v_refine_stage(path_67, found_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_refine_stage(&self, path_66: Path, found_14: SearchResult) -> Hit {
+    pub(super) fn v_refine_stage(&self, path_67: Path, found_14: SearchResult) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[7usize].params;
-                let _e12 = self.v_refine_none(path_66, found_14, _e11);
+                let _e12 = self.v_refine_none(path_67, found_14, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[7usize].params;
-                let _e18 = self.v_refine_offset(path_66, found_14, _e17);
+                let _e18 = self.v_refine_offset(path_67, found_14, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[7usize].params;
-                let _e24 = self.v_refine_offset_limited(path_66, found_14, _e23);
+                let _e24 = self.v_refine_offset_limited(path_67, found_14, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[7usize].params;
-                let _e30 = self.v_refine_slope(path_66, found_14, _e29);
+                let _e30 = self.v_refine_slope(path_67, found_14, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[7usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_66, found_14, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_67, found_14, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[7usize].params;
-                let _e42 = self.v_refine_binary(path_66, found_14, _e41);
+                let _e42 = self.v_refine_binary(path_67, found_14, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[7usize].params;
-                let _e48 = self.v_refine_secant(path_66, found_14, _e47);
+                let _e48 = self.v_refine_secant(path_67, found_14, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[7usize].params;
-                let _e54 = self.v_refine_true_secant(path_66, found_14, _e53);
+                let _e54 = self.v_refine_true_secant(path_67, found_14, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[7usize].params;
-                let _e60 = self.v_refine_patch(path_66, found_14, _e59);
+                let _e60 = self.v_refine_patch(path_67, found_14, _e59);
                 return _e60;
             }
             9u32 => {
                 let _e65 = self.surface_settings.choices[7usize].params;
-                let _e66 = self.v_refine_half_texel(path_66, found_14, _e65);
+                let _e66 = self.v_refine_half_texel(path_67, found_14, _e65);
                 return _e66;
             }
             _ => {
                 let _e71 = self.surface_settings.choices[7usize].params;
-                let _e72 = self.v_refine_trilinear(path_66, found_14, _e71);
+                let _e72 = self.v_refine_trilinear(path_67, found_14, _e71);
                 return _e72;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_67: Path,
-        params_85: impl rt::Into<rt::Vec4<f32>>,
+        path_68: Path,
+        params_92: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_none(path_67, rt::into(params_85)))
+        rt::into(self.v_search_none(path_68, rt::into(params_92)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_search_none(
         &self,
-        path_67: Path,
-        params_85: rt::Vec4<f32>,
+        path_68: Path,
+        params_92: rt::Vec4<f32>,
     ) -> SearchResult {
-        return <SearchResult>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <SearchResult>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_68: Path,
-        params_86: impl rt::Into<rt::Vec4<f32>>,
+        path_69: Path,
+        params_93: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_linear(path_68, rt::into(params_86)))
+        rt::into(self.v_search_linear(path_69, rt::into(params_93)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_linear(
         &self,
-        path_68: Path,
-        params_86: rt::Vec4<f32>,
+        path_69: Path,
+        params_93: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_10: rt::Vec3<u32>;
         let mut k_29: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_12 = (path_68.h.y().abs() * path_68.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_2 = rt::Scalar(1f32).max(((params_86.x() * params_86.y().mix_scalar(rt::Scalar(1f32), cosine_12)) * rt::Scalar(path_68.share)).ceil());
-        let _e24 = self.v_path_gap(path_68, rt::Scalar(0f32));
+        let cosine_12 = (path_69.h.y().abs() * path_69.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps_2 = rt::Scalar(1f32).max(((params_93.x() * params_93.y().mix_scalar(rt::Scalar(1f32), cosine_12)) * rt::Scalar(path_69.share)).ceil());
+        let _e24 = self.v_path_gap(path_69, rt::Scalar(0f32));
         near_gap_2 = _e24;
-        let _e27 = self.v_field_cost_stage(rt::Scalar(path_68.level));
+        let _e27 = self.v_field_cost_stage(rt::Scalar(path_69.level));
         cost_10 = _e27;
         let _e29 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e29.elementwise_lt(rt::Scalar(0f32))) {
@@ -13754,18 +14282,18 @@ impl<'g> Resources<'g> {
                     let _e43 = cost_10;
                     cost_10 = (_e43 + STEP);
                     let _e47 = k_29;
-                    let t_52 = (rt::Scalar(path_68.exit) * (_e47 / steps_2));
-                    let _e50 = self.v_path_gap(path_68, t_52);
+                    let t_54 = (rt::Scalar(path_69.exit) * (_e47 / steps_2));
+                    let _e50 = self.v_path_gap(path_69, t_54);
                     let _e51 = cost_10;
-                    let _e53 = self.v_field_cost_stage(rt::Scalar(path_68.level));
+                    let _e53 = self.v_field_cost_stage(rt::Scalar(path_69.level));
                     cost_10 = (_e51 + _e53);
                     if rt::Scalar::into_branch_condition(_e50.elementwise_le(rt::Scalar(0f32))) {
                         let _e58 = near_5;
                         let _e59 = near_gap_2;
                         let _e60 = cost_10;
-                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_52, _e59, _e50, _e60);
+                        return <SearchResult>::new(FOUND_BRACKET, _e58, t_54, _e59, _e50, _e60);
                     }
-                    near_5 = t_52;
+                    near_5 = t_54;
                     near_gap_2 = _e50;
                     let _e62 = k_29;
                     k_29 = (_e62 + rt::Scalar(1f32));
@@ -13781,66 +14309,66 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn found_in_cell(
         &self,
-        c_10: impl rt::Into<rt::Vec3<f32>>,
-        t_32: impl rt::Into<rt::Scalar<f32>>,
+        c_12: impl rt::Into<rt::Vec3<f32>>,
+        t_33: impl rt::Into<rt::Scalar<f32>>,
         span_6: impl rt::Into<rt::Scalar<f32>>,
         first_3: impl rt::Into<rt::Scalar<bool>>,
         cost_11: impl rt::Into<rt::Vec3<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_found_in_cell(rt::into(c_10), rt::into(t_32), rt::into(span_6), rt::into(first_3), rt::into(cost_11)))
+        rt::into(self.v_found_in_cell(rt::into(c_12), rt::into(t_33), rt::into(span_6), rt::into(first_3), rt::into(cost_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_found_in_cell(
         &self,
-        c_10: rt::Vec3<f32>,
-        t_32: rt::Scalar<f32>,
+        c_12: rt::Vec3<f32>,
+        t_33: rt::Scalar<f32>,
         span_6: rt::Scalar<f32>,
         first_3: rt::Scalar<bool>,
         cost_11: rt::Vec3<u32>,
     ) -> SearchResult {
-        let mut local_82: rt::Scalar<bool>;
+        let mut local_83: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(c_10.x().elementwise_le(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(c_12.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_3) {
-                local_82 = c_10.x().elementwise_lt(rt::Scalar(0f32));
+                local_83 = c_12.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_82 = rt::Scalar(false);
+                local_83 = rt::Scalar(false);
             }
-            let _e14 = local_82;
+            let _e14 = local_83;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_10.x(), c_10.x(), cost_11);
+                return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_12.x(), c_12.x(), cost_11);
             }
-            return <SearchResult>::new(FOUND_BRACKET, t_32, t_32, c_10.x(), c_10.x(), cost_11);
+            return <SearchResult>::new(FOUND_BRACKET, t_33, t_33, c_12.x(), c_12.x(), cost_11);
         }
-        let _e25 = self.v_least_at(c_10, span_6);
-        let _e29 = self.v_quadratic(c_10, _e25);
-        return <SearchResult>::new(FOUND_BRACKET, t_32, (t_32 + _e25), c_10.x(), _e29, cost_11);
+        let _e25 = self.v_least_at(c_12, span_6);
+        let _e29 = self.v_quadratic(c_12, _e25);
+        return <SearchResult>::new(FOUND_BRACKET, t_33, (t_33 + _e25), c_12.x(), _e29, cost_11);
     }
     pub(crate) fn search_cells(
         &self,
-        path_69: Path,
-        params_87: impl rt::Into<rt::Vec4<f32>>,
+        path_70: Path,
+        params_94: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cells(path_69, rt::into(params_87)))
+        rt::into(self.v_search_cells(path_70, rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cells(
         &self,
-        path_69: Path,
-        params_87: rt::Vec4<f32>,
+        path_70: Path,
+        params_94: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_29: rt::Vec2<f32>;
-        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_69);
+        let _e2 = self.v_grid_of(path_70);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_29 = _e4;
-        let limit_3 = params_87.x().to_u32();
+        let limit_4 = params_94.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_12.x();
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(limit_3)) {
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(limit_4)) {
                 } else {
                     break 'naga_break;
                 }
@@ -13848,40 +14376,40 @@ impl<'g> Resources<'g> {
                     let _e15 = cost_12;
                     cost_12 = (_e15 + STEP);
                     let _e18 = cell_29;
-                    let _e19 = t_33;
-                    let _e20 = self.v_cell_gap(path_69, _e2, _e18, _e19);
+                    let _e19 = t_34;
+                    let _e20 = self.v_cell_gap(path_70, _e2, _e18, _e19);
                     let _e21 = cost_12;
                     cost_12 = (_e21 + HEIGHTS_READ);
                     let _e24 = cell_29;
                     let _e25 = self.v_cell_leave(_e2, _e24);
-                    let end_15 = _e25.x().min(_e25.y()).min(rt::Scalar(path_69.exit));
-                    let _e31 = t_33;
+                    let end_15 = _e25.x().min(_e25.y()).min(rt::Scalar(path_70.exit));
+                    let _e31 = t_34;
                     let span_10 = (end_15 - _e31).max(rt::Scalar(0f32));
                     let _e35 = self.v_falls_in_cell(_e20, span_10);
                     if rt::Scalar::into_branch_condition(_e35) {
-                        let _e36 = t_33;
+                        let _e36 = t_34;
                         let _e38 = cost_12.x();
                         let _e41 = cost_12;
                         let _e42 = self.v_found_in_cell(_e20, _e36, span_10, _e38.elementwise_eq(rt::Scalar(1u32)), _e41);
                         return _e42;
                     }
-                    if rt::Scalar::into_branch_condition(end_15.elementwise_ge(rt::Scalar(path_69.exit))) {
-                        let _e46 = t_33;
+                    if rt::Scalar::into_branch_condition(end_15.elementwise_ge(rt::Scalar(path_70.exit))) {
+                        let _e46 = t_34;
                         let _e49 = self.v_quadratic(_e20, span_10);
                         let _e50 = cost_12;
-                        return <SearchResult>::new(FOUND_MISS, _e46, rt::Scalar(path_69.exit), _e20.x(), _e49, _e50);
+                        return <SearchResult>::new(FOUND_MISS, _e46, rt::Scalar(path_70.exit), _e20.x(), _e49, _e50);
                     }
                     let _e52 = cell_29;
                     let _e53 = self.v_cell_next(_e2, _e52, _e25);
                     cell_29 = _e53;
-                    let _e54 = t_33;
-                    t_33 = _e54.max(end_15);
+                    let _e54 = t_34;
+                    t_34 = _e54.max(end_15);
                 }
             }
         }
-        let _e57 = t_33;
+        let _e57 = t_34;
         let _e59 = cost_12;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e57, rt::Scalar(path_69.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e59);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e57, rt::Scalar(path_70.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e59);
     }
     pub(crate) fn image_of(
         &self,
@@ -13896,14 +14424,14 @@ impl<'g> Resources<'g> {
         cell_30: rt::Scalar<i32>,
         n_12: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_83: rt::Scalar<bool>;
+        let mut local_84: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_30.elementwise_ge(rt::Scalar(0i32))) {
-            local_83 = cell_30.elementwise_lt(n_12);
+            local_84 = cell_30.elementwise_lt(n_12);
         } else {
-            local_83 = rt::Scalar(false);
+            local_84 = rt::Scalar(false);
         }
-        let _e8 = local_83;
+        let _e8 = local_84;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_30, rt::Scalar(0i32));
         }
@@ -13927,53 +14455,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_70: Path,
+        path_71: Path,
         cell_31: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_70, rt::into(cell_31), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_71, rt::into(cell_31), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_frustum_slope(
         &self,
-        path_70: Path,
+        path_71: Path,
         cell_31: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_84: rt::Scalar<bool>;
+        let mut local_85: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_70.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_71.level));
         let _e7 = self.v_image_of(cell_31.x(), _e4.x());
         let _e10 = self.v_image_of(cell_31.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_84 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_85 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_84 = rt::Scalar(true);
+            local_85 = rt::Scalar(true);
         }
-        let _e21 = local_84;
+        let _e21 = local_85;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_70, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_70.level).to_i32());
+        let _e29 = self.v_search_texel(path_71, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_71.level).to_i32());
         let right_4 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_4).select(_e29.y().select(_e29.x(), right_4), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_71: Path,
+        path_72: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_71, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_72, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_map_read(
         &self,
-        path_71: Path,
+        path_72: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_71.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_72.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
@@ -14016,33 +14544,33 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_72: Path,
-        params_88: impl rt::Into<rt::Vec4<f32>>,
+        path_73: Path,
+        params_95: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_frustum(path_72, rt::into(params_88)))
+        rt::into(self.v_search_frustum(path_73, rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_frustum(
         &self,
-        path_72: Path,
-        params_88: rt::Vec4<f32>,
+        path_73: Path,
+        params_95: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_32: rt::Vec2<f32>;
-        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
-        let mut next_2: rt::Scalar<f32>;
+        let mut next_3: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_85: rt::Scalar<bool>;
+        let mut local_86: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_72);
+        let _e2 = self.v_grid_of(path_73);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_32 = _e9;
-        let limit_4 = params_88.x().to_u32();
+        let limit_5 = params_95.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_4)) {
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_5)) {
                 } else {
                     break 'naga_break;
                 }
@@ -14050,92 +14578,92 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_22 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_25 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_32;
                     let _e28 = self.v_whole_cell(_e27);
-                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_72.level));
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_73.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_32;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_16 = _e35.x().min(_e35.y()).min(rt::Scalar(path_72.exit));
-                    let _e41 = t_34;
+                    let end_16 = _e35.x().min(_e35.y()).min(rt::Scalar(path_73.exit));
+                    let _e41 = t_35;
                     let span_11 = (end_16 - _e41).max(rt::Scalar(0f32));
                     let top_11 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
-                    let _e52 = t_34;
-                    let _e53 = self.v_path_height(path_72, _e52);
-                    let _e55 = t_34;
-                    let _e56 = self.v_path_slope(path_72, _e55);
-                    let above_9 = <rt::Vec3<f32>>::from_scalars((_e53 - top_11), _e56, path_72.h.z());
-                    let _e63 = t_34;
-                    let _e67 = t_34;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_72.h.x().abs() + (_e63 * (path_72.h.y().abs() + (_e67 * path_72.h.z().abs())))));
-                    let _e77 = t_34;
-                    next_2 = _e77.max(end_16);
+                    let _e52 = t_35;
+                    let _e53 = self.v_path_height(path_73, _e52);
+                    let _e55 = t_35;
+                    let _e56 = self.v_path_slope(path_73, _e55);
+                    let above_10 = <rt::Vec3<f32>>::from_scalars((_e53 - top_11), _e56, path_73.h.z());
+                    let _e63 = t_35;
+                    let _e67 = t_35;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_73.h.x().abs() + (_e63 * (path_73.h.y().abs() + (_e67 * path_73.h.z().abs())))));
+                    let _e77 = t_35;
+                    next_3 = _e77.max(end_16);
                     slope_3 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_9, span_11);
-                    let _e83 = self.v_quadratic(above_9, _e82);
+                    let _e82 = self.v_least_at(above_10, span_11);
+                    let _e83 = self.v_quadratic(above_10, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_85 = above_9.x().elementwise_gt(of_heights);
+                        local_86 = above_10.x().elementwise_gt(of_heights);
                     } else {
-                        local_85 = rt::Scalar(false);
+                        local_86 = rt::Scalar(false);
                     }
-                    let _e90 = local_85;
+                    let _e90 = local_86;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_16.elementwise_lt(rt::Scalar(path_72.exit))) {
+                        if rt::Scalar::into_branch_condition(end_16.elementwise_lt(rt::Scalar(path_73.exit))) {
                             let _e93 = cell_32;
                             let _e94 = self.v_whole_cell(_e93);
-                            let _e95 = self.v_frustum_slope(path_72, _e94, forward_3);
+                            let _e95 = self.v_frustum_slope(path_73, _e94, forward_3);
                             slope_3 = _e95;
                             let _e96 = slope_3;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_13;
-                                let _e101 = self.v_map_read(path_72, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_73, rt::Scalar(1u32));
                                 cost_13 = (_e99 + _e101);
                             }
                         }
                     } else {
                         let _e103 = cell_32;
-                        let _e104 = t_34;
-                        let _e105 = self.v_gap_to(path_72, _e2, _e103, _e30, _e104);
+                        let _e104 = t_35;
+                        let _e105 = self.v_gap_to(path_73, _e2, _e103, _e30, _e104);
                         let _e106 = self.v_falls_in_cell(_e105, span_11);
                         if rt::Scalar::into_branch_condition(_e106) {
-                            let _e107 = t_34;
+                            let _e107 = t_35;
                             let _e108 = cost_13;
-                            let _e109 = self.v_found_in_cell(_e105, _e107, span_11, first_22, _e108);
+                            let _e109 = self.v_found_in_cell(_e105, _e107, span_11, first_25, _e108);
                             return _e109;
                         }
                     }
                     let _e110 = slope_3;
                     if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(0f32))) {
                         let _e114 = cell_32;
-                        let _e117 = t_34;
-                        let at_178 = ((_e2.origin - _e114) + (_e2.step * _e117));
-                        let left_5 = at_178.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_178), forward_3);
-                        let _e129 = t_34;
-                        let far_12 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e117 = t_35;
+                        let at_184 = ((_e2.origin - _e114) + (_e2.step * _e117));
+                        let left_5 = at_184.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_184), forward_3);
+                        let _e129 = t_35;
+                        let far_15 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e137 = slope_3;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e137) * far_12));
-                        let _e143 = t_34;
-                        let rest_11 = (rt::Scalar(path_72.exit) - _e143);
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e137) * far_15));
+                        let _e143 = t_35;
+                        let rest_11 = (rt::Scalar(path_73.exit) - _e143);
                         let _e145 = slope_3;
-                        let _e150 = self.v_stays_above(above_9, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_11);
+                        let _e150 = self.v_stays_above(above_10, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_11);
                         let _e151 = slope_3;
-                        let _e156 = self.v_stays_above(above_9, _e151, left_5.y(), _e2.step.y(), lost_1.y(), rest_11);
-                        let _e157 = next_2;
-                        let _e158 = t_34;
-                        next_2 = _e157.max((_e158 + _e150.min(_e156)));
+                        let _e156 = self.v_stays_above(above_10, _e151, left_5.y(), _e2.step.y(), lost_1.y(), rest_11);
+                        let _e157 = next_3;
+                        let _e158 = t_35;
+                        next_3 = _e157.max((_e158 + _e150.min(_e156)));
                     }
-                    let _e162 = next_2;
-                    if rt::Scalar::into_branch_condition(_e162.elementwise_ge(rt::Scalar(path_72.exit))) {
-                        let _e166 = t_34;
+                    let _e162 = next_3;
+                    if rt::Scalar::into_branch_condition(_e162.elementwise_ge(rt::Scalar(path_73.exit))) {
+                        let _e166 = t_35;
                         let _e168 = cost_13;
-                        return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_72.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                        return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                     }
                     let _e172 = slope_3;
                     if rt::Scalar::into_branch_condition(_e172.elementwise_ge(rt::Scalar(0f32))) {
                         let _e175 = cell_32;
-                        let _e176 = next_2;
+                        let _e176 = next_3;
                         let _e177 = self.v_cell_after(_e2, _e175, _e35, forward_3, _e176);
                         cell_32 = _e177;
                     } else {
@@ -14143,88 +14671,88 @@ impl<'g> Resources<'g> {
                         let _e179 = self.v_cell_next(_e2, _e178, _e35);
                         cell_32 = _e179;
                     }
-                    let _e180 = next_2;
-                    t_34 = _e180;
+                    let _e180 = next_3;
+                    t_35 = _e180;
                 }
             }
         }
-        let _e182 = t_34;
+        let _e182 = t_35;
         let _e184 = cost_13;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_72.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
     }
-    pub(crate) fn nearest_corner(&self, at_110: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_110)))
+    pub(crate) fn nearest_corner(&self, at_116: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_116)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_nearest_corner(&self, at_110: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_110.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    pub(super) fn v_nearest_corner(&self, at_116: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_116.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
-        path_73: Path,
+        path_74: Path,
         grid_8: Grid,
         offset_6: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_4: impl rt::Into<rt::Scalar<f32>>,
-        t_35: impl rt::Into<rt::Scalar<f32>>,
+        t_36: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_73, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_35)))
+        rt::into(self.v_stays_inside(path_74, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_stays_inside(
         &self,
-        path_73: Path,
+        path_74: Path,
         grid_8: Grid,
         offset_6: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_4: rt::Scalar<f32>,
-        t_35: rt::Scalar<f32>,
+        t_36: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32>;
-        let mut local_86: rt::Scalar<bool>;
+        let mut local_87: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_12 = (rt::Scalar(path_73.exit) - t_35);
-        let _e8 = self.v_path_height(path_73, t_35);
-        let height_25 = (_e8 - apex);
-        let terms = (path_73.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_73.exit)) * path_73.h.z().abs()));
-        let _e21 = self.v_path_slope(path_73, t_35);
-        let rise_6 = ((_e21 + (path_73.h.z().min(rt::Scalar(0f32)) * rest_12)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let rest_12 = (rt::Scalar(path_74.exit) - t_36);
+        let _e8 = self.v_path_height(path_74, t_36);
+        let height_26 = (_e8 - apex);
+        let terms = (path_74.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_74.exit)) * path_74.h.z().abs()));
+        let _e21 = self.v_path_slope(path_74, t_36);
+        let rise_6 = ((_e21 + (path_74.h.z().min(rt::Scalar(0f32)) * rest_12)) - (rt::Scalar(0.0000009536743f32) * terms));
         most_1 = rest_12;
         if rt::Scalar::into_branch_condition(rise_6.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most_1;
-            most_1 = _e34.min((height_25 / (rt::Scalar(0f32) - rise_6)));
+            most_1 = _e34.min((height_26 / (rt::Scalar(0f32) - rise_6)));
         }
         let _e39 = most_1;
-        let end_17 = (t_35 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_73.level));
-        let far_13 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_17)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_73.h.x().abs() + (end_17 * (path_73.h.y().abs() + (end_17 * path_73.h.z().abs())))));
-        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_13.x() + far_13.y())));
-        let gap_5 = (height_25 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_73.level));
-        let aside_6 = (((grid_8.origin - offset_6) + (grid_8.step * t_35)) / _e85);
-        let c_27 = (((slope_4 * aside_6.length()) - gap_5) * ((slope_4 * aside_6.length()) + gap_5));
+        let end_17 = (t_36 + _e39);
+        let _e52 = self.v_height_size(rt::Scalar(path_74.level));
+        let far_16 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_17)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_74.h.x().abs() + (end_17 * (path_74.h.y().abs() + (end_17 * path_74.h.z().abs())))));
+        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_16.x() + far_16.y())));
+        let gap_5 = (height_26 - (rt::Scalar(2f32) * lost_2));
+        let _e85 = self.v_height_size(rt::Scalar(path_74.level));
+        let aside_7 = (((grid_8.origin - offset_6) + (grid_8.step * t_36)) / _e85);
+        let c_30 = (((slope_4 * aside_7.length()) - gap_5) * ((slope_4 * aside_7.length()) + gap_5));
         if rt::Scalar::into_branch_condition((!gap_5.elementwise_le(rt::Scalar(0f32)))) {
-            local_86 = c_27.elementwise_ge(rt::Scalar(0f32));
+            local_87 = c_30.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_86 = rt::Scalar(true);
+            local_87 = rt::Scalar(true);
         }
-        let _e102 = local_86;
+        let _e102 = local_87;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_41 = (((slope_4 * slope_4) * aside_6.dot(path_73.duv)) - (gap_5 * rise_6));
-        let a_41 = (((slope_4 * slope_4) * path_73.duv.dot(path_73.duv)) - (rise_6 * rise_6));
-        let discriminant_5 = ((b_41 * b_41) - (a_41 * c_27));
+        let b_45 = (((slope_4 * slope_4) * aside_7.dot(path_74.duv)) - (gap_5 * rise_6));
+        let a_45 = (((slope_4 * slope_4) * path_74.duv.dot(path_74.duv)) - (rise_6 * rise_6));
+        let discriminant_5 = ((b_45 * b_45) - (a_45 * c_30));
         if rt::Scalar::into_branch_condition(discriminant_5.elementwise_ge(rt::Scalar(0f32))) {
             let root_6 = discriminant_5.sqrt();
-            if rt::Scalar::into_branch_condition(b_41.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_27) / (b_41 + root_6));
+            if rt::Scalar::into_branch_condition(b_45.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_30) / (b_45 + root_6));
             } else {
-                if rt::Scalar::into_branch_condition(a_41.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_6 - b_41) / a_41);
+                if rt::Scalar::into_branch_condition(a_45.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_6 - b_45) / a_45);
                 }
             }
         }
@@ -14233,7 +14761,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_6 + (path_73.duv * _e139)).length()) + lost_2).elementwise_le((height_25 + (rise_6 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_7 + (path_74.duv * _e139)).length()) + lost_2).elementwise_le((height_26 + (rise_6 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -14241,31 +14769,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_74: Path,
-        params_89: impl rt::Into<rt::Vec4<f32>>,
+        path_75: Path,
+        params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cone(path_74, rt::into(params_89)))
+        rt::into(self.v_search_cone(path_75, rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cone(
         &self,
-        path_74: Path,
-        params_89: rt::Vec4<f32>,
+        path_75: Path,
+        params_96: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_33: rt::Vec2<f32>;
-        let mut t_36: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut next_3: rt::Scalar<f32>;
+        let mut next_4: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_74);
+        let _e2 = self.v_grid_of(path_75);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_33 = _e9;
-        let limit_5 = params_89.x().to_u32();
+        let limit_6 = params_96.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_14.x();
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_5)) {
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_6)) {
                 } else {
                     break 'naga_break;
                 }
@@ -14273,82 +14801,82 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_14;
                     cost_14 = (_e20 + STEP);
                     let _e24 = cost_14.x();
-                    let first_23 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_26 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_33;
                     let _e28 = self.v_whole_cell(_e27);
-                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_74.level));
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_75.level));
                     let _e31 = cost_14;
                     cost_14 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_33;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_18 = _e35.x().min(_e35.y()).min(rt::Scalar(path_74.exit));
-                    let _e41 = t_36;
+                    let end_18 = _e35.x().min(_e35.y()).min(rt::Scalar(path_75.exit));
+                    let _e41 = t_37;
                     let span_12 = (end_18 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_33;
-                    let _e49 = t_36;
-                    let at_179 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_179);
+                    let _e49 = t_37;
+                    let at_185 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_185);
                     let _e53 = self.v_corner_height(_e30, _e52);
-                    let _e54 = t_36;
-                    next_3 = _e54;
-                    let _e56 = t_36;
-                    let _e57 = self.v_path_height(path_74, _e56);
+                    let _e54 = t_37;
+                    next_4 = _e54;
+                    let _e56 = t_37;
+                    let _e57 = self.v_path_height(path_75, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_33;
                         let texel_9 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_74, texel_9);
+                        let _e61 = self.v_cone_slope(path_75, texel_9);
                         let _e62 = cost_14;
-                        let _e64 = self.v_map_read(path_74, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_75, rt::Scalar(1u32));
                         cost_14 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e68 = t_36;
-                            let _e69 = t_36;
-                            let _e70 = self.v_stays_inside(path_74, _e2, texel_9, _e53, _e61, _e69);
-                            next_3 = (_e68 + _e70);
+                            let _e68 = t_37;
+                            let _e69 = t_37;
+                            let _e70 = self.v_stays_inside(path_75, _e2, texel_9, _e53, _e61, _e69);
+                            next_4 = (_e68 + _e70);
                         }
                     }
-                    let _e72 = next_3;
+                    let _e72 = next_4;
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_18)) {
                         let _e74 = cell_33;
-                        let _e75 = t_36;
-                        let _e76 = self.v_gap_to(path_74, _e2, _e74, _e30, _e75);
+                        let _e75 = t_37;
+                        let _e76 = self.v_gap_to(path_75, _e2, _e74, _e30, _e75);
                         let _e77 = self.v_falls_in_cell(_e76, span_12);
                         if rt::Scalar::into_branch_condition(_e77) {
-                            let _e78 = t_36;
+                            let _e78 = t_37;
                             let _e79 = cost_14;
-                            let _e80 = self.v_found_in_cell(_e76, _e78, span_12, first_23, _e79);
+                            let _e80 = self.v_found_in_cell(_e76, _e78, span_12, first_26, _e79);
                             return _e80;
                         }
-                        let _e81 = t_36;
-                        next_3 = _e81.max(end_18);
+                        let _e81 = t_37;
+                        next_4 = _e81.max(end_18);
                     }
-                    let _e83 = next_3;
-                    if rt::Scalar::into_branch_condition(_e83.elementwise_ge(rt::Scalar(path_74.exit))) {
-                        let _e87 = t_36;
+                    let _e83 = next_4;
+                    if rt::Scalar::into_branch_condition(_e83.elementwise_ge(rt::Scalar(path_75.exit))) {
+                        let _e87 = t_37;
                         let _e89 = cost_14;
-                        return <SearchResult>::new(FOUND_MISS, _e87, rt::Scalar(path_74.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <SearchResult>::new(FOUND_MISS, _e87, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     let _e93 = cell_33;
-                    let _e94 = next_3;
+                    let _e94 = next_4;
                     let _e95 = self.v_cell_after(_e2, _e93, _e35, forward_4, _e94);
                     cell_33 = _e95;
-                    let _e96 = next_3;
-                    t_36 = _e96;
+                    let _e96 = next_4;
+                    t_37 = _e96;
                 }
             }
         }
-        let _e98 = t_36;
+        let _e98 = t_37;
         let _e100 = cost_14;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e98, rt::Scalar(path_74.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e100);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e98, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e100);
     }
     pub(crate) fn node_extent(
         &self,
         cell_34: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
         n_13: impl rt::Into<rt::Scalar<i32>>,
-        level_48: impl rt::Into<rt::Scalar<u32>>,
+        level_51: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_34), rt::into(image_10), rt::into(n_13), rt::into(level_48)))
+        rt::into(self.v_node_extent(rt::into(cell_34), rt::into(image_10), rt::into(n_13), rt::into(level_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_node_extent(
@@ -14356,27 +14884,27 @@ impl<'g> Resources<'g> {
         cell_34: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
         n_13: rt::Scalar<i32>,
-        level_48: rt::Scalar<u32>,
+        level_51: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_87: rt::Scalar<bool>;
+        let mut local_88: rt::Scalar<bool>;
 
-        let first_24 = ((image_10.x() >> level_48) << level_48);
-        let side_10 = (rt::Scalar(1i32) << level_48);
+        let first_27 = ((image_10.x() >> level_51) << level_51);
+        let side_11 = (rt::Scalar(1i32) << level_51);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_8 = (cell_34 - (image_10.x() - first_24));
-            return <rt::Vec2<i32>>::from_scalars(low_8, (low_8 + side_10.min((n_13 - first_24))));
+            let low_9 = (cell_34 - (image_10.x() - first_27));
+            return <rt::Vec2<i32>>::from_scalars(low_9, (low_9 + side_11.min((n_13 - first_27))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_5 = ((cell_34 + (image_10.x() - first_24)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_5 - side_10.min(((n_13 - rt::Scalar(1i32)) - first_24))), high_5);
+            let high_6 = ((cell_34 + (image_10.x() - first_27)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high_6 - side_11.min(((n_13 - rt::Scalar(1i32)) - first_27))), high_6);
         }
-        if rt::Scalar::into_branch_condition(level_48.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_51.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_87 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_88 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_87 = rt::Scalar(false);
+            local_88 = rt::Scalar(false);
         }
-        let _e43 = local_87;
+        let _e43 = local_88;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_13, cell_34.elementwise_ge(n_13)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_34.elementwise_ge(n_13)));
         }
@@ -14408,30 +14936,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_75: Path,
-        params_90: impl rt::Into<rt::Vec4<f32>>,
+        path_76: Path,
+        params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_pyramid(path_75, rt::into(params_90)))
+        rt::into(self.v_search_pyramid(path_76, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_pyramid(
         &self,
-        path_75: Path,
-        params_90: rt::Vec4<f32>,
+        path_76: Path,
+        params_97: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_49: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_52: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_35: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
-        let mut local_88: rt::Scalar<bool>;
         let mut local_89: rt::Scalar<bool>;
         let mut local_90: rt::Scalar<bool>;
+        let mut local_91: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_75);
-        let _e4 = self.v_height_texels(rt::Scalar(path_75.level));
-        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_75.exit));
+        let _e2 = self.v_grid_of(path_76);
+        let _e4 = self.v_height_texels(rt::Scalar(path_76.level));
+        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_76.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -14442,21 +14970,21 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_49;
+                    let _e28 = level_52;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_49;
-                        level_49 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_52;
+                        level_52 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_35 = _e37.to_i32();
-        let limit_6 = params_90.x().to_u32();
+        let limit_7 = params_97.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_15.x();
-                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_6)) {
+                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_7)) {
                 } else {
                     break 'naga_break;
                 }
@@ -14467,217 +14995,217 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_35.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_37 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_49;
+                    let place_44 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let _e67 = level_52;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_3 = <rt::Vec2<i32>>::from_scalars((place_37.x() >> above_level), (place_37.y() >> above_level));
+                    let over_3 = <rt::Vec2<i32>>::from_scalars((place_44.x() >> above_level), (place_44.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_3.x()))) {
                             let _e89 = parent.y();
-                            local_89 = _e89.elementwise_ne(over_3.y());
+                            local_90 = _e89.elementwise_ne(over_3.y());
                         } else {
-                            local_89 = rt::Scalar(true);
+                            local_90 = rt::Scalar(true);
                         }
-                        let _e93 = local_89;
-                        local_88 = _e93;
+                        let _e93 = local_90;
+                        local_89 = _e93;
                     } else {
-                        local_88 = rt::Scalar(false);
+                        local_89 = rt::Scalar(false);
                     }
-                    let left_6 = local_88;
+                    let left_6 = local_89;
                     if rt::Scalar::into_branch_condition(left_6) {
-                        let _e98 = level_49;
+                        let _e98 = level_52;
                         let _e99 = top;
-                        local_90 = _e98.elementwise_lt(_e99);
+                        local_91 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_90 = rt::Scalar(false);
+                        local_91 = rt::Scalar(false);
                     }
-                    let _e102 = local_90;
+                    let _e102 = local_91;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_49 = above_level;
+                        level_52 = above_level;
                     }
                     let _e104 = cell_35.x();
-                    let _e106 = level_49;
+                    let _e106 = level_52;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
                     let _e109 = cell_35.y();
-                    let _e111 = level_49;
+                    let _e111 = level_52;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_19 = _e117.min(_e122).min(rt::Scalar(path_75.exit));
-                    let _e126 = t_37;
+                    let end_19 = _e117.min(_e122).min(rt::Scalar(path_76.exit));
+                    let _e126 = t_38;
                     let span_13 = (end_19 - _e126).max(rt::Scalar(0f32));
-                    let low_9 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
+                    let low_10 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_13 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_49;
+                    let _e140 = level_52;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_15;
                         cost_15 = (_e143 + HEIGHTS_READ);
                         let _e146 = cell_35;
                         let _e148 = cell_35;
-                        let _e150 = self.v_object_cell_stage(_e148, rt::Scalar(path_75.level));
-                        let _e151 = t_37;
-                        let _e152 = self.v_gap_to(path_75, _e2, _e146.to_f32(), _e150, _e151);
+                        let _e150 = self.v_object_cell_stage(_e148, rt::Scalar(path_76.level));
+                        let _e151 = t_38;
+                        let _e152 = self.v_gap_to(path_76, _e2, _e146.to_f32(), _e150, _e151);
                         let _e153 = self.v_falls_in_cell(_e152, span_13);
                         if rt::Scalar::into_branch_condition(_e153) {
-                            let _e154 = t_37;
-                            let _e155 = t_37;
+                            let _e154 = t_38;
+                            let _e155 = t_38;
                             let _e158 = cost_15;
                             let _e159 = self.v_found_in_cell(_e152, _e154, span_13, _e155.elementwise_eq(rt::Scalar(0f32)), _e158);
                             return _e159;
                         }
                     } else {
                         let _e160 = cost_15;
-                        let _e162 = self.v_map_read(path_75, rt::Scalar(1u32));
+                        let _e162 = self.v_map_read(path_76, rt::Scalar(1u32));
                         cost_15 = (_e160 + _e162);
-                        let _e165 = level_49;
-                        let _e168 = level_49;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_37.x() >> _e165), (place_37.y() >> _e168));
-                        let _e172 = level_49;
-                        let _e178 = self.v_search_texel(path_75, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_75.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e165 = level_52;
+                        let _e168 = level_52;
+                        let node_2 = <rt::Vec2<i32>>::from_scalars((place_44.x() >> _e165), (place_44.y() >> _e168));
+                        let _e172 = level_52;
+                        let _e178 = self.v_search_texel(path_76, node_2, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_76.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
-                        let _e180 = t_37;
+                        let _e180 = t_38;
                         let furthest = (_e180 + span_13);
-                        let rounded = (path_75.h.x().abs() + (furthest * (path_75.h.y().abs() + (furthest * path_75.h.z().abs()))));
-                        let _e195 = t_37;
-                        let _e196 = self.v_path_height(path_75, _e195);
-                        let _e201 = t_37;
-                        let _e202 = self.v_path_slope(path_75, _e201);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e196 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e202, path_75.h.z());
+                        let rounded = (path_76.h.x().abs() + (furthest * (path_76.h.y().abs() + (furthest * path_76.h.z().abs()))));
+                        let _e195 = t_38;
+                        let _e196 = self.v_path_height(path_76, _e195);
+                        let _e201 = t_38;
+                        let _e202 = self.v_path_slope(path_76, _e201);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e196 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e202, path_76.h.z());
                         let _e206 = self.v_falls_in_cell(gap_6, span_13);
                         if rt::Scalar::into_branch_condition(_e206) {
                             if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e210 = t_37;
+                                let _e210 = t_38;
                                 let _e211 = self.v_first_root(gap_6, span_13);
-                                t_37 = (_e210 + _e211.min(span_13));
+                                t_38 = (_e210 + _e211.min(span_13));
                             }
-                            let _e216 = t_37;
+                            let _e216 = t_38;
                             let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
-                            cell_35 = _e219.to_i32().clamp(low_9, last_13);
-                            let _e222 = level_49;
-                            level_49 = (_e222 - rt::Scalar(1u32));
+                            cell_35 = _e219.to_i32().clamp(low_10, last_13);
+                            let _e222 = level_52;
+                            level_52 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_19.elementwise_ge(rt::Scalar(path_75.exit))) {
-                        let _e231 = t_37;
+                    if rt::Scalar::into_branch_condition(end_19.elementwise_ge(rt::Scalar(path_76.exit))) {
+                        let _e231 = t_38;
                         let _e233 = cost_15;
-                        return <SearchResult>::new(FOUND_MISS, _e231, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
+                        return <SearchResult>::new(FOUND_MISS, _e231, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
                     }
                     let _e241 = self.v_cell_of((_e2.origin + (_e2.step * end_19)));
-                    cell_35 = _e241.to_i32().clamp(low_9, last_13);
+                    cell_35 = _e241.to_i32().clamp(low_10, last_13);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_19)) {
-                        cell_35.set_x((low_9.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_35.set_x((low_10.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_19)) {
-                        cell_35.set_y((low_9.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_35.set_y((low_10.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e267 = level_49;
-                    let _e272 = level_49;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_37.x() >> (_e267 + rt::Scalar(1u32))), (place_37.y() >> (_e272 + rt::Scalar(1u32))));
-                    let _e277 = t_37;
-                    t_37 = _e277.max(end_19);
+                    let _e267 = level_52;
+                    let _e272 = level_52;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_44.x() >> (_e267 + rt::Scalar(1u32))), (place_44.y() >> (_e272 + rt::Scalar(1u32))));
+                    let _e277 = t_38;
+                    t_38 = _e277.max(end_19);
                 }
             }
         }
-        let _e280 = t_37;
+        let _e280 = t_38;
         let _e282 = cost_15;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e280, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e282);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e280, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e282);
     }
     pub(crate) fn texel_extent(
         &self,
         texel_3: impl rt::Into<rt::Scalar<i32>>,
         n_14: impl rt::Into<rt::Scalar<i32>>,
-        level_50: impl rt::Into<rt::Scalar<u32>>,
+        level_53: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_3), rt::into(n_14), rt::into(level_50)))
+        rt::into(self.v_texel_extent(rt::into(texel_3), rt::into(n_14), rt::into(level_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_texel_extent(
         &self,
         texel_3: rt::Scalar<i32>,
         n_14: rt::Scalar<i32>,
-        level_50: rt::Scalar<u32>,
+        level_53: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_91: rt::Scalar<bool>;
+        let mut local_92: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_3, n_14);
-        let first_25 = ((_e3 >> level_50) << level_50);
-        let last_14 = (first_25 + (rt::Scalar(1i32) << level_50)).min(n_14);
+        let first_28 = ((_e3 >> level_53) << level_53);
+        let last_14 = (first_28 + (rt::Scalar(1i32) << level_53)).min(n_14);
         if rt::Scalar::into_branch_condition((!texel_3.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_91 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_92 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_91 = rt::Scalar(true);
+            local_92 = rt::Scalar(true);
         }
-        let _e20 = local_91;
+        let _e20 = local_92;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_3 - _e3) + first_25), ((texel_3 - _e3) + last_14));
+            return <rt::Vec2<i32>>::from_scalars(((texel_3 - _e3) + first_28), ((texel_3 - _e3) + last_14));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_4 = (rt::Scalar(2i32) * n_14);
             let folded_1 = (((texel_3 % period_4) + period_4) % period_4);
             if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_14)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_3 - _e3) + first_25), ((texel_3 - _e3) + last_14));
+                return <rt::Vec2<i32>>::from_scalars(((texel_3 - _e3) + first_28), ((texel_3 - _e3) + last_14));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_3 + _e3) - last_14) + rt::Scalar(1i32)), (((texel_3 + _e3) - first_25) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_3 + _e3) - last_14) + rt::Scalar(1i32)), (((texel_3 + _e3) - first_28) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_3, (texel_3 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_76: Path,
-        params_91: impl rt::Into<rt::Vec4<f32>>,
+        path_77: Path,
+        params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_pyramid_texels(path_76, rt::into(params_91)))
+        rt::into(self.v_search_pyramid_texels(path_77, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_pyramid_texels(
         &self,
-        path_76: Path,
-        params_91: rt::Vec4<f32>,
+        path_77: Path,
+        params_98: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut level_51: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_54: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_4: rt::Vec2<i32>;
-        let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_39: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_76.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_76.level));
-        let origin_7 = (path_76.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_76.level));
-        let step_7 = (path_76.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_77.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_77.level));
+        let origin_8 = (path_77.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_77.level));
+        let step_8 = (path_77.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_51;
+                let _e14 = level_54;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_51;
-                    level_51 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_54;
+                    level_54 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e24 = self.v_cell_of(origin_7);
+        let _e24 = self.v_cell_of(origin_8);
         texel_4 = _e24.to_i32();
-        let limit_7 = params_91.x().to_u32();
-        let _e35 = level_51;
-        finest_1 = params_91.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_76.ray).elementwise_eq(RAY_SHADOW)) {
+        let limit_8 = params_98.x().to_u32();
+        let _e35 = level_54;
+        finest_1 = params_98.y().to_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_77.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
             'naga_continue: {
                 let _e43 = cost_16.x();
-                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_7)) {
+                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_8)) {
                 } else {
                     break 'naga_break;
                 }
@@ -14688,89 +15216,89 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_4.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_38 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_45 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_51;
+                    let _e59 = level_54;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_16;
                         cost_16 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_38, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_45, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_51;
-                        let _e73 = level_51;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_38.x() >> _e70), (place_38.y() >> _e73));
+                        let _e70 = level_54;
+                        let _e73 = level_54;
+                        let node_3 = <rt::Vec2<i32>>::from_scalars((place_45.x() >> _e70), (place_45.y() >> _e73));
                         let _e76 = cost_16;
-                        let _e78 = self.v_map_read(path_76, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_77, rt::Scalar(1u32));
                         cost_16 = (_e76 + _e78);
-                        let _e81 = level_51;
-                        let _e85 = self.v_search_texel(path_76, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
+                        let _e81 = level_54;
+                        let _e85 = self.v_search_texel(path_77, node_3, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_4.x();
-                    let _e90 = level_51;
+                    let _e90 = level_54;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_4.y();
-                    let _e95 = level_51;
+                    let _e95 = level_54;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
-                    let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
-                    let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
+                    let _e99 = self.v_leaves_extent(origin_8.x(), step_8.x(), _e91);
+                    let _e102 = self.v_leaves_extent(origin_8.y(), step_8.y(), _e96);
                     let leave_9 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
-                    let _e109 = t_38;
-                    let end_20 = leave_9.x().min(leave_9.y()).min(rt::Scalar(path_76.exit)).max(_e109);
-                    let _e111 = t_38;
-                    let _e112 = self.v_path_height(path_76, _e111);
+                    let _e109 = t_39;
+                    let end_20 = leave_9.x().min(leave_9.y()).min(rt::Scalar(path_77.exit)).max(_e109);
+                    let _e111 = t_39;
+                    let _e112 = self.v_path_height(path_77, _e111);
                     let _e113 = highest;
-                    let _e115 = t_38;
-                    let _e116 = self.v_path_slope(path_76, _e115);
-                    let gap_7 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_76.h.z());
+                    let _e115 = t_39;
+                    let _e116 = self.v_path_slope(path_77, _e115);
+                    let gap_7 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_77.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_7.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e125 = t_38;
+                        let _e125 = t_39;
                         let _e127 = self.v_first_root(gap_7, (end_20 - _e125));
                         sinks = _e127;
                     }
-                    let low_10 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
+                    let low_11 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
                     let last_15 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e141 = t_38;
+                        let _e141 = t_39;
                         let _e142 = sinks;
-                        t_38 = (_e141 + _e142);
-                        let _e144 = level_51;
+                        t_39 = (_e141 + _e142);
+                        let _e144 = level_54;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
-                            let _e148 = t_38;
+                            let _e148 = t_39;
                             let _e149 = cost_16;
                             return <SearchResult>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_51;
-                        level_51 = (_e154 - rt::Scalar(1u32));
-                        let _e157 = t_38;
-                        let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
-                        texel_4 = _e160.to_i32().clamp(low_10, last_15);
+                        let _e154 = level_54;
+                        level_54 = (_e154 - rt::Scalar(1u32));
+                        let _e157 = t_39;
+                        let _e160 = self.v_cell_of((origin_8 + (step_8 * _e157)));
+                        texel_4 = _e160.to_i32().clamp(low_11, last_15);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_20.elementwise_ge(rt::Scalar(path_76.exit))) {
-                            let _e166 = t_38;
+                        if rt::Scalar::into_branch_condition(end_20.elementwise_ge(rt::Scalar(path_77.exit))) {
+                            let _e166 = t_39;
                             let _e168 = cost_16;
-                            return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_77.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_7 + (step_7 * end_20)));
-                        texel_4 = _e174.to_i32().clamp(low_10, last_15);
+                        let _e174 = self.v_cell_of((origin_8 + (step_8 * end_20)));
+                        texel_4 = _e174.to_i32().clamp(low_11, last_15);
                         if rt::Scalar::into_branch_condition(leave_9.x().elementwise_le(end_20)) {
-                            texel_4.set_x((low_10.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_4.set_x((low_11.x() - rt::Scalar(1i32)).select(_e91.y(), step_8.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_9.y().elementwise_le(end_20)) {
-                            texel_4.set_y((low_10.y() - rt::Scalar(1i32)).select(_e96.y(), step_7.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_4.set_y((low_11.y() - rt::Scalar(1i32)).select(_e96.y(), step_8.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_38 = end_20;
+                        t_39 = end_20;
                     }
                 }
             }
         }
-        let _e200 = t_38;
+        let _e200 = t_39;
         let _e202 = cost_16;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_77.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -14796,38 +15324,38 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_77: Path,
-        params_92: impl rt::Into<rt::Vec4<f32>>,
+        path_78: Path,
+        params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_dilation_erosion(path_77, rt::into(params_92)))
+        rt::into(self.v_search_dilation_erosion(path_78, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_dilation_erosion(
         &self,
-        path_77: Path,
-        params_92: rt::Vec4<f32>,
+        path_78: Path,
+        params_99: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_37: rt::Vec2<f32>;
-        let mut t_39: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_40: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
-        let mut next_4: rt::Scalar<f32>;
+        let mut next_5: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_92: rt::Scalar<bool>;
         let mut local_93: rt::Scalar<bool>;
         let mut local_94: rt::Scalar<bool>;
         let mut local_95: rt::Scalar<bool>;
+        let mut local_96: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_77);
-        let _e4 = self.v_height_texels(rt::Scalar(path_77.level));
+        let _e2 = self.v_grid_of(path_78);
+        let _e4 = self.v_height_texels(rt::Scalar(path_78.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_37 = _e11;
-        let limit_8 = params_92.x().to_u32();
+        let limit_9 = params_99.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_17.x();
-                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_8)) {
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_9)) {
                 } else {
                     break 'naga_break;
                 }
@@ -14836,160 +15364,160 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e24 + STEP);
                     let _e27 = cell_37;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_21 = _e28.x().min(_e28.y()).min(rt::Scalar(path_77.exit));
-                    let _e34 = t_39;
+                    let end_21 = _e28.x().min(_e28.y()).min(rt::Scalar(path_78.exit));
+                    let _e34 = t_40;
                     let span_14 = (end_21 - _e34).max(rt::Scalar(0f32));
-                    let _e38 = t_39;
-                    next_4 = _e38;
-                    looks = params_92.y().elementwise_gt(rt::Scalar(0.5f32));
+                    let _e38 = t_40;
+                    next_5 = _e38;
+                    looks = params_99.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e44 = cell_37;
                     let _e45 = self.v_whole_cell(_e44);
                     let _e48 = self.v_image_of(_e45.x(), _e4.x());
                     let _e51 = self.v_image_of(_e45.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_92 = _e51.y().elementwise_eq(rt::Scalar(2i32));
+                        local_93 = _e51.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_92 = rt::Scalar(true);
+                        local_93 = rt::Scalar(true);
                     }
-                    let _e62 = local_92;
+                    let _e62 = local_93;
                     if rt::Scalar::into_branch_condition(_e62) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e70 = self.v_search_texel(path_77, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_77.level).to_i32());
+                        let _e70 = self.v_search_texel(path_78, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_78.level).to_i32());
                         let _e71 = cost_17;
-                        let _e73 = self.v_map_read(path_77, rt::Scalar(1u32));
+                        let _e73 = self.v_map_read(path_78, rt::Scalar(1u32));
                         cost_17 = (_e71 + _e73);
                         let _e75 = cell_37;
-                        let _e77 = self.v_leaves_window(_e2, _e75, params_92.z());
-                        let _e80 = t_39;
-                        let reach_5 = (_e77.min(rt::Scalar(path_77.exit)) - _e80).max(rt::Scalar(0f32));
-                        let _e84 = t_39;
-                        let furthest_1 = (_e84 + reach_5);
-                        let rounded_1 = (path_77.h.x().abs() + (furthest_1 * (path_77.h.y().abs() + (furthest_1 * path_77.h.z().abs()))));
-                        let _e99 = t_39;
-                        let _e100 = self.v_path_height(path_77, _e99);
-                        let _e106 = t_39;
-                        let _e107 = self.v_path_slope(path_77, _e106);
-                        let gap_8 = <rt::Vec3<f32>>::from_scalars(((_e100 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e107, path_77.h.z());
+                        let _e77 = self.v_leaves_window(_e2, _e75, params_99.z());
+                        let _e80 = t_40;
+                        let reach_6 = (_e77.min(rt::Scalar(path_78.exit)) - _e80).max(rt::Scalar(0f32));
+                        let _e84 = t_40;
+                        let furthest_1 = (_e84 + reach_6);
+                        let rounded_1 = (path_78.h.x().abs() + (furthest_1 * (path_78.h.y().abs() + (furthest_1 * path_78.h.z().abs()))));
+                        let _e99 = t_40;
+                        let _e100 = self.v_path_height(path_78, _e99);
+                        let _e106 = t_40;
+                        let _e107 = self.v_path_slope(path_78, _e106);
+                        let gap_8 = <rt::Vec3<f32>>::from_scalars(((_e100 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e107, path_78.h.z());
                         if rt::Scalar::into_branch_condition(gap_8.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e114 = t_39;
+                            let _e114 = t_40;
                             safe_ = _e114;
-                            let _e115 = t_39;
-                            next_4 = (_e115 + reach_5);
-                            let _e117 = self.v_least_at(gap_8, reach_5);
+                            let _e115 = t_40;
+                            next_5 = (_e115 + reach_6);
+                            let _e117 = self.v_least_at(gap_8, reach_6);
                             let _e118 = self.v_quadratic(gap_8, _e117);
                             if rt::Scalar::into_branch_condition(_e118.elementwise_le(rt::Scalar(0f32))) {
-                                let _e121 = t_39;
-                                let _e122 = self.v_first_root(gap_8, reach_5);
-                                next_4 = (_e121 + _e122.min(reach_5));
+                                let _e121 = t_40;
+                                let _e122 = self.v_first_root(gap_8, reach_6);
+                                next_5 = (_e121 + _e122.min(reach_6));
                             }
                         }
                         let _e125 = looks;
                         if rt::Scalar::into_branch_condition((!_e125)) {
-                            let _e129 = next_4;
-                            local_93 = _e129.elementwise_lt(end_21);
-                        } else {
-                            local_93 = rt::Scalar(false);
-                        }
-                        let _e132 = local_93;
-                        if rt::Scalar::into_branch_condition(_e132) {
-                            let _e135 = self.v_path_height(path_77, end_21);
-                            local_94 = _e135.elementwise_lt(_e70.x());
+                            let _e129 = next_5;
+                            local_94 = _e129.elementwise_lt(end_21);
                         } else {
                             local_94 = rt::Scalar(false);
                         }
-                        let _e139 = local_94;
+                        let _e132 = local_94;
+                        if rt::Scalar::into_branch_condition(_e132) {
+                            let _e135 = self.v_path_height(path_78, end_21);
+                            local_95 = _e135.elementwise_lt(_e70.x());
+                        } else {
+                            local_95 = rt::Scalar(false);
+                        }
+                        let _e139 = local_95;
                         if rt::Scalar::into_branch_condition(_e139) {
                             let _e140 = safe_;
                             let _e141 = cost_17;
-                            let _e142 = self.v_bracket_between(path_77, _e140, end_21, _e141);
+                            let _e142 = self.v_bracket_between(path_78, _e140, end_21, _e141);
                             return _e142;
                         }
                     }
-                    let _e143 = next_4;
+                    let _e143 = next_5;
                     if rt::Scalar::into_branch_condition((!_e143.elementwise_lt(end_21))) {
-                        let _e148 = t_39;
-                        local_95 = (!end_21.elementwise_gt(_e148));
+                        let _e148 = t_40;
+                        local_96 = (!end_21.elementwise_gt(_e148));
                     } else {
-                        local_95 = rt::Scalar(true);
+                        local_96 = rt::Scalar(true);
                     }
-                    let _e152 = local_95;
+                    let _e152 = local_96;
                     if rt::Scalar::into_branch_condition(_e152) {
                         let _e153 = looks;
                         if rt::Scalar::into_branch_condition(_e153) {
                             let _e154 = cost_17;
                             cost_17 = (_e154 + HEIGHTS_READ);
-                            let _e158 = self.v_height_cell(_e45, rt::Scalar(path_77.level));
+                            let _e158 = self.v_height_cell(_e45, rt::Scalar(path_78.level));
                             let _e159 = cell_37;
-                            let _e160 = t_39;
-                            let _e161 = self.v_gap_to(path_77, _e2, _e159, _e158, _e160);
+                            let _e160 = t_40;
+                            let _e161 = self.v_gap_to(path_78, _e2, _e159, _e158, _e160);
                             let _e162 = self.v_falls_in_cell(_e161, span_14);
                             if rt::Scalar::into_branch_condition(_e162) {
-                                let _e163 = t_39;
-                                let _e164 = t_39;
+                                let _e163 = t_40;
+                                let _e164 = t_40;
                                 let _e167 = cost_17;
                                 let _e168 = self.v_found_in_cell(_e161, _e163, span_14, _e164.elementwise_eq(rt::Scalar(0f32)), _e167);
                                 return _e168;
                             }
                         }
-                        let _e169 = t_39;
-                        next_4 = _e169.max(end_21);
+                        let _e169 = t_40;
+                        next_5 = _e169.max(end_21);
                     }
-                    let _e171 = next_4;
-                    if rt::Scalar::into_branch_condition(_e171.elementwise_ge(rt::Scalar(path_77.exit))) {
-                        let _e175 = t_39;
+                    let _e171 = next_5;
+                    if rt::Scalar::into_branch_condition(_e171.elementwise_ge(rt::Scalar(path_78.exit))) {
+                        let _e175 = t_40;
                         let _e177 = cost_17;
-                        return <SearchResult>::new(FOUND_MISS, _e175, rt::Scalar(path_77.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e177);
+                        return <SearchResult>::new(FOUND_MISS, _e175, rt::Scalar(path_78.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e177);
                     }
                     let _e181 = cell_37;
-                    let _e182 = next_4;
+                    let _e182 = next_5;
                     let _e183 = self.v_cell_after(_e2, _e181, _e28, forward_5, _e182);
                     cell_37 = _e183;
-                    let _e184 = next_4;
-                    t_39 = _e184;
+                    let _e184 = next_5;
+                    t_40 = _e184;
                 }
             }
         }
-        let _e186 = t_39;
+        let _e186 = t_40;
         let _e188 = cost_17;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e186, rt::Scalar(path_77.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e186, rt::Scalar(path_78.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_78: Path,
-        params_93: impl rt::Into<rt::Vec4<f32>>,
+        path_79: Path,
+        params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_sphere(path_78, rt::into(params_93)))
+        rt::into(self.v_search_sphere(path_79, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_sphere(
         &self,
-        path_78: Path,
-        params_93: rt::Vec4<f32>,
+        path_79: Path,
+        params_100: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_38: rt::Vec2<f32>;
-        let mut t_40: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_41: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut next_5: rt::Scalar<f32>;
-        let mut local_96: rt::Scalar<bool>;
+        let mut next_6: rt::Scalar<f32>;
+        let mut local_97: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_78);
+        let _e2 = self.v_grid_of(path_79);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_78, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_78, rt::Scalar(path_78.exit));
+        let _e9 = self.v_path_slope(path_79, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_79, rt::Scalar(path_79.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_78.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_79.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_14 = (path_78.uv.abs() + (path_78.duv.abs() * rt::Scalar(path_78.exit)));
-        let height_terms = (path_78.h.x().abs() + (rt::Scalar(path_78.exit) * (path_78.h.y().abs() + (rt::Scalar(path_78.exit) * path_78.h.z().abs()))));
-        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_14.x() + far_14.y()) + height_terms) + rt::Scalar(1f32)));
+        let far_17 = (path_79.uv.abs() + (path_79.duv.abs() * rt::Scalar(path_79.exit)));
+        let height_terms = (path_79.h.x().abs() + (rt::Scalar(path_79.exit) * (path_79.h.y().abs() + (rt::Scalar(path_79.exit) * path_79.h.z().abs()))));
+        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_17.x() + far_17.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_38 = _e52;
-        let limit_9 = params_93.x().to_u32();
+        let limit_10 = params_100.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_18.x();
-                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_9)) {
+                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_10)) {
                 } else {
                     break 'naga_break;
                 }
@@ -14998,220 +15526,220 @@ impl<'g> Resources<'g> {
                     cost_18 = (_e63 + STEP);
                     let _e66 = cell_38;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_22 = _e67.x().min(_e67.y()).min(rt::Scalar(path_78.exit));
-                    let _e73 = t_40;
+                    let end_22 = _e67.x().min(_e67.y()).min(rt::Scalar(path_79.exit));
+                    let _e73 = t_41;
                     let span_15 = (end_22 - _e73).max(rt::Scalar(0f32));
-                    let _e77 = t_40;
-                    let _e78 = self.v_path_uv(path_78, _e77);
-                    let _e79 = t_40;
-                    let _e80 = self.v_path_height(path_78, _e79);
-                    let _e82 = self.v_distance_at(path_78, _e78, _e80, params_93.z());
+                    let _e77 = t_41;
+                    let _e78 = self.v_path_uv(path_79, _e77);
+                    let _e79 = t_41;
+                    let _e80 = self.v_path_height(path_79, _e79);
+                    let _e82 = self.v_distance_at(path_79, _e78, _e80, params_100.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_18;
-                    let _e86 = self.v_map_read(path_78, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_78, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_79, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_79, rt::Scalar(4u32));
                     cost_18 = ((_e84 + _e86) + _e89);
-                    let _e91 = t_40;
-                    next_5 = _e91;
+                    let _e91 = t_41;
+                    next_6 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e95 = t_40;
-                        next_5 = (_e95 + (free_1 / speed_2));
+                        let _e95 = t_41;
+                        next_6 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_93.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e101 = next_5;
-                        let _e102 = t_40;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_78.exit))))) {
-                            let _e110 = t_40;
+                    if rt::Scalar::into_branch_condition(params_100.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e101 = next_6;
+                        let _e102 = t_41;
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_79.exit))))) {
+                            let _e110 = t_41;
                             let _e112 = cost_18;
-                            return <SearchResult>::new(FOUND_ABOVE, _e110, rt::Scalar(path_78.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <SearchResult>::new(FOUND_ABOVE, _e110, rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
-                        let _e116 = next_5;
+                        let _e116 = next_6;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_22))) {
-                            let _e121 = t_40;
-                            local_96 = (!end_22.elementwise_gt(_e121));
+                            let _e121 = t_41;
+                            local_97 = (!end_22.elementwise_gt(_e121));
                         } else {
-                            local_96 = rt::Scalar(true);
+                            local_97 = rt::Scalar(true);
                         }
-                        let _e125 = local_96;
+                        let _e125 = local_97;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_18;
                             cost_18 = (_e126 + HEIGHTS_READ);
                             let _e129 = cell_38;
                             let _e130 = cell_38;
                             let _e131 = self.v_whole_cell(_e130);
-                            let _e133 = self.v_height_cell(_e131, rt::Scalar(path_78.level));
-                            let _e134 = t_40;
-                            let _e135 = self.v_gap_to(path_78, _e2, _e129, _e133, _e134);
+                            let _e133 = self.v_height_cell(_e131, rt::Scalar(path_79.level));
+                            let _e134 = t_41;
+                            let _e135 = self.v_gap_to(path_79, _e2, _e129, _e133, _e134);
                             let _e136 = self.v_falls_in_cell(_e135, span_15);
                             if rt::Scalar::into_branch_condition(_e136) {
-                                let _e137 = t_40;
-                                let _e138 = t_40;
+                                let _e137 = t_41;
+                                let _e138 = t_41;
                                 let _e141 = cost_18;
                                 let _e142 = self.v_found_in_cell(_e135, _e137, span_15, _e138.elementwise_eq(rt::Scalar(0f32)), _e141);
                                 return _e142;
                             }
-                            let _e143 = t_40;
-                            next_5 = _e143.max(end_22);
+                            let _e143 = t_41;
+                            next_6 = _e143.max(end_22);
                         }
                     }
-                    let _e145 = next_5;
-                    if rt::Scalar::into_branch_condition(_e145.elementwise_ge(rt::Scalar(path_78.exit))) {
-                        let _e149 = t_40;
+                    let _e145 = next_6;
+                    if rt::Scalar::into_branch_condition(_e145.elementwise_ge(rt::Scalar(path_79.exit))) {
+                        let _e149 = t_41;
                         let _e151 = cost_18;
-                        return <SearchResult>::new(FOUND_MISS, _e149, rt::Scalar(path_78.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+                        return <SearchResult>::new(FOUND_MISS, _e149, rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
                     }
                     let _e155 = cell_38;
-                    let _e156 = next_5;
+                    let _e156 = next_6;
                     let _e157 = self.v_cell_after(_e2, _e155, _e67, forward_6, _e156);
                     cell_38 = _e157;
-                    let _e158 = next_5;
-                    t_40 = _e158;
+                    let _e158 = next_6;
+                    t_41 = _e158;
                 }
             }
         }
-        let _e160 = t_40;
+        let _e160 = t_41;
         let _e162 = cost_18;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e160, rt::Scalar(path_78.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e162);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e160, rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e162);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_79: Path,
-        params_94: impl rt::Into<rt::Vec4<f32>>,
+        path_80: Path,
+        params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cone_moved(path_79, rt::into(params_94)))
+        rt::into(self.v_search_cone_moved(path_80, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cone_moved(
         &self,
-        path_79: Path,
-        params_94: rt::Vec4<f32>,
+        path_80: Path,
+        params_101: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut t_41: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_42: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
         let mut k_30: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_97: rt::Scalar<bool>;
+        let mut local_98: rt::Scalar<bool>;
 
-        let aside_7 = path_79.duv.length();
+        let aside_8 = path_80.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_30;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_94.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_101.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_19;
                     cost_19 = (_e17 + STEP);
-                    let _e20 = t_41;
-                    let _e21 = self.v_path_gap(path_79, _e20);
+                    let _e20 = t_42;
+                    let _e21 = self.v_path_gap(path_80, _e20);
                     let _e22 = cost_19;
                     cost_19 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
-                        let _e27 = t_41;
+                        let _e27 = t_42;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_97 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_98 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_97 = rt::Scalar(false);
+                            local_98 = rt::Scalar(false);
                         }
-                        let _e35 = local_97;
+                        let _e35 = local_98;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_19;
                             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
                         let _e42 = near_6;
-                        let _e43 = t_41;
+                        let _e43 = t_42;
                         let _e44 = near_gap_3;
                         let _e45 = cost_19;
                         return <SearchResult>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e47 = t_41;
+                    let _e47 = t_42;
                     near_6 = _e47;
                     near_gap_3 = _e21;
-                    let _e48 = t_41;
-                    let _e49 = self.v_path_uv(path_79, _e48);
-                    let _e51 = self.v_search_texel_between(path_79, _e49, rt::Scalar(0i32));
+                    let _e48 = t_42;
+                    let _e49 = self.v_path_uv(path_80, _e48);
+                    let _e51 = self.v_search_texel_between(path_80, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_19;
-                    let _e56 = self.v_map_read(path_79, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_80, rt::Scalar(4u32));
                     cost_19 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e61 = t_41;
-                    let rest_13 = (rt::Scalar(path_79.exit) - _e61);
-                    let _e63 = t_41;
-                    let _e64 = self.v_path_slope(path_79, _e63);
-                    let rise_7 = (_e64 + (path_79.h.z().min(rt::Scalar(0f32)) * rest_13));
-                    let terms_1 = (path_79.h.x().abs() + (rt::Scalar(path_79.exit) * (path_79.h.y().abs() + (rt::Scalar(path_79.exit) * path_79.h.z().abs()))));
-                    let far_15 = (((path_79.uv.abs() + (path_79.duv.abs() * rt::Scalar(path_79.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
-                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_15.x()) + far_15.y()));
-                    let nearing = ((_e53 * aside_7) - rise_7);
+                    let _e61 = t_42;
+                    let rest_13 = (rt::Scalar(path_80.exit) - _e61);
+                    let _e63 = t_42;
+                    let _e64 = self.v_path_slope(path_80, _e63);
+                    let rise_7 = (_e64 + (path_80.h.z().min(rt::Scalar(0f32)) * rest_13));
+                    let terms_1 = (path_80.h.x().abs() + (rt::Scalar(path_80.exit) * (path_80.h.y().abs() + (rt::Scalar(path_80.exit) * path_80.h.z().abs()))));
+                    let far_18 = (((path_80.uv.abs() + (path_80.duv.abs() * rt::Scalar(path_80.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_18.x()) + far_18.y()));
+                    let nearing = ((_e53 * aside_8) - rise_7);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
-                        let _e112 = t_41;
+                        let _e112 = t_42;
                         let _e114 = cost_19;
-                        return <SearchResult>::new(FOUND_MISS, _e112, rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <SearchResult>::new(FOUND_MISS, _e112, rt::Scalar(path_80.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e118 = t_41;
-                    t_41 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
-                    let _e124 = t_41;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_79.exit))) {
+                    let _e118 = t_42;
+                    t_42 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
+                    let _e124 = t_42;
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_80.exit))) {
                         let _e128 = near_6;
                         let _e130 = cost_19;
-                        return <SearchResult>::new(FOUND_MISS, _e128, rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <SearchResult>::new(FOUND_MISS, _e128, rt::Scalar(path_80.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
                     let _e134 = k_30;
                     k_30 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e138 = t_41;
-        let _e140 = t_41;
-        let _e141 = self.v_path_height(path_79, _e140);
+        let _e138 = t_42;
+        let _e140 = t_42;
+        let _e141 = self.v_path_height(path_80, _e140);
         let _e142 = cost_19;
-        return <SearchResult>::new(FOUND_ABOVE, _e138, rt::Scalar(path_79.exit), _e141, rt::Scalar(0f32), _e142);
+        return <SearchResult>::new(FOUND_ABOVE, _e138, rt::Scalar(path_80.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_80: Path,
-        params_95: impl rt::Into<rt::Vec4<f32>>,
+        path_81: Path,
+        params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_relaxed_cone(path_80, rt::into(params_95)))
+        rt::into(self.v_search_relaxed_cone(path_81, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_relaxed_cone(
         &self,
-        path_80: Path,
-        params_95: rt::Vec4<f32>,
+        path_81: Path,
+        params_102: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_39: rt::Vec2<f32>;
-        let mut t_42: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_43: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_98: rt::Scalar<bool>;
+        let mut local_99: rt::Scalar<bool>;
         let mut start_2: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
-        let mut next_6: rt::Scalar<f32>;
-        let mut local_99: rt::Scalar<bool>;
+        let mut next_7: rt::Scalar<f32>;
+        let mut local_100: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_80);
+        let _e2 = self.v_grid_of(path_81);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_8 = path_80.duv.length();
-        let _e11 = self.v_path_slope(path_80, rt::Scalar(0f32));
-        let terms_2 = (path_80.h.x().abs() + (rt::Scalar(path_80.exit) * path_80.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_80.level));
-        let far_16 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_80.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_9 = path_81.duv.length();
+        let _e11 = self.v_path_slope(path_81, rt::Scalar(0f32));
+        let terms_2 = (path_81.h.x().abs() + (rt::Scalar(path_81.exit) * path_81.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_81.level));
+        let far_19 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_81.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_39 = _e36;
-        let limit_10 = params_95.x().to_u32();
+        let limit_11 = params_102.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_20.x();
-                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_10)) {
+                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_11)) {
                 } else {
                     break 'naga_break;
                 }
@@ -15220,63 +15748,63 @@ impl<'g> Resources<'g> {
                     cost_20 = (_e51 + STEP);
                     let _e54 = cell_39;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_23 = _e55.x().min(_e55.y()).min(rt::Scalar(path_80.exit));
-                    let _e61 = t_42;
+                    let end_23 = _e55.x().min(_e55.y()).min(rt::Scalar(path_81.exit));
+                    let _e61 = t_43;
                     let span_16 = (end_23 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_39;
                     let _e66 = cell_39;
                     let _e67 = self.v_whole_cell(_e66);
-                    let _e69 = self.v_height_cell(_e67, rt::Scalar(path_80.level));
-                    let _e70 = t_42;
-                    let _e71 = self.v_gap_to(path_80, _e2, _e65, _e69, _e70);
+                    let _e69 = self.v_height_cell(_e67, rt::Scalar(path_81.level));
+                    let _e70 = t_43;
+                    let _e71 = self.v_gap_to(path_81, _e2, _e65, _e69, _e70);
                     let _e72 = cost_20;
                     cost_20 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e78 = near_7;
-                        let _e79 = t_42;
+                        let _e79 = t_43;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_98 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_99 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_98 = rt::Scalar(false);
+                            local_99 = rt::Scalar(false);
                         }
-                        let _e87 = local_98;
+                        let _e87 = local_99;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_7;
-                            let _e89 = t_42;
+                            let _e89 = t_43;
                             let _e90 = near_gap_4;
                             let _e92 = cost_20;
-                            let _e93 = self.v_entered_once(path_80, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_81, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
-                        let _e94 = t_42;
-                        let _e95 = t_42;
+                        let _e94 = t_43;
+                        let _e95 = t_43;
                         let _e98 = cost_20;
                         let _e99 = self.v_found_in_cell(_e71, _e94, span_16, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
-                    let _e100 = t_42;
+                    let _e100 = t_43;
                     start_2 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_95.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_102.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = self.v_falls_in_cell(_e71, span_16);
                         if rt::Scalar::into_branch_condition(_e107) {
-                            let _e108 = t_42;
-                            let _e109 = t_42;
+                            let _e108 = t_43;
+                            let _e109 = t_43;
                             let _e112 = cost_20;
                             let _e113 = self.v_found_in_cell(_e71, _e108, span_16, _e109.elementwise_eq(rt::Scalar(0f32)), _e112);
                             return _e113;
                         }
-                        let _e114 = t_42;
+                        let _e114 = t_43;
                         start_2 = _e114.max(end_23);
                         let _e116 = self.v_quadratic(_e71, span_16);
                         gap = _e116;
                     }
                     let _e117 = start_2;
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_80.exit))) {
-                        let _e121 = t_42;
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_81.exit))) {
+                        let _e121 = t_43;
                         let _e123 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, _e121, rt::Scalar(path_80.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
+                        return <SearchResult>::new(FOUND_MISS, _e121, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
                     }
                     let _e127 = start_2;
                     near_7 = _e127;
@@ -15286,96 +15814,96 @@ impl<'g> Resources<'g> {
                     let _e131 = cell_39;
                     let _e134 = start_2;
                     let _e137 = self.v_nearest_corner(((_e2.origin - _e131) + (_e2.step * _e134)));
-                    let _e139 = self.v_cone_slope(path_80, (_e129 + _e137));
+                    let _e139 = self.v_cone_slope(path_81, (_e129 + _e137));
                     let _e140 = cost_20;
-                    let _e142 = self.v_map_read(path_80, rt::Scalar(1u32));
+                    let _e142 = self.v_map_read(path_81, rt::Scalar(1u32));
                     cost_20 = (_e140 + _e142);
                     let _e144 = start_2;
-                    next_6 = _e144;
+                    next_7 = _e144;
                     if rt::Scalar::into_branch_condition(_e139.elementwise_ge(rt::Scalar(0f32))) {
-                        let nearing_1 = ((_e139 * aside_8) - _e11);
+                        let nearing_1 = ((_e139 * aside_9) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e153 = gap;
-                        let room_1 = (_e153 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e139 * (far_16.x() + far_16.y())))));
-                        next_6 = rt::Scalar(300000000000000000000000000000000000000f32);
+                        let room_1 = (_e153 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e139 * (far_19.x() + far_19.y())))));
+                        next_7 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e165 = start_2;
-                            next_6 = (_e165 + (room_1.max(rt::Scalar(0f32)) / closing_4));
+                            next_7 = (_e165 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_95.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e175 = next_6;
-                        let _e176 = t_42;
-                        local_99 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_80.exit))));
+                    if rt::Scalar::into_branch_condition(params_102.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e175 = next_7;
+                        let _e176 = t_43;
+                        local_100 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_81.exit))));
                     } else {
-                        local_99 = rt::Scalar(false);
+                        local_100 = rt::Scalar(false);
                     }
-                    let _e184 = local_99;
+                    let _e184 = local_100;
                     if rt::Scalar::into_branch_condition(_e184) {
-                        let _e186 = t_42;
+                        let _e186 = t_43;
                         let _e188 = gap;
                         let _e189 = cost_20;
-                        return <SearchResult>::new(FOUND_ABOVE, _e186, rt::Scalar(path_80.exit), _e188, rt::Scalar(0f32), _e189);
+                        return <SearchResult>::new(FOUND_ABOVE, _e186, rt::Scalar(path_81.exit), _e188, rt::Scalar(0f32), _e189);
                     }
-                    let _e192 = next_6;
-                    if rt::Scalar::into_branch_condition(_e192.elementwise_ge(rt::Scalar(path_80.exit))) {
-                        let _e196 = self.v_path_gap(path_80, rt::Scalar(path_80.exit));
+                    let _e192 = next_7;
+                    if rt::Scalar::into_branch_condition(_e192.elementwise_ge(rt::Scalar(path_81.exit))) {
+                        let _e196 = self.v_path_gap(path_81, rt::Scalar(path_81.exit));
                         let _e197 = cost_20;
                         cost_20 = (_e197 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e196.elementwise_le(rt::Scalar(0f32))) {
                             let _e202 = start_2;
                             let _e204 = gap;
                             let _e205 = cost_20;
-                            let _e206 = self.v_entered_once(path_80, _e2, _e202, rt::Scalar(path_80.exit), _e204, _e196, _e205);
+                            let _e206 = self.v_entered_once(path_81, _e2, _e202, rt::Scalar(path_81.exit), _e204, _e196, _e205);
                             return _e206;
                         }
                         let _e208 = start_2;
                         let _e210 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, _e208, rt::Scalar(path_80.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
+                        return <SearchResult>::new(FOUND_MISS, _e208, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
                     }
                     let _e214 = cell_39;
-                    let _e215 = next_6;
+                    let _e215 = next_7;
                     let _e216 = self.v_cell_after(_e2, _e214, _e55, forward_7, _e215);
                     cell_39 = _e216;
-                    let _e217 = next_6;
-                    t_42 = _e217;
+                    let _e217 = next_7;
+                    t_43 = _e217;
                 }
             }
         }
-        let _e219 = t_42;
+        let _e219 = t_43;
         let _e221 = cost_20;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e219, rt::Scalar(path_80.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e221);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e219, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e221);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_81: Path,
-        params_96: impl rt::Into<rt::Vec4<f32>>,
+        path_82: Path,
+        params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_relaxed_cone_resting(path_81, rt::into(params_96)))
+        rt::into(self.v_search_relaxed_cone_resting(path_82, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_relaxed_cone_resting(
         &self,
-        path_81: Path,
-        params_96: rt::Vec4<f32>,
+        path_82: Path,
+        params_103: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_40: rt::Vec2<f32>;
-        let mut t_43: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_44: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_8: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_21: rt::Vec3<u32> = NO_COST;
-        let mut local_100: rt::Scalar<bool>;
-        let mut next_7: rt::Scalar<f32>;
+        let mut local_101: rt::Scalar<bool>;
+        let mut next_8: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_81);
+        let _e2 = self.v_grid_of(path_82);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_40 = _e9;
-        let limit_11 = params_96.x().to_u32();
+        let limit_12 = params_103.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_21.x();
-                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_11)) {
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_12)) {
                 } else {
                     break 'naga_break;
                 }
@@ -15384,55 +15912,55 @@ impl<'g> Resources<'g> {
                     cost_21 = (_e24 + STEP);
                     let _e27 = cell_40;
                     let _e28 = self.v_whole_cell(_e27);
-                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_81.level));
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_82.level));
                     let _e31 = cost_21;
                     cost_21 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_40;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_24 = _e35.x().min(_e35.y()).min(rt::Scalar(path_81.exit));
-                    let _e41 = t_43;
+                    let end_24 = _e35.x().min(_e35.y()).min(rt::Scalar(path_82.exit));
+                    let _e41 = t_44;
                     let span_17 = (end_24 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_40;
-                    let _e46 = t_43;
-                    let _e47 = self.v_gap_to(path_81, _e2, _e45, _e30, _e46);
+                    let _e46 = t_44;
+                    let _e47 = self.v_gap_to(path_82, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_8;
-                        let _e52 = t_43;
+                        let _e52 = t_44;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_100 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_101 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_100 = rt::Scalar(false);
+                            local_101 = rt::Scalar(false);
                         }
-                        let _e60 = local_100;
+                        let _e60 = local_101;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_8;
-                            let _e62 = t_43;
+                            let _e62 = t_44;
                             let _e63 = near_gap_5;
                             let _e65 = cost_21;
-                            let _e66 = self.v_entered_once(path_81, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_82, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
-                        let _e67 = t_43;
-                        let _e68 = t_43;
+                        let _e67 = t_44;
+                        let _e68 = t_44;
                         let _e71 = cost_21;
                         let _e72 = self.v_found_in_cell(_e47, _e67, span_17, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
                     let _e73 = self.v_falls_in_cell(_e47, span_17);
                     if rt::Scalar::into_branch_condition(_e73) {
-                        let _e74 = t_43;
-                        let _e75 = t_43;
+                        let _e74 = t_44;
+                        let _e75 = t_44;
                         let _e78 = cost_21;
                         let _e79 = self.v_found_in_cell(_e47, _e74, span_17, _e75.elementwise_eq(rt::Scalar(0f32)), _e78);
                         return _e79;
                     }
-                    let _e80 = t_43;
+                    let _e80 = t_44;
                     let start_8 = _e80.max(end_24);
-                    if rt::Scalar::into_branch_condition(start_8.elementwise_ge(rt::Scalar(path_81.exit))) {
-                        let _e85 = t_43;
+                    if rt::Scalar::into_branch_condition(start_8.elementwise_ge(rt::Scalar(path_82.exit))) {
+                        let _e85 = t_44;
                         let _e87 = cost_21;
-                        return <SearchResult>::new(FOUND_MISS, _e85, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
+                        return <SearchResult>::new(FOUND_MISS, _e85, rt::Scalar(path_82.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
                     }
                     near_8 = start_8;
                     let _e91 = self.v_quadratic(_e47, span_17);
@@ -15440,161 +15968,161 @@ impl<'g> Resources<'g> {
                     let _e93 = cell_40;
                     let _e98 = self.v_nearest_corner(((_e2.origin - _e93) + (_e2.step * start_8)));
                     let _e99 = self.v_corner_height(_e30, _e98);
-                    next_7 = start_8;
-                    let _e101 = self.v_path_height(path_81, start_8);
+                    next_8 = start_8;
+                    let _e101 = self.v_path_height(path_82, start_8);
                     if rt::Scalar::into_branch_condition(_e101.elementwise_gt(_e99)) {
                         let _e103 = cell_40;
                         let texel_10 = (_e103 + _e98);
-                        let _e105 = self.v_cone_slope(path_81, texel_10);
+                        let _e105 = self.v_cone_slope(path_82, texel_10);
                         let _e106 = cost_21;
-                        let _e108 = self.v_map_read(path_81, rt::Scalar(1u32));
+                        let _e108 = self.v_map_read(path_82, rt::Scalar(1u32));
                         cost_21 = (_e106 + _e108);
                         if rt::Scalar::into_branch_condition(_e105.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e112 = self.v_stays_inside(path_81, _e2, texel_10, _e99, _e105, start_8);
-                            next_7 = (start_8 + _e112);
+                            let _e112 = self.v_stays_inside(path_82, _e2, texel_10, _e99, _e105, start_8);
+                            next_8 = (start_8 + _e112);
                         }
                     }
-                    let _e114 = next_7;
-                    if rt::Scalar::into_branch_condition(_e114.elementwise_ge(rt::Scalar(path_81.exit))) {
-                        let _e118 = self.v_path_gap(path_81, rt::Scalar(path_81.exit));
+                    let _e114 = next_8;
+                    if rt::Scalar::into_branch_condition(_e114.elementwise_ge(rt::Scalar(path_82.exit))) {
+                        let _e118 = self.v_path_gap(path_82, rt::Scalar(path_82.exit));
                         let _e119 = cost_21;
                         cost_21 = (_e119 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e118.elementwise_le(rt::Scalar(0f32))) {
                             let _e125 = near_gap_5;
                             let _e126 = cost_21;
-                            let _e127 = self.v_entered_once(path_81, _e2, start_8, rt::Scalar(path_81.exit), _e125, _e118, _e126);
+                            let _e127 = self.v_entered_once(path_82, _e2, start_8, rt::Scalar(path_82.exit), _e125, _e118, _e126);
                             return _e127;
                         }
                         let _e130 = cost_21;
-                        return <SearchResult>::new(FOUND_MISS, start_8, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <SearchResult>::new(FOUND_MISS, start_8, rt::Scalar(path_82.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
                     let _e134 = cell_40;
-                    let _e135 = next_7;
+                    let _e135 = next_8;
                     let _e136 = self.v_cell_after(_e2, _e134, _e35, forward_8, _e135);
                     cell_40 = _e136;
-                    let _e137 = next_7;
-                    t_43 = _e137;
+                    let _e137 = next_8;
+                    t_44 = _e137;
                 }
             }
         }
-        let _e139 = t_43;
+        let _e139 = t_44;
         let _e141 = cost_21;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e139, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e141);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e139, rt::Scalar(path_82.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e141);
     }
     pub(crate) fn search_voxels(
         &self,
-        path_82: Path,
-        params_97: impl rt::Into<rt::Vec4<f32>>,
+        path_83: Path,
+        params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_voxels(path_82, rt::into(params_97)))
+        rt::into(self.v_search_voxels(path_83, rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_voxels(
         &self,
-        path_82: Path,
-        params_97: rt::Vec4<f32>,
+        path_83: Path,
+        params_104: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut has_turned_4: rt::Scalar<bool> = rt::Scalar(false);
-        let mut t_44: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_45: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cell_41: rt::Vec3<f32>;
         let mut cost_22: rt::Vec3<u32> = NO_COST;
-        let mut local_101: rt::Scalar<bool>;
+        let mut local_102: rt::Scalar<bool>;
 
-        let _e2 = self.v_voxel_path(path_82);
+        let _e2 = self.v_voxel_path(path_83);
         let _e3 = self.v_turning_point(_e2);
-        let _e8 = t_44;
+        let _e8 = t_45;
         let _e9 = self.v_voxel_place_on(_e2, _e8);
         cell_41 = _e9.floor();
-        let limit_12 = params_97.x().to_u32();
+        let limit_13 = params_104.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = cost_22.y();
-                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_12)) {
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e19 = cell_41;
                     let _e21 = self.v_voxel_texel(_e19.to_i32());
-                    let _e24 = self.v_search_texel(path_82, _e21, rt::Scalar(0i32), rt::Scalar(0i32));
+                    let _e24 = self.v_search_texel(path_83, _e21, rt::Scalar(0i32), rt::Scalar(0i32));
                     let empty_1 = _e24.x();
                     let _e26 = cost_22;
-                    let _e30 = self.v_map_read(path_82, rt::Scalar(1u32));
+                    let _e30 = self.v_map_read(path_83, rt::Scalar(1u32));
                     cost_22 = ((_e26 + STEP) + _e30);
-                    let reach_6 = (empty_1 - rt::Scalar(1f32)).max(rt::Scalar(0f32));
+                    let reach_7 = (empty_1 - rt::Scalar(1f32)).max(rt::Scalar(0f32));
                     let _e39 = has_turned_4;
-                    let end_of_part_1 = _e3.min(rt::Scalar(path_82.exit)).select(rt::Scalar(path_82.exit), _e39);
+                    let end_of_part_1 = _e3.min(rt::Scalar(path_83.exit)).select(rt::Scalar(path_83.exit), _e39);
                     let _e41 = cell_41;
                     let _e42 = has_turned_4;
-                    let _e43 = self.v_voxel_leave(_e2, _e41, reach_6, _e42);
-                    let side_11 = _e43.x().min(_e43.y()).min(_e43.z());
-                    let _e50 = t_44;
-                    let end_25 = side_11.min(end_of_part_1).max(_e50);
+                    let _e43 = self.v_voxel_leave(_e2, _e41, reach_7, _e42);
+                    let side_12 = _e43.x().min(_e43.y()).min(_e43.z());
+                    let _e50 = t_45;
+                    let end_25 = side_12.min(end_of_part_1).max(_e50);
                     if rt::Scalar::into_branch_condition(empty_1.elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e54 = cost_22;
                         cost_22 = (_e54 + VOXELS_READ);
                         let _e57 = cell_41;
-                        let _e58 = t_44;
-                        let _e59 = t_44;
+                        let _e58 = t_45;
+                        let _e59 = t_45;
                         let _e61 = self.v_root_in_voxel_cell(_e2, _e57, _e58, (end_25 - _e59));
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e61.root).elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e61.gap).elementwise_lt(rt::Scalar(0f32))) {
-                                let _e70 = t_44;
-                                local_101 = _e70.elementwise_eq(rt::Scalar(0f32));
+                                let _e70 = t_45;
+                                local_102 = _e70.elementwise_eq(rt::Scalar(0f32));
                             } else {
-                                local_101 = rt::Scalar(false);
+                                local_102 = rt::Scalar(false);
                             }
-                            let begins_inside = local_101;
+                            let begins_inside = local_102;
                             let status = FOUND_BRACKET.select(FOUND_STARTED_BELOW, begins_inside);
-                            let _e78 = t_44;
-                            let _e80 = t_44;
-                            let far_17 = (_e78 + (rt::Scalar(_e61.root) * (end_25 - _e80)));
-                            let _e84 = t_44;
+                            let _e78 = t_45;
+                            let _e80 = t_45;
+                            let far_20 = (_e78 + (rt::Scalar(_e61.root) * (end_25 - _e80)));
+                            let _e84 = t_45;
                             let _e89 = cost_22;
-                            return <SearchResult>::new(status, _e84, far_17, rt::Scalar(_e61.gap), rt::Scalar(_e61.gap).min(rt::Scalar(0f32)), _e89);
+                            return <SearchResult>::new(status, _e84, far_20, rt::Scalar(_e61.gap), rt::Scalar(_e61.gap).min(rt::Scalar(0f32)), _e89);
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_25.elementwise_ge(rt::Scalar(path_82.exit))) {
+                    if rt::Scalar::into_branch_condition(end_25.elementwise_ge(rt::Scalar(path_83.exit))) {
                         let _e94 = cost_22;
                         return <SearchResult>::new(FOUND_MISS, end_25, end_25, rt::Scalar(1f32), rt::Scalar(1f32), _e94);
                     }
-                    if rt::Scalar::into_branch_condition(side_11.elementwise_gt(end_of_part_1)) {
+                    if rt::Scalar::into_branch_condition(side_12.elementwise_gt(end_of_part_1)) {
                         has_turned_4 = rt::Scalar(true);
                         let _e100 = cell_41;
-                        let _e101 = self.v_voxel_cell_at(_e2, _e100, reach_6, end_25);
+                        let _e101 = self.v_voxel_cell_at(_e2, _e100, reach_7, end_25);
                         cell_41 = _e101;
                     } else {
                         let _e102 = cell_41;
                         let _e103 = has_turned_4;
                         let _e104 = self.v_rises_on(_e2, _e103);
-                        let _e105 = self.v_next_voxel_cell(_e2, _e102, reach_6, _e43, _e104, end_25);
+                        let _e105 = self.v_next_voxel_cell(_e2, _e102, reach_7, _e43, _e104, end_25);
                         cell_41 = _e105;
                     }
-                    t_44 = end_25;
+                    t_45 = end_25;
                 }
             }
         }
-        let _e107 = t_44;
-        let _e108 = t_44;
+        let _e107 = t_45;
+        let _e108 = t_45;
         let _e109 = cost_22;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e107, _e108, rt::Scalar(1f32), rt::Scalar(1f32), _e109);
     }
     pub(crate) fn way_to_solid(
         &self,
-        path_83: Path,
-        place_24: impl rt::Into<rt::Vec3<f32>>,
+        path_84: Path,
+        place_31: impl rt::Into<rt::Vec3<f32>>,
         direction_5: impl rt::Into<rt::Vec3<f32>>,
-        params_98: impl rt::Into<rt::Vec4<f32>>,
+        params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> WayToSolid {
-        rt::into(self.v_way_to_solid(path_83, rt::into(place_24), rt::into(direction_5), rt::into(params_98)))
+        rt::into(self.v_way_to_solid(path_84, rt::into(place_31), rt::into(direction_5), rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_way_to_solid(
         &self,
-        path_83: Path,
-        place_24: rt::Vec3<f32>,
+        path_84: Path,
+        place_31: rt::Vec3<f32>,
         direction_5: rt::Vec3<f32>,
-        params_98: rt::Vec4<f32>,
+        params_105: rt::Vec4<f32>,
     ) -> WayToSolid {
         let mut sum_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut weights_4: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15602,20 +16130,20 @@ impl<'g> Resources<'g> {
 
         let _e4 = self.v_volume_size();
         let last_16 = (_e4.z() - rt::Scalar(1f32));
-        let inside_7 = <rt::Vec3<f32>>::new_21(place_24.xy(), place_24.z().clamp(rt::Scalar(0f32), last_16));
-        let first_26 = inside_7.floor();
-        let part_29 = (inside_7 - first_26);
+        let inside_7 = <rt::Vec3<f32>>::new_21(place_31.xy(), place_31.z().clamp(rt::Scalar(0f32), last_16));
+        let first_29 = inside_7.floor();
+        let part_30 = (inside_7 - first_29);
         let _e15 = self.v_volume_size();
-        let size_5 = _e15.xy().to_i32();
-        let cell_45 = first_26.to_i32();
-        let _e21 = self.v_wrap_pair(cell_45.x(), size_5.x());
-        let _e24 = self.v_wrap_pair(cell_45.y(), size_5.y());
-        let elevation_4 = ((rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * direction_5.z())) * (params_98.z() - rt::Scalar(1f32))).clamp(rt::Scalar(0f32), (params_98.z() - rt::Scalar(1f32)));
-        let below_8 = elevation_4.floor().min((params_98.z() - rt::Scalar(2f32)));
+        let size_6 = _e15.xy().to_i32();
+        let cell_45 = first_29.to_i32();
+        let _e21 = self.v_wrap_pair(cell_45.x(), size_6.x());
+        let _e24 = self.v_wrap_pair(cell_45.y(), size_6.y());
+        let elevation_4 = ((rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * direction_5.z())) * (params_105.z() - rt::Scalar(1f32))).clamp(rt::Scalar(0f32), (params_105.z() - rt::Scalar(1f32)));
+        let below_8 = elevation_4.floor().min((params_105.z() - rt::Scalar(2f32)));
         let _e45 = self.v_turn_of(direction_5.xy());
-        let turn_8 = (_e45 * params_98.y());
-        let before_11 = turn_8.floor();
-        let most_18 = (params_98.w() * rt::Scalar(0.998f32));
+        let turn_8 = (_e45 * params_105.y());
+        let before_13 = turn_8.floor();
+        let most_18 = (params_105.w() * rt::Scalar(0.998f32));
         'naga_break: loop {
             'naga_continue: {
                 let _e58 = k_31;
@@ -15630,29 +16158,29 @@ impl<'g> Resources<'g> {
                     let is_above = (_e66 & rt::Scalar(2u32)).elementwise_eq(rt::Scalar(2u32));
                     let _e71 = k_31;
                     let is_upper = (_e71 & rt::Scalar(4u32)).elementwise_eq(rt::Scalar(4u32));
-                    let behind_4 = (before_11 + rt::Scalar(1f32)).select(rt::Scalar(0f32), (before_11 + rt::Scalar(1f32)).elementwise_ge(params_98.y()));
-                    let azimuth_5 = before_11.select(behind_4, is_next);
-                    let layer_14 = (((azimuth_5 * params_98.z()) + below_8) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_above)).to_i32();
-                    let of_azimuth = (rt::Scalar(1f32) - (turn_8 - before_11)).select((turn_8 - before_11), is_next);
+                    let behind_4 = (before_13 + rt::Scalar(1f32)).select(rt::Scalar(0f32), (before_13 + rt::Scalar(1f32)).elementwise_ge(params_105.y()));
+                    let azimuth_5 = before_13.select(behind_4, is_next);
+                    let layer_14 = (((azimuth_5 * params_105.z()) + below_8) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_above)).to_i32();
+                    let of_azimuth = (rt::Scalar(1f32) - (turn_8 - before_13)).select((turn_8 - before_13), is_next);
                     let of_elevation = (rt::Scalar(1f32) - (elevation_4 - below_8)).select((elevation_4 - below_8), is_above);
-                    let of_slice = (rt::Scalar(1f32) - part_29.z()).select(part_29.z(), is_upper);
+                    let of_slice = (rt::Scalar(1f32) - part_30.z()).select(part_30.z(), is_upper);
                     let weight_2 = ((of_azimuth * of_elevation) * of_slice);
                     let _e115 = self.v_slice_begin((cell_45.z() + rt::Scalar(0i32).select(rt::Scalar(1i32), is_upper)));
-                    let _e121 = self.v_search_texel(path_83, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.x())), layer_14, rt::Scalar(0i32));
-                    let _e128 = self.v_search_texel(path_83, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.x())), layer_14, rt::Scalar(0i32));
-                    let _e135 = self.v_search_texel(path_83, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.y())), layer_14, rt::Scalar(0i32));
-                    let _e142 = self.v_search_texel(path_83, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.y())), layer_14, rt::Scalar(0i32));
+                    let _e121 = self.v_search_texel(path_84, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.x())), layer_14, rt::Scalar(0i32));
+                    let _e128 = self.v_search_texel(path_84, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.x())), layer_14, rt::Scalar(0i32));
+                    let _e135 = self.v_search_texel(path_84, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.y())), layer_14, rt::Scalar(0i32));
+                    let _e142 = self.v_search_texel(path_84, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.y())), layer_14, rt::Scalar(0i32));
                     let ways = <rt::Vec4<f32>>::from_scalars(_e121.x(), _e128.x(), _e135.x(), _e142.x());
-                    let beside_7 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) - part_29.x()), part_29.x());
-                    let corners_5 = (<rt::Vec4<f32>>::new_22((beside_7 * (rt::Scalar(1f32) - part_29.y())), (beside_7 * part_29.y())) * weight_2);
-                    let limit_13 = <rt::Vec4<f32>>::from_scalars(most_18, most_18, most_18, most_18);
+                    let beside_7 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) - part_30.x()), part_30.x());
+                    let corners_5 = (<rt::Vec4<f32>>::new_22((beside_7 * (rt::Scalar(1f32) - part_30.y())), (beside_7 * part_30.y())) * weight_2);
+                    let limit_14 = <rt::Vec4<f32>>::from_scalars(most_18, most_18, most_18, most_18);
                     let none_3 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let solid = none_3.select(corners_5, ways.elementwise_lt(limit_13));
-                    let way_27 = (solid * ways);
+                    let solid = none_3.select(corners_5, ways.elementwise_lt(limit_14));
+                    let way_28 = (solid * ways);
                     let _e167 = weights_4;
                     weights_4 = (_e167 + ((solid.x() + solid.y()) + (solid.z() + solid.w())));
                     let _e176 = sum_4;
-                    sum_4 = (_e176 + ((way_27.x() + way_27.y()) + (way_27.z() + way_27.w())));
+                    sum_4 = (_e176 + ((way_28.x() + way_28.y()) + (way_28.z() + way_28.w())));
                     let _e185 = k_31;
                     k_31 = (_e185 + rt::Scalar(1u32));
                 }
@@ -15664,89 +16192,89 @@ impl<'g> Resources<'g> {
             let _e193 = weights_4;
             return <WayToSolid>::new(rt::Scalar(1u32), (_e192 / _e193));
         }
-        return <WayToSolid>::new(rt::Scalar(0u32), params_98.w());
+        return <WayToSolid>::new(rt::Scalar(0u32), params_105.w());
     }
     pub(crate) fn search_generalised(
         &self,
-        path_84: Path,
-        params_99: impl rt::Into<rt::Vec4<f32>>,
+        path_85: Path,
+        params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_generalised(path_84, rt::into(params_99)))
+        rt::into(self.v_search_generalised(path_85, rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_generalised(
         &self,
-        path_84: Path,
-        params_99: rt::Vec4<f32>,
+        path_85: Path,
+        params_106: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut t_45: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_46: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_23: rt::Vec3<u32> = VOXELS_READ;
         let mut looked: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e2 = self.v_voxel_path(path_84);
-        let _e7 = t_45;
+        let _e2 = self.v_voxel_path(path_85);
+        let _e7 = t_46;
         let _e8 = self.v_voxel_place_on(_e2, _e7);
         let _e9 = self.v_field_at_voxel(_e8);
         if rt::Scalar::into_branch_condition(_e9.elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e13 = t_45;
-            let _e14 = t_45;
+            let _e13 = t_46;
+            let _e14 = t_46;
             let _e15 = cost_23;
             return <SearchResult>::new(FOUND_STARTED_BELOW, _e13, _e14, rt::Scalar(0f32), rt::Scalar(0f32), _e15);
         }
         let _e19 = self.v_volume_size();
         let last_17 = (_e19.z() - rt::Scalar(1f32));
-        let limit_14 = params_99.x().to_u32();
+        let limit_15 = params_106.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = looked;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(limit_14)) {
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(limit_15)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e33 = t_45;
+                    let _e33 = t_46;
                     let toward_10 = (_e2.step + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), ((rt::Scalar(2f32) * rt::Scalar(_e2.bend)) * _e33)));
                     let speed_3 = toward_10.length();
                     let direction_10 = (toward_10 / rt::Vec3::splat_from_scalar(speed_3));
-                    let _e42 = t_45;
+                    let _e42 = t_46;
                     let _e43 = self.v_voxel_place_on(_e2, _e42);
-                    let beyond_7 = (_e43.z() - _e43.z().clamp(rt::Scalar(0f32), last_17));
-                    let is_inward = (beyond_7 * direction_10.z()).elementwise_lt(rt::Scalar(0f32));
-                    let before_12 = rt::Scalar(0f32).select((beyond_7 / direction_10.z()).abs(), is_inward);
-                    let _e60 = self.v_way_to_solid(path_84, (_e43 + (direction_10 * before_12)), direction_10, params_99);
+                    let beyond_8 = (_e43.z() - _e43.z().clamp(rt::Scalar(0f32), last_17));
+                    let is_inward = (beyond_8 * direction_10.z()).elementwise_lt(rt::Scalar(0f32));
+                    let before_14 = rt::Scalar(0f32).select((beyond_8 / direction_10.z()).abs(), is_inward);
+                    let _e60 = self.v_way_to_solid(path_85, (_e43 + (direction_10 * before_14)), direction_10, params_106);
                     let _e61 = cost_23;
-                    let _e65 = self.v_map_read(path_84, rt::Scalar(32u32));
+                    let _e65 = self.v_map_read(path_85, rt::Scalar(32u32));
                     cost_23 = ((_e61 + STEP) + _e65);
                     let _e67 = looked;
                     looked = (_e67 + rt::Scalar(1u32));
-                    let _e70 = t_45;
-                    let far_18 = (_e70 + ((before_12 + rt::Scalar(_e60.way)) / speed_3));
-                    if rt::Scalar::into_branch_condition((!far_18.elementwise_lt(rt::Scalar(path_84.exit)))) {
+                    let _e70 = t_46;
+                    let far_21 = (_e70 + ((before_14 + rt::Scalar(_e60.way)) / speed_3));
+                    if rt::Scalar::into_branch_condition((!far_21.elementwise_lt(rt::Scalar(path_85.exit)))) {
                         let _e81 = cost_23;
-                        return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_84.exit), rt::Scalar(path_84.exit), rt::Scalar(1f32), rt::Scalar(1f32), _e81);
+                        return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_85.exit), rt::Scalar(path_85.exit), rt::Scalar(1f32), rt::Scalar(1f32), _e81);
                     }
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e60.is_solid).elementwise_eq(rt::Scalar(1u32))) {
-                        let _e92 = t_45;
+                        let _e92 = t_46;
                         let _e95 = cost_23;
-                        return <SearchResult>::new(FOUND_ABOVE, (far_18 - (rt::Scalar(0.5f32) / speed_3)).max(_e92), rt::Scalar(path_84.exit), rt::Scalar(0f32), rt::Scalar(1f32), _e95);
+                        return <SearchResult>::new(FOUND_ABOVE, (far_21 - (rt::Scalar(0.5f32) / speed_3)).max(_e92), rt::Scalar(path_85.exit), rt::Scalar(0f32), rt::Scalar(1f32), _e95);
                     }
-                    t_45 = far_18;
+                    t_46 = far_21;
                 }
             }
         }
-        let _e100 = t_45;
-        let _e101 = t_45;
+        let _e100 = t_46;
+        let _e101 = t_46;
         let _e102 = cost_23;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e100, _e101, rt::Scalar(1f32), rt::Scalar(1f32), _e102);
     }
-    pub(crate) fn upright(&self, uv_31: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_upright(rt::into(uv_31)))
+    pub(crate) fn upright(&self, uv_32: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_upright(rt::into(uv_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_upright(&self, uv_31: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        let tile_2 = uv_31.floor();
-        let is_odd = (tile_2 - (rt::Scalar(2f32) * (tile_2 * rt::Scalar(0.5f32)).floor())).elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+    pub(super) fn v_upright(&self, uv_32: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        let tile_3 = uv_32.floor();
+        let is_odd = (tile_3 - (rt::Scalar(2f32) * (tile_3 * rt::Scalar(0.5f32)).floor())).elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_ne(WRAP_MIRROR)) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32));
@@ -15755,35 +16283,35 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn path_axes(
         &self,
-        path_85: Path,
+        path_86: Path,
         depth_9: impl rt::Into<rt::Scalar<f32>>,
     ) -> PathAxes {
-        rt::into(self.v_path_axes(path_85, rt::into(depth_9)))
+        rt::into(self.v_path_axes(path_86, rt::into(depth_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_path_axes(
         &self,
-        path_85: Path,
+        path_86: Path,
         depth_9: rt::Scalar<f32>,
     ) -> PathAxes {
         let mut start_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut fall: rt::Scalar<f32>;
         let mut way_21: rt::Scalar<f32>;
-        let mut local_102: rt::Scalar<bool>;
         let mut local_103: rt::Scalar<bool>;
+        let mut local_104: rt::Scalar<bool>;
 
-        let below_9 = (path_85.h.x() - rt::Scalar(1f32));
-        fall = (rt::Scalar(0f32) - path_85.h.y());
+        let below_9 = (path_86.h.x() - rt::Scalar(1f32));
+        fall = (rt::Scalar(0f32) - path_86.h.y());
         if rt::Scalar::into_branch_condition(below_9.elementwise_lt(rt::Scalar(0f32))) {
-            let discriminant_6 = ((path_85.h.y() * path_85.h.y()) - ((rt::Scalar(4f32) * path_85.h.z()) * below_9));
+            let discriminant_6 = ((path_86.h.y() * path_86.h.y()) - ((rt::Scalar(4f32) * path_86.h.z()) * below_9));
             fall = discriminant_6.max(rt::Scalar(0f32)).sqrt();
             let _e31 = fall;
-            start_3 = ((rt::Scalar(2f32) * below_9) / (_e31 - path_85.h.y()));
+            start_3 = ((rt::Scalar(2f32) * below_9) / (_e31 - path_86.h.y()));
         }
         let _e38 = fall;
         let _e39 = fall;
-        let bend_11 = (path_85.h.z() / (_e38 * _e39));
-        let speed_4 = path_85.duv.length();
+        let bend_11 = (path_86.h.z() / (_e38 * _e39));
+        let speed_4 = path_86.duv.length();
         way_21 = (rt::Scalar(1f32) / bend_11);
         if rt::Scalar::into_branch_condition(bend_11.elementwise_lt(rt::Scalar(0.25f32))) {
             way_21 = (rt::Scalar(2f32) / (rt::Scalar(1f32) + (rt::Scalar(1f32) - (rt::Scalar(4f32) * bend_11)).sqrt()));
@@ -15793,21 +16321,21 @@ impl<'g> Resources<'g> {
         let whole_3 = (_e58 / _e59);
         let _e61 = fall;
         if rt::Scalar::into_branch_condition(_e61.elementwise_gt(rt::Scalar(0f32))) {
-            local_102 = whole_3.elementwise_gt(rt::Scalar(0f32));
-        } else {
-            local_102 = rt::Scalar(false);
-        }
-        let _e69 = local_102;
-        if rt::Scalar::into_branch_condition(_e69) {
-            let _e72 = start_3;
-            local_103 = _e72.elementwise_ge((whole_3 * rt::Scalar(-1.001f32)));
+            local_103 = whole_3.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_103 = rt::Scalar(false);
         }
-        let comes_in = local_103;
+        let _e69 = local_103;
+        if rt::Scalar::into_branch_condition(_e69) {
+            let _e72 = start_3;
+            local_104 = _e72.elementwise_ge((whole_3 * rt::Scalar(-1.001f32)));
+        } else {
+            local_104 = rt::Scalar(false);
+        }
+        let comes_in = local_104;
         let _e84 = start_3;
-        let _e87 = self.v_upright((path_85.uv + (path_85.duv * _e84)));
-        let _e89 = self.v_turn_of((path_85.duv * _e87));
+        let _e87 = self.v_upright((path_86.uv + (path_86.duv * _e84)));
+        let _e89 = self.v_turn_of((path_86.duv * _e87));
         let _e90 = fall;
         let _e102 = start_3;
         let _e103 = fall;
@@ -15833,72 +16361,72 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ways_of_texel(
         &self,
-        path_86: Path,
+        path_87: Path,
         texel_5: impl rt::Into<rt::Vec2<i32>>,
         layer_9: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_ways_of_texel(path_86, rt::into(texel_5), rt::into(layer_9)))
+        rt::into(self.v_ways_of_texel(path_87, rt::into(texel_5), rt::into(layer_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ways_of_texel(
         &self,
-        path_86: Path,
+        path_87: Path,
         texel_5: rt::Vec2<i32>,
         layer_9: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let level_62 = rt::Scalar(path_86.level).to_i32();
-        let _e5 = self.v_search_texel(path_86, texel_5, layer_9, level_62);
+        let level_65 = rt::Scalar(path_87.level).to_i32();
+        let _e5 = self.v_search_texel(path_87, texel_5, layer_9, level_65);
         let below_10 = _e5.x();
-        let _e9 = self.v_search_texel(path_86, texel_5, (layer_9 + rt::Scalar(1i32)), level_62);
-        let above_10 = _e9.x();
+        let _e9 = self.v_search_texel(path_87, texel_5, (layer_9 + rt::Scalar(1i32)), level_65);
+        let above_11 = _e9.x();
         let is_below = below_10.elementwise_lt(rt::Scalar(0.998f32));
-        let is_above_1 = above_10.elementwise_lt(rt::Scalar(0.998f32));
-        return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(below_10, is_below), rt::Scalar(0f32).select(rt::Scalar(1f32), is_below), rt::Scalar(0f32).select(above_10, is_above_1), rt::Scalar(0f32).select(rt::Scalar(1f32), is_above_1));
+        let is_above_1 = above_11.elementwise_lt(rt::Scalar(0.998f32));
+        return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(below_10, is_below), rt::Scalar(0f32).select(rt::Scalar(1f32), is_below), rt::Scalar(0f32).select(above_11, is_above_1), rt::Scalar(0f32).select(rt::Scalar(1f32), is_above_1));
     }
     pub(crate) fn ways_of_bend(
         &self,
-        path_87: Path,
+        path_88: Path,
         around: Around,
         layer_10: impl rt::Into<rt::Scalar<i32>>,
         bend_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_ways_of_bend(path_87, around, rt::into(layer_10), rt::into(bend_4)))
+        rt::into(self.v_ways_of_bend(path_88, around, rt::into(layer_10), rt::into(bend_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ways_of_bend(
         &self,
-        path_87: Path,
+        path_88: Path,
         around: Around,
         layer_10: rt::Scalar<i32>,
         bend_4: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let _e5 = self.v_height_texels(rt::Scalar(path_87.level));
+        let _e5 = self.v_height_texels(rt::Scalar(path_88.level));
         let rows_16 = _e5.y();
         let _e9 = self.v_row_of_bend(around.rows.x(), bend_4, rows_16);
         let _e12 = self.v_row_of_bend(around.rows.y(), bend_4, rows_16);
-        let _e16 = self.v_ways_of_texel(path_87, <rt::Vec2<i32>>::from_scalars(around.columns.x(), _e9), layer_10);
-        let _e20 = self.v_ways_of_texel(path_87, <rt::Vec2<i32>>::from_scalars(around.columns.y(), _e9), layer_10);
-        let _e24 = self.v_ways_of_texel(path_87, <rt::Vec2<i32>>::from_scalars(around.columns.x(), _e12), layer_10);
-        let _e28 = self.v_ways_of_texel(path_87, <rt::Vec2<i32>>::from_scalars(around.columns.y(), _e12), layer_10);
+        let _e16 = self.v_ways_of_texel(path_88, <rt::Vec2<i32>>::from_scalars(around.columns.x(), _e9), layer_10);
+        let _e20 = self.v_ways_of_texel(path_88, <rt::Vec2<i32>>::from_scalars(around.columns.y(), _e9), layer_10);
+        let _e24 = self.v_ways_of_texel(path_88, <rt::Vec2<i32>>::from_scalars(around.columns.x(), _e12), layer_10);
+        let _e28 = self.v_ways_of_texel(path_88, <rt::Vec2<i32>>::from_scalars(around.columns.y(), _e12), layer_10);
         let _e30 = self.v_bilinear(_e16, _e20, _e24, _e28, around.part);
         return _e30;
     }
     pub(crate) fn looked_up(
         &self,
-        path_88: Path,
+        path_89: Path,
         axes: PathAxes,
-        params_100: impl rt::Into<rt::Vec4<f32>>,
+        params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> LookedUp {
-        rt::into(self.v_looked_up(path_88, axes, rt::into(params_100)))
+        rt::into(self.v_looked_up(path_89, axes, rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_looked_up(
         &self,
-        path_88: Path,
+        path_89: Path,
         axes: PathAxes,
-        params_100: rt::Vec4<f32>,
+        params_107: rt::Vec4<f32>,
     ) -> LookedUp {
         let mut first_4: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let mut low_2: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
@@ -15906,16 +16434,16 @@ impl<'g> Resources<'g> {
         let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut azimuth_2: rt::Scalar<f32>;
 
-        let _e4 = self.v_path_uv(path_88, rt::Scalar(axes.start));
-        let _e6 = self.v_height_texels(rt::Scalar(path_88.level));
+        let _e4 = self.v_path_uv(path_89, rt::Scalar(axes.start));
+        let _e6 = self.v_height_texels(rt::Scalar(path_89.level));
         let _e7 = self.v_texels_around(_e4, _e6);
-        let elevation_5 = ((rt::Scalar(axes.elevation) * params_100.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_100.y() - rt::Scalar(1f32)));
-        let below_11 = elevation_5.floor().min((params_100.y() - rt::Scalar(2f32)));
-        let bend_12 = ((rt::Scalar(axes.bend) * params_100.z()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_100.z() - rt::Scalar(1f32)));
-        let lower_2 = bend_12.floor().min((params_100.z() - rt::Scalar(2f32)).max(rt::Scalar(0f32)));
-        let turn_9 = ((rt::Scalar(axes.turn) * params_100.x()) - rt::Scalar(0.5f32));
-        let before_13 = turn_9.floor();
-        let count_13 = rt::Scalar(4u32).select(rt::Scalar(2u32), params_100.z().elementwise_eq(rt::Scalar(1f32)));
+        let elevation_5 = ((rt::Scalar(axes.elevation) * params_107.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_107.y() - rt::Scalar(1f32)));
+        let below_11 = elevation_5.floor().min((params_107.y() - rt::Scalar(2f32)));
+        let bend_12 = ((rt::Scalar(axes.bend) * params_107.z()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_107.z() - rt::Scalar(1f32)));
+        let lower_2 = bend_12.floor().min((params_107.z() - rt::Scalar(2f32)).max(rt::Scalar(0f32)));
+        let turn_9 = ((rt::Scalar(axes.turn) * params_107.x()) - rt::Scalar(0.5f32));
+        let before_15 = turn_9.floor();
+        let count_13 = rt::Scalar(4u32).select(rt::Scalar(2u32), params_107.z().elementwise_eq(rt::Scalar(1f32)));
         'naga_break: loop {
             'naga_continue: {
                 let _e66 = k_32;
@@ -15926,24 +16454,24 @@ impl<'g> Resources<'g> {
                 {
                     let _e68 = k_32;
                     let is_next_1 = (_e68 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(1u32));
-                    azimuth_2 = (before_13 + rt::Scalar(0f32).select(rt::Scalar(1f32), is_next_1));
+                    azimuth_2 = (before_15 + rt::Scalar(0f32).select(rt::Scalar(1f32), is_next_1));
                     let _e78 = azimuth_2;
                     let _e79 = azimuth_2;
                     let _e82 = azimuth_2;
-                    azimuth_2 = _e78.select((_e79 + params_100.x()), _e82.elementwise_lt(rt::Scalar(0f32)));
+                    azimuth_2 = _e78.select((_e79 + params_107.x()), _e82.elementwise_lt(rt::Scalar(0f32)));
                     let _e86 = azimuth_2;
                     let _e87 = azimuth_2;
                     let _e90 = azimuth_2;
-                    azimuth_2 = _e86.select((_e87 - params_100.x()), _e90.elementwise_ge(params_100.x()));
+                    azimuth_2 = _e86.select((_e87 - params_107.x()), _e90.elementwise_ge(params_107.x()));
                     let _e94 = azimuth_2;
-                    let layer_15 = ((_e94 * params_100.y()) + below_11).to_i32();
+                    let layer_15 = ((_e94 * params_107.y()) + below_11).to_i32();
                     let _e99 = k_32;
-                    let _e106 = self.v_ways_of_bend(path_88, _e7, layer_15, (lower_2 + rt::Scalar(0f32).select(rt::Scalar(1f32), _e99.elementwise_gt(rt::Scalar(1u32)))));
+                    let _e106 = self.v_ways_of_bend(path_89, _e7, layer_15, (lower_2 + rt::Scalar(0f32).select(rt::Scalar(1f32), _e99.elementwise_gt(rt::Scalar(1u32)))));
                     let of_below = <rt::Vec2<f32>>::from_scalars(_e106.x(), _e106.y());
                     let of_azimuth_1 = (of_below + ((<rt::Vec2<f32>>::from_scalars(_e106.z(), _e106.w()) - of_below) * (elevation_5 - below_11)));
                     let _e117 = first_4;
                     let _e118 = first_4;
-                    let joined = (_e117 + ((of_azimuth_1 - _e118) * (turn_9 - before_13)));
+                    let joined = (_e117 + ((of_azimuth_1 - _e118) * (turn_9 - before_15)));
                     first_4 = of_azimuth_1;
                     let _e123 = k_32;
                     if rt::Scalar::into_branch_condition(_e123.elementwise_eq(rt::Scalar(1u32))) {
@@ -15958,53 +16486,53 @@ impl<'g> Resources<'g> {
         let _e129 = low_2;
         let _e130 = high_2;
         let _e131 = low_2;
-        let way_28 = (_e129 + ((_e130 - _e131) * (bend_12 - lower_2)));
-        if rt::Scalar::into_branch_condition(way_28.y().elementwise_ge(rt::Scalar(0.5f32))) {
-            return <LookedUp>::new(rt::Scalar(1u32), (way_28.x() / way_28.y()));
+        let way_29 = (_e129 + ((_e130 - _e131) * (bend_12 - lower_2)));
+        if rt::Scalar::into_branch_condition(way_29.y().elementwise_ge(rt::Scalar(0.5f32))) {
+            return <LookedUp>::new(rt::Scalar(1u32), (way_29.x() / way_29.y()));
         }
         return <LookedUp>::new(rt::Scalar(0u32), rt::Scalar(1f32));
     }
     pub(crate) fn search_view_dependent(
         &self,
-        path_89: Path,
-        params_101: impl rt::Into<rt::Vec4<f32>>,
+        path_90: Path,
+        params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_view_dependent(path_89, rt::into(params_101)))
+        rt::into(self.v_search_view_dependent(path_90, rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_view_dependent(
         &self,
-        path_89: Path,
-        params_101: rt::Vec4<f32>,
+        path_90: Path,
+        params_108: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut local_104: rt::Scalar<bool>;
         let mut local_105: rt::Scalar<bool>;
+        let mut local_106: rt::Scalar<bool>;
 
-        let _e3 = self.v_path_axes(path_89, params_101.w());
-        let texels_7 = rt::Scalar(32u32).select(rt::Scalar(16u32), params_101.z().elementwise_eq(rt::Scalar(1f32)));
-        let _e11 = self.v_map_read(path_89, texels_7);
-        let cost_30 = (STEP + _e11);
+        let _e3 = self.v_path_axes(path_90, params_108.w());
+        let texels_7 = rt::Scalar(32u32).select(rt::Scalar(16u32), params_108.z().elementwise_eq(rt::Scalar(1f32)));
+        let _e11 = self.v_map_read(path_90, texels_7);
+        let cost_33 = (STEP + _e11);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(0u32))) {
-            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_89.exit), rt::Scalar(path_89.exit), rt::Scalar(1f32), rt::Scalar(1f32), STEP);
+            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_90.exit), rt::Scalar(path_90.exit), rt::Scalar(1f32), rt::Scalar(1f32), STEP);
         }
-        let _e23 = self.v_looked_up(path_89, _e3, params_101);
-        let t_53 = (rt::Scalar(_e3.start) + (rt::Scalar(_e23.part) * rt::Scalar(_e3.whole)));
+        let _e23 = self.v_looked_up(path_90, _e3, params_108);
+        let t_55 = (rt::Scalar(_e3.start) + (rt::Scalar(_e23.part) * rt::Scalar(_e3.whole)));
         if rt::Scalar::into_branch_condition((!rt::Scalar(_e23.is_hit).elementwise_eq(rt::Scalar(0u32)))) {
-            local_104 = t_53.elementwise_lt(rt::Scalar(0f32));
-        } else {
-            local_104 = rt::Scalar(true);
-        }
-        let _e38 = local_104;
-        if rt::Scalar::into_branch_condition((!_e38)) {
-            local_105 = t_53.elementwise_gt(rt::Scalar(path_89.exit));
+            local_105 = t_55.elementwise_lt(rt::Scalar(0f32));
         } else {
             local_105 = rt::Scalar(true);
         }
-        let _e45 = local_105;
-        if rt::Scalar::into_branch_condition(_e45) {
-            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_89.exit), rt::Scalar(path_89.exit), rt::Scalar(1f32), rt::Scalar(1f32), cost_30);
+        let _e38 = local_105;
+        if rt::Scalar::into_branch_condition((!_e38)) {
+            local_106 = t_55.elementwise_gt(rt::Scalar(path_90.exit));
+        } else {
+            local_106 = rt::Scalar(true);
         }
-        return <SearchResult>::new(FOUND_ABOVE, t_53, rt::Scalar(path_89.exit), rt::Scalar(0f32), rt::Scalar(1f32), cost_30);
+        let _e45 = local_106;
+        if rt::Scalar::into_branch_condition(_e45) {
+            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_90.exit), rt::Scalar(path_90.exit), rt::Scalar(1f32), rt::Scalar(1f32), cost_33);
+        }
+        return <SearchResult>::new(FOUND_ABOVE, t_55, rt::Scalar(path_90.exit), rt::Scalar(0f32), rt::Scalar(1f32), cost_33);
     }
     pub(crate) fn is_in_footprint(
         &self,
@@ -16019,53 +16547,53 @@ impl<'g> Resources<'g> {
         square: rt::Vec2<f32>,
         size: rt::Vec2<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_106: rt::Scalar<bool>;
         let mut local_107: rt::Scalar<bool>;
         let mut local_108: rt::Scalar<bool>;
         let mut local_109: rt::Scalar<bool>;
+        let mut local_110: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(square.x().elementwise_ge(rt::Scalar(0f32))) {
-            local_106 = square.y().elementwise_ge(rt::Scalar(0f32));
-        } else {
-            local_106 = rt::Scalar(false);
-        }
-        let _e11 = local_106;
-        if rt::Scalar::into_branch_condition(_e11) {
-            local_107 = square.x().elementwise_lt(size.x());
+            local_107 = square.y().elementwise_ge(rt::Scalar(0f32));
         } else {
             local_107 = rt::Scalar(false);
         }
-        let _e18 = local_107;
-        if rt::Scalar::into_branch_condition(_e18) {
-            local_108 = square.y().elementwise_lt(size.y());
+        let _e11 = local_107;
+        if rt::Scalar::into_branch_condition(_e11) {
+            local_108 = square.x().elementwise_lt(size.x());
         } else {
             local_108 = rt::Scalar(false);
         }
-        let holds_square = local_108;
+        let _e18 = local_108;
+        if rt::Scalar::into_branch_condition(_e18) {
+            local_109 = square.y().elementwise_lt(size.y());
+        } else {
+            local_109 = rt::Scalar(false);
+        }
+        let holds_square = local_109;
         if rt::Scalar::into_branch_condition((!holds_square)) {
             let _e31 = rt::Scalar(self.surface_settings.wrap);
-            local_109 = _e31.elementwise_ne(WRAP_CLAMP);
+            local_110 = _e31.elementwise_ne(WRAP_CLAMP);
         } else {
-            local_109 = rt::Scalar(true);
+            local_110 = rt::Scalar(true);
         }
-        let _e35 = local_109;
+        let _e35 = local_110;
         return _e35;
     }
     pub(crate) fn step_of_axis(
         &self,
-        place_25: impl rt::Into<rt::Scalar<f32>>,
+        place_32: impl rt::Into<rt::Scalar<f32>>,
         count_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_step_of_axis(rt::into(place_25), rt::into(count_5)))
+        rt::into(self.v_step_of_axis(rt::into(place_32), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_step_of_axis(
         &self,
-        place_25: rt::Scalar<f32>,
+        place_32: rt::Scalar<f32>,
         count_5: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (place_25 * count_5).floor().clamp(rt::Scalar(0f32), (count_5 - rt::Scalar(1f32)));
+        return (place_32 * count_5).floor().clamp(rt::Scalar(0f32), (count_5 - rt::Scalar(1f32)));
     }
     pub(crate) fn longest_of_step(
         &self,
@@ -16084,143 +16612,143 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(count_6.elementwise_eq(rt::Scalar(1f32))) {
             return rt::Scalar(1f32);
         }
-        let low_11 = (((rt::Scalar(2f32) * bend_5) / count_6) - rt::Scalar(1f32));
-        let high_6 = (low_11 + (rt::Scalar(2f32) / count_6));
-        if rt::Scalar::into_branch_condition(high_6.elementwise_lt(rt::Scalar(0.500001f32))) {
-            return (rt::Scalar(2f32) / (rt::Scalar(1f32) + (rt::Scalar(1f32) - (high_6 / (rt::Scalar(1f32) - high_6.abs()))).max(rt::Scalar(0f32)).sqrt()));
+        let low_12 = (((rt::Scalar(2f32) * bend_5) / count_6) - rt::Scalar(1f32));
+        let high_7 = (low_12 + (rt::Scalar(2f32) / count_6));
+        if rt::Scalar::into_branch_condition(high_7.elementwise_lt(rt::Scalar(0.500001f32))) {
+            return (rt::Scalar(2f32) / (rt::Scalar(1f32) + (rt::Scalar(1f32) - (high_7 / (rt::Scalar(1f32) - high_7.abs()))).max(rt::Scalar(0f32)).sqrt()));
         }
-        let least_9 = low_11.max(rt::Scalar(0.5f32));
+        let least_9 = low_12.max(rt::Scalar(0.5f32));
         return ((rt::Scalar(4f32) * (rt::Scalar(1f32) - least_9)) / least_9);
     }
     pub(crate) fn free_way_of_step(
         &self,
-        path_90: Path,
+        path_91: Path,
         axes_1: PathAxes,
         square_1: impl rt::Into<rt::Vec2<i32>>,
-        params_102: impl rt::Into<rt::Vec4<f32>>,
+        params_109: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_free_way_of_step(path_90, axes_1, rt::into(square_1), rt::into(params_102)))
+        rt::into(self.v_free_way_of_step(path_91, axes_1, rt::into(square_1), rt::into(params_109)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_free_way_of_step(
         &self,
-        path_90: Path,
+        path_91: Path,
         axes_1: PathAxes,
         square_1: rt::Vec2<i32>,
-        params_102: rt::Vec4<f32>,
+        params_109: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_height_texels(rt::Scalar(path_90.level));
-        let _e8 = self.v_step_of_axis(rt::Scalar(axes_1.turn), params_102.x());
-        let _e11 = self.v_step_of_axis(rt::Scalar(axes_1.elevation), params_102.y());
-        let _e14 = self.v_step_of_axis(rt::Scalar(axes_1.bend), params_102.z());
+        let _e5 = self.v_height_texels(rt::Scalar(path_91.level));
+        let _e8 = self.v_step_of_axis(rt::Scalar(axes_1.turn), params_109.x());
+        let _e11 = self.v_step_of_axis(rt::Scalar(axes_1.elevation), params_109.y());
+        let _e14 = self.v_step_of_axis(rt::Scalar(axes_1.bend), params_109.z());
         let _e17 = self.v_wrap_index(square_1.y(), _e5.y());
         let _e19 = self.v_row_of_bend(_e17, _e14, _e5.y());
         let _e22 = self.v_wrap_index(square_1.x(), _e5.x());
-        let at_180 = <rt::Vec2<i32>>::from_scalars(_e22, _e19);
-        let _e30 = self.v_search_texel(path_90, at_180, ((_e8 * params_102.y()) + _e11).to_i32(), rt::Scalar(path_90.level).to_i32());
-        let part_30 = _e30.x();
-        let _e33 = self.v_longest_of_step(_e14, params_102.z());
-        return (part_30 * _e33);
+        let at_186 = <rt::Vec2<i32>>::from_scalars(_e22, _e19);
+        let _e30 = self.v_search_texel(path_91, at_186, ((_e8 * params_109.y()) + _e11).to_i32(), rt::Scalar(path_91.level).to_i32());
+        let part_31 = _e30.x();
+        let _e33 = self.v_longest_of_step(_e14, params_109.z());
+        return (part_31 * _e33);
     }
     pub(crate) fn search_view_dependent_free(
         &self,
-        path_91: Path,
-        params_103: impl rt::Into<rt::Vec4<f32>>,
+        path_92: Path,
+        params_110: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_view_dependent_free(path_91, rt::into(params_103)))
+        rt::into(self.v_search_view_dependent_free(path_92, rt::into(params_110)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_view_dependent_free(
         &self,
-        path_91: Path,
-        params_103: rt::Vec4<f32>,
+        path_92: Path,
+        params_110: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut local_110: rt::Scalar<bool>;
         let mut local_111: rt::Scalar<bool>;
         let mut local_112: rt::Scalar<bool>;
         let mut local_113: rt::Scalar<bool>;
         let mut local_114: rt::Scalar<bool>;
+        let mut local_115: rt::Scalar<bool>;
 
-        let _e3 = self.v_path_axes(path_91, params_103.w());
-        let _e6 = self.v_height_size(rt::Scalar(path_91.level));
-        let place_39 = (path_91.uv * _e6);
-        let _e8 = self.v_cell_of(place_39);
-        let inside_8 = (place_39 - _e8);
-        let near_10 = inside_8.x().min((rt::Scalar(1f32) - inside_8.x())).min(inside_8.y().min((rt::Scalar(1f32) - inside_8.y())));
-        let rounded_2 = (rt::Scalar(0.0000009536743f32) * (place_39.x().abs().max(place_39.y().abs()) + rt::Scalar(1f32)));
-        let _e31 = self.v_height_size(rt::Scalar(path_91.level));
+        let _e3 = self.v_path_axes(path_92, params_110.w());
+        let _e6 = self.v_height_size(rt::Scalar(path_92.level));
+        let place_46 = (path_92.uv * _e6);
+        let _e8 = self.v_cell_of(place_46);
+        let inside_8 = (place_46 - _e8);
+        let near_13 = inside_8.x().min((rt::Scalar(1f32) - inside_8.x())).min(inside_8.y().min((rt::Scalar(1f32) - inside_8.y())));
+        let rounded_2 = (rt::Scalar(0.0000009536743f32) * (place_46.x().abs().max(place_46.y().abs()) + rt::Scalar(1f32)));
+        let _e31 = self.v_height_size(rt::Scalar(path_92.level));
         let _e32 = self.v_is_in_footprint(_e8, _e31);
-        if rt::Scalar::into_branch_condition(path_91.h.x().elementwise_eq(rt::Scalar(1f32))) {
-            local_110 = rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(1u32));
-        } else {
-            local_110 = rt::Scalar(false);
-        }
-        let _e43 = local_110;
-        if rt::Scalar::into_branch_condition(_e43) {
-            local_111 = near_10.elementwise_gt(rounded_2);
+        if rt::Scalar::into_branch_condition(path_92.h.x().elementwise_eq(rt::Scalar(1f32))) {
+            local_111 = rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(1u32));
         } else {
             local_111 = rt::Scalar(false);
         }
-        let _e48 = local_111;
-        if rt::Scalar::into_branch_condition(_e48) {
-            local_112 = _e32;
+        let _e43 = local_111;
+        if rt::Scalar::into_branch_condition(_e43) {
+            local_112 = near_13.elementwise_gt(rounded_2);
         } else {
             local_112 = rt::Scalar(false);
         }
-        let is_known = local_112;
-        if rt::Scalar::into_branch_condition((!(!is_known))) {
-            if rt::Scalar::into_branch_condition(params_103.z().elementwise_eq(rt::Scalar(1f32))) {
-                local_114 = path_91.h.z().elementwise_ne(rt::Scalar(0f32));
-            } else {
-                local_114 = rt::Scalar(false);
-            }
-            let _e67 = local_114;
-            local_113 = _e67;
+        let _e48 = local_112;
+        if rt::Scalar::into_branch_condition(_e48) {
+            local_113 = _e32;
         } else {
-            local_113 = rt::Scalar(true);
+            local_113 = rt::Scalar(false);
         }
-        let _e69 = local_113;
+        let is_known = local_113;
+        if rt::Scalar::into_branch_condition((!(!is_known))) {
+            if rt::Scalar::into_branch_condition(params_110.z().elementwise_eq(rt::Scalar(1f32))) {
+                local_115 = path_92.h.z().elementwise_ne(rt::Scalar(0f32));
+            } else {
+                local_115 = rt::Scalar(false);
+            }
+            let _e67 = local_115;
+            local_114 = _e67;
+        } else {
+            local_114 = rt::Scalar(true);
+        }
+        let _e69 = local_114;
         if rt::Scalar::into_branch_condition(_e69) {
-            return <SearchResult>::new(FOUND_ABOVE, rt::Scalar(0f32), rt::Scalar(path_91.exit), rt::Scalar(0f32), rt::Scalar(1f32), STEP);
+            return <SearchResult>::new(FOUND_ABOVE, rt::Scalar(0f32), rt::Scalar(path_92.exit), rt::Scalar(0f32), rt::Scalar(1f32), STEP);
         }
         let _e77 = self.v_whole_cell(_e8);
-        let _e78 = self.v_free_way_of_step(path_91, _e3, _e77, params_103);
+        let _e78 = self.v_free_way_of_step(path_92, _e3, _e77, params_110);
         let free_2 = (_e78 / rt::Scalar(_e3.fall));
-        let _e87 = self.v_map_read(path_91, rt::Scalar(1u32));
-        return <SearchResult>::new(FOUND_ABOVE, free_2.min(rt::Scalar(path_91.exit)), rt::Scalar(path_91.exit), rt::Scalar(0f32), rt::Scalar(1f32), (STEP + _e87));
+        let _e87 = self.v_map_read(path_92, rt::Scalar(1u32));
+        return <SearchResult>::new(FOUND_ABOVE, free_2.min(rt::Scalar(path_92.exit)), rt::Scalar(path_92.exit), rt::Scalar(0f32), rt::Scalar(1f32), (STEP + _e87));
     }
     pub(crate) fn search_translucent(
         &self,
-        path_92: Path,
-        params_104: impl rt::Into<rt::Vec4<f32>>,
+        path_93: Path,
+        params_111: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_translucent(path_92, rt::into(params_104)))
+        rt::into(self.v_search_translucent(path_93, rt::into(params_111)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_translucent(
         &self,
-        path_92: Path,
-        params_104: rt::Vec4<f32>,
+        path_93: Path,
+        params_111: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut part_13: CellPart;
         let mut cost_24: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_voxel_path(path_92);
+        let _e2 = self.v_voxel_path(path_93);
         let _e3 = self.v_turning_point(_e2);
-        let limit_15 = params_104.z().to_u32();
-        let _e6 = self.v_first_part(path_92, _e2, _e3);
+        let limit_16 = params_111.z().to_u32();
+        let _e6 = self.v_first_part(path_93, _e2, _e3);
         part_13 = _e6;
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = cost_24.y();
-                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(limit_15)) {
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(limit_16)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = cost_24;
-                    let _e17 = self.v_map_read(path_92, rt::Scalar(1u32));
+                    let _e17 = self.v_map_read(path_93, rt::Scalar(1u32));
                     cost_24 = ((_e13 + STEP) + _e17);
                     let _e20 = rt::Scalar(part_13.empty);
                     if rt::Scalar::into_branch_condition(_e20.elementwise_lt(rt::Scalar(0f32))) {
@@ -16237,7 +16765,7 @@ impl<'g> Resources<'g> {
                         return <SearchResult>::new(FOUND_MISS, _e38, _e40, rt::Scalar(1f32), rt::Scalar(1f32), _e41);
                     }
                     let _e45 = part_13;
-                    let _e46 = self.v_next_part(path_92, _e2, _e3, _e45);
+                    let _e46 = self.v_next_part(path_93, _e2, _e3, _e45);
                     part_13 = _e46;
                 }
             }
@@ -16247,160 +16775,514 @@ impl<'g> Resources<'g> {
         let _e52 = cost_24;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e49, _e51, rt::Scalar(1f32), rt::Scalar(1f32), _e52);
     }
-    pub(crate) fn search_stage(&self, path_93: Path) -> SearchResult {
-        rt::into(self.v_search_stage(path_93))
+    pub(crate) fn with_axis_last(
+        &self,
+        v_2: impl rt::Into<rt::Vec3<f32>>,
+        axis_3: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_with_axis_last(rt::into(v_2), rt::into(axis_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_search_stage(&self, path_93: Path) -> SearchResult {
+    #[inline(always)]
+    pub(super) fn v_with_axis_last(
+        &self,
+        v_2: rt::Vec3<f32>,
+        axis_3: rt::Scalar<u32>,
+    ) -> rt::Vec3<f32> {
+        if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(0u32))) {
+            return <rt::Vec3<f32>>::from_scalars(v_2.y(), v_2.z(), v_2.x());
+        }
+        if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(1u32))) {
+            return <rt::Vec3<f32>>::from_scalars(v_2.z(), v_2.x(), v_2.y());
+        }
+        return v_2;
+    }
+    pub(crate) fn motif_ray(
+        &self,
+        origin_2: impl rt::Into<rt::Vec3<f32>>,
+        step_4: impl rt::Into<rt::Vec3<f32>>,
+    ) -> MotifRay {
+        rt::into(self.v_motif_ray(rt::into(origin_2), rt::into(step_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_motif_ray(
+        &self,
+        origin_2: rt::Vec3<f32>,
+        step_4: rt::Vec3<f32>,
+    ) -> MotifRay {
+        let mut axis_4: rt::Scalar<u32>;
+
+        let size_7 = step_4.abs();
+        axis_4 = rt::Scalar(2u32).select(rt::Scalar(1u32), size_7.y().elementwise_gt(size_7.z()));
+        let _e10 = axis_4;
+        axis_4 = _e10.select(rt::Scalar(0u32), size_7.x().elementwise_gt(size_7.y().max(size_7.z())));
+        let _e18 = axis_4;
+        let _e19 = self.v_with_axis_last(step_4, _e18);
+        let least_10 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.000000000000000000000000000001f32), rt::Scalar(0.000000000000000000000000000001f32), rt::Scalar(0.000000000000000000000000000001f32));
+        let inverse = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)).select((<rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32)) / step_4), size_7.elementwise_gt(least_10));
+        let _e35 = axis_4;
+        return <MotifRay>::new(origin_2, inverse, _e35, <rt::Vec3<f32>>::from_scalars((_e19.x() / _e19.z()), (_e19.y() / _e19.z()), (rt::Scalar(1f32) / _e19.z())));
+    }
+    pub(crate) fn meets_box(
+        &self,
+        ray_8: MotifRay,
+        low_3: impl rt::Into<rt::Vec3<f32>>,
+        high_3: impl rt::Into<rt::Vec3<f32>>,
+        near_9: impl rt::Into<rt::Scalar<f32>>,
+        far_7: impl rt::Into<rt::Scalar<f32>>,
+    ) -> bool {
+        rt::into(self.v_meets_box(ray_8, rt::into(low_3), rt::into(high_3), rt::into(near_9), rt::into(far_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_meets_box(
+        &self,
+        ray_8: MotifRay,
+        low_3: rt::Vec3<f32>,
+        high_3: rt::Vec3<f32>,
+        near_9: rt::Scalar<f32>,
+        far_7: rt::Scalar<f32>,
+    ) -> rt::Scalar<bool> {
+        let a_46 = ((low_3 - ray_8.origin) * ray_8.inverse);
+        let b_46 = ((high_3 - ray_8.origin) * ray_8.inverse);
+        let first_30 = a_46.min(b_46);
+        let last_18 = a_46.max(b_46);
+        let enter_3 = first_30.x().max(first_30.y()).max(first_30.z().max(near_9));
+        let leave_11 = last_18.x().min(last_18.y()).min(last_18.z().min(far_7));
+        return enter_3.elementwise_le(leave_11);
+    }
+    pub(crate) fn seen_beside(
+        &self,
+        ray_9: MotifRay,
+        corner_3: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_seen_beside(ray_9, rt::into(corner_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_seen_beside(
+        &self,
+        ray_9: MotifRay,
+        corner_3: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e5 = self.v_with_axis_last((corner_3 - ray_9.origin), rt::Scalar(ray_9.axis));
+        return <rt::Vec3<f32>>::from_scalars((_e5.x() - (ray_9.shear.x() * _e5.z())), (_e5.y() - (ray_9.shear.y() * _e5.z())), _e5.z());
+    }
+    pub(crate) fn meets_triangle(
+        &self,
+        ray_10: MotifRay,
+        first_5: impl rt::Into<rt::Vec3<f32>>,
+        second_1: impl rt::Into<rt::Vec3<f32>>,
+        third: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_meets_triangle(ray_10, rt::into(first_5), rt::into(second_1), rt::into(third)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_meets_triangle(
+        &self,
+        ray_10: MotifRay,
+        first_5: rt::Vec3<f32>,
+        second_1: rt::Vec3<f32>,
+        third: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut local_116: rt::Scalar<bool>;
+        let mut local_117: rt::Scalar<bool>;
+
+        let _e4 = self.v_seen_beside(ray_10, first_5);
+        let _e5 = self.v_seen_beside(ray_10, second_1);
+        let _e6 = self.v_seen_beside(ray_10, third);
+        let left_7 = <rt::Vec3<f32>>::from_scalars((_e6.x() * _e5.y()), (_e4.x() * _e6.y()), (_e5.x() * _e4.y()));
+        let right_5 = <rt::Vec3<f32>>::from_scalars((_e6.y() * _e5.x()), (_e4.y() * _e6.x()), (_e5.y() * _e4.x()));
+        let sides_3 = (left_7 - right_5);
+        let slack_6 = ((left_7.abs() + right_5.abs()) * rt::Scalar(0.0000005f32));
+        let most_19 = (sides_3 + slack_6);
+        let least_11 = (sides_3 - slack_6);
+        let is_front_1 = most_19.x().min(most_19.y()).min(most_19.z()).elementwise_ge(rt::Scalar(0f32));
+        let is_back = least_11.x().max(least_11.y()).max(least_11.z()).elementwise_le(rt::Scalar(0f32));
+        let all_3 = ((sides_3.x() + sides_3.y()) + sides_3.z());
+        if rt::Scalar::into_branch_condition((!is_front_1)) {
+            local_116 = is_back;
+        } else {
+            local_116 = rt::Scalar(true);
+        }
+        let _e58 = local_116;
+        if rt::Scalar::into_branch_condition((!(!_e58))) {
+            local_117 = all_3.elementwise_eq(rt::Scalar(0f32));
+        } else {
+            local_117 = rt::Scalar(true);
+        }
+        let _e66 = local_117;
+        if rt::Scalar::into_branch_condition(_e66) {
+            return rt::Scalar(300000000000000000000000000000000000000f32);
+        }
+        let along_41 = ((((sides_3.x() * _e4.z()) + (sides_3.y() * _e5.z())) + (sides_3.z() * _e6.z())) / all_3);
+        let least_z = _e4.z().min(_e5.z()).min(_e6.z());
+        let most_z = _e4.z().max(_e5.z()).max(_e6.z());
+        return (along_41.clamp(least_z, most_z) * ray_10.shear.z());
+    }
+    pub(crate) fn first_of_leaf(
+        &self,
+        ray_11: MotifRay,
+        leaf_1: impl rt::Into<rt::Scalar<u32>>,
+        near_10: impl rt::Into<rt::Scalar<f32>>,
+        far_8: impl rt::Into<rt::Scalar<f32>>,
+    ) -> MotifHit {
+        rt::into(self.v_first_of_leaf(ray_11, rt::into(leaf_1), rt::into(near_10), rt::into(far_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_first_of_leaf(
+        &self,
+        ray_11: MotifRay,
+        leaf_1: rt::Scalar<u32>,
+        near_10: rt::Scalar<f32>,
+        far_8: rt::Scalar<f32>,
+    ) -> MotifHit {
+        let mut found_15: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut cost_25: rt::Vec3<u32> = NO_COST;
+        let mut triangle_2: rt::Scalar<u32>;
+        let mut local_118: rt::Scalar<bool>;
+
+        triangle_2 = leaf_1;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e9 = triangle_2;
+                if rt::Scalar::into_branch_condition(_e9.elementwise_ne(rt::Scalar(0u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e12 = triangle_2;
+                    let _e13 = self.v_motif_texel(_e12);
+                    let _e14 = triangle_2;
+                    let _e17 = self.v_motif_texel((_e14 + rt::Scalar(1u32)));
+                    let _e18 = triangle_2;
+                    let _e21 = self.v_motif_texel((_e18 + rt::Scalar(2u32)));
+                    let _e22 = cost_25;
+                    cost_25 = (_e22 + TRIANGLE_READ);
+                    let _e28 = self.v_meets_triangle(ray_11, _e13.xyz(), _e17.xyz(), _e21.xyz());
+                    if rt::Scalar::into_branch_condition(_e28.elementwise_ge(near_10)) {
+                        let _e32 = found_15;
+                        local_118 = _e28.elementwise_lt(_e32.min(far_8));
+                    } else {
+                        local_118 = rt::Scalar(false);
+                    }
+                    let _e36 = local_118;
+                    if rt::Scalar::into_branch_condition(_e36) {
+                        found_15 = _e28;
+                    }
+                    let _e37 = triangle_2;
+                    triangle_2 = (_e37 + rt::Scalar(3u32)).select(rt::Scalar(0u32), _e13.w().elementwise_eq(rt::Scalar(0f32)));
+                }
+            }
+        }
+        let _e45 = found_15;
+        let _e46 = cost_25;
+        return <MotifHit>::new(_e45, _e46);
+    }
+    pub(crate) fn first_of_motif(
+        &self,
+        ray_12: MotifRay,
+        near_11: impl rt::Into<rt::Scalar<f32>>,
+        far_9: impl rt::Into<rt::Scalar<f32>>,
+        before_4: impl rt::Into<rt::Vec3<u32>>,
+        limit_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> MotifHit {
+        rt::into(self.v_first_of_motif(ray_12, rt::into(near_11), rt::into(far_9), rt::into(before_4), rt::into(limit_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_first_of_motif(
+        &self,
+        ray_12: MotifRay,
+        near_11: rt::Scalar<f32>,
+        far_9: rt::Scalar<f32>,
+        before_4: rt::Vec3<u32>,
+        limit_1: rt::Scalar<u32>,
+    ) -> MotifHit {
+        let mut cost_26: rt::Vec3<u32>;
+        let mut found_16: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut node_1: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut local_119: rt::Scalar<bool>;
+        let mut next_9: rt::Scalar<u32>;
+
+        cost_26 = before_4;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e10 = node_1;
+                if rt::Scalar::into_branch_condition(_e10.elementwise_ne(rt::Scalar(0u32))) {
+                    let _e16 = cost_26.y();
+                    local_119 = _e16.elementwise_lt(limit_1);
+                } else {
+                    local_119 = rt::Scalar(false);
+                }
+                let _e19 = local_119;
+                if rt::Scalar::into_branch_condition(_e19) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e20 = node_1;
+                    let _e21 = self.v_motif_texel(_e20);
+                    let _e22 = node_1;
+                    let _e25 = self.v_motif_texel((_e22 + rt::Scalar(1u32)));
+                    let _e26 = cost_26;
+                    cost_26 = ((_e26 + STEP) + NODE_READ);
+                    let _e31 = found_16;
+                    let best = _e31.min(far_9);
+                    next_9 = _e21.w().to_u32();
+                    let _e38 = self.v_meets_box(ray_12, _e21.xyz(), _e25.xyz(), near_11, best);
+                    if rt::Scalar::into_branch_condition(_e38) {
+                        if rt::Scalar::into_branch_condition(_e25.w().elementwise_eq(rt::Scalar(0f32))) {
+                            let _e42 = node_1;
+                            next_9 = (_e42 + rt::Scalar(2u32));
+                        } else {
+                            let _e47 = self.v_first_of_leaf(ray_12, _e25.w().to_u32(), near_11, best);
+                            let _e48 = found_16;
+                            found_16 = _e48.min(rt::Scalar(_e47.t));
+                            let _e51 = cost_26;
+                            cost_26 = (_e51 + _e47.cost);
+                        }
+                    }
+                    let _e54 = next_9;
+                    node_1 = _e54;
+                }
+            }
+        }
+        let _e55 = found_16;
+        let _e56 = cost_26;
+        return <MotifHit>::new(_e55, _e56);
+    }
+    pub(crate) fn search_shell_map(
+        &self,
+        path_94: Path,
+        params_112: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SearchResult {
+        rt::into(self.v_search_shell_map(path_94, rt::into(params_112)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_shell_map(
+        &self,
+        path_94: Path,
+        params_112: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let mut cost_27: rt::Vec3<u32> = NO_COST;
+        let mut tile: rt::Vec2<f32>;
+        let mut t_47: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        let step_9 = <rt::Vec3<f32>>::new_21(path_94.duv, path_94.h.y());
+        let slack_7 = (rt::Scalar(0.00002f32) / step_9.x().abs().max(step_9.y().abs()).max(step_9.z().abs()));
+        let limit_17 = params_112.x().to_u32();
+        tile = path_94.uv.floor();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e26 = cost_27.y();
+                if rt::Scalar::into_branch_condition(_e26.elementwise_lt(limit_17)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e28 = tile;
+                    let ahead_3 = (_e28 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), path_94.duv.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)))));
+                    let beside_8 = ((ahead_3 - path_94.uv) / path_94.duv);
+                    let leave_12 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)).select(beside_8, path_94.duv.abs().elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+                    let _e61 = t_47;
+                    let end_26 = leave_12.x().min(leave_12.y()).min(rt::Scalar(path_94.exit)).max(_e61);
+                    let _e63 = t_47;
+                    let _e64 = self.v_path_uv(path_94, _e63);
+                    let _e65 = tile;
+                    let _e67 = t_47;
+                    let _e68 = self.v_path_height(path_94, _e67);
+                    let _e70 = self.v_motif_ray(<rt::Vec3<f32>>::new_21((_e64 - _e65), _e68), step_9);
+                    let _e73 = t_47;
+                    let _e76 = cost_27;
+                    let _e77 = self.v_first_of_motif(_e70, (rt::Scalar(0f32) - slack_7), ((end_26 - _e73) + slack_7), _e76, limit_17);
+                    cost_27 = _e77.cost;
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e77.t).elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e82 = t_47;
+                        let at_187 = (_e82 + rt::Scalar(_e77.t)).clamp(rt::Scalar(0f32), rt::Scalar(path_94.exit));
+                        let _e89 = cost_27;
+                        return <SearchResult>::new(FOUND_BRACKET, at_187, at_187, rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                    }
+                    if rt::Scalar::into_branch_condition((!end_26.elementwise_lt(rt::Scalar(path_94.exit)))) {
+                        let _e97 = cost_27;
+                        return <SearchResult>::new(FOUND_MISS, end_26, end_26, rt::Scalar(1f32), rt::Scalar(1f32), _e97);
+                    }
+                    let next_14 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(-1f32), rt::Scalar(-1f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), path_94.duv.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+                    if rt::Scalar::into_branch_condition(leave_12.x().elementwise_le(leave_12.y())) {
+                        let _e118 = tile.x();
+                        tile.set_x((_e118 + next_14.x()));
+                    } else {
+                        let _e123 = tile.y();
+                        tile.set_y((_e123 + next_14.y()));
+                    }
+                    t_47 = end_26;
+                }
+            }
+        }
+        let _e127 = t_47;
+        let _e128 = t_47;
+        let _e129 = cost_27;
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e127, _e128, rt::Scalar(1f32), rt::Scalar(1f32), _e129);
+    }
+    pub(crate) fn search_stage(&self, path_95: Path) -> SearchResult {
+        rt::into(self.v_search_stage(path_95))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_stage(&self, path_95: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_93, _e10);
+                let _e11 = self.v_search_none(path_95, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_93, _e16);
+                let _e17 = self.v_search_linear(path_95, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_93, _e22);
+                let _e23 = self.v_search_cells(path_95, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_93, _e28);
+                let _e29 = self.v_search_frustum(path_95, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_93, _e34);
+                let _e35 = self.v_search_cone(path_95, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_93, _e40);
+                let _e41 = self.v_search_pyramid(path_95, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_93, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_95, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_93, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_95, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_93, _e58);
+                let _e59 = self.v_search_sphere(path_95, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_93, _e64);
+                let _e65 = self.v_search_cone_moved(path_95, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_93, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_95, _e70);
                 return _e71;
             }
             11u32 => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_93, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_95, _e76);
                 return _e77;
             }
             12u32 => {
                 let _e82 = self.surface_settings.choices[6usize].params;
-                let _e83 = self.v_search_voxels(path_93, _e82);
+                let _e83 = self.v_search_voxels(path_95, _e82);
                 return _e83;
             }
             13u32 => {
                 let _e88 = self.surface_settings.choices[6usize].params;
-                let _e89 = self.v_search_generalised(path_93, _e88);
+                let _e89 = self.v_search_generalised(path_95, _e88);
                 return _e89;
             }
             14u32 => {
                 let _e94 = self.surface_settings.choices[6usize].params;
-                let _e95 = self.v_search_view_dependent(path_93, _e94);
+                let _e95 = self.v_search_view_dependent(path_95, _e94);
                 return _e95;
             }
             15u32 => {
                 let _e100 = self.surface_settings.choices[6usize].params;
-                let _e101 = self.v_search_view_dependent_free(path_93, _e100);
+                let _e101 = self.v_search_view_dependent_free(path_95, _e100);
                 return _e101;
             }
-            _ => {
+            16u32 => {
                 let _e106 = self.surface_settings.choices[6usize].params;
-                let _e107 = self.v_search_translucent(path_93, _e106);
+                let _e107 = self.v_search_translucent(path_95, _e106);
                 return _e107;
+            }
+            _ => {
+                let _e112 = self.surface_settings.choices[6usize].params;
+                let _e113 = self.v_search_shell_map(path_95, _e112);
+                return _e113;
             }
         }
     }
-    pub(crate) fn trace(&self, path_94: Path) -> Hit {
-        rt::into(self.v_trace(path_94))
+    pub(crate) fn trace(&self, path_96: Path) -> Hit {
+        rt::into(self.v_trace(path_96))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_trace(&self, path_94: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_94);
-        let _e2 = self.v_refine_stage(path_94, _e1);
+    pub(super) fn v_trace(&self, path_96: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_96);
+        let _e2 = self.v_refine_stage(path_96, _e1);
         return _e2;
     }
     pub(crate) fn object_none(
         &self,
         pixel_77: PixelIn,
-        at_111: Entered,
-        params_105: impl rt::Into<rt::Vec4<f32>>,
+        at_117: Entered,
+        params_113: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_77, at_111, rt::into(params_105)))
+        rt::into(self.v_object_none(pixel_77, at_117, rt::into(params_113)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_none(
         &self,
         pixel_77: PixelIn,
-        at_111: Entered,
-        params_105: rt::Vec4<f32>,
+        at_117: Entered,
+        params_113: rt::Vec4<f32>,
     ) -> FirstHit {
-        let mut cost_25: rt::Vec3<u32> = NO_COST;
-        let mut first_5: FirstHit;
+        let mut cost_28: rt::Vec3<u32> = NO_COST;
+        let mut first_6: FirstHit;
         let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_115: rt::Scalar<bool>;
+        let mut local_120: rt::Scalar<bool>;
 
-        let _e5 = cost_25;
+        let _e5 = cost_28;
         let _e6 = self.v_miss(_e5);
-        first_5 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_6 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = k_33;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_111.segments))) {
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_117.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e16 = k_33;
-                    let _e17 = self.v_segment_of(pixel_77, at_111, _e16);
+                    let _e17 = self.v_segment_of(pixel_77, at_117, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
                         let _e22 = k_33;
-                        let _e23 = self.v_hit_on_segment(pixel_77, at_111, _e17, _e21, _e22);
-                        let _e24 = cost_25;
-                        cost_25 = (_e24 + _e23.hit.cost);
+                        let _e23 = self.v_hit_on_segment(pixel_77, at_117, _e17, _e21, _e22);
+                        let _e24 = cost_28;
+                        cost_28 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
-                            let _e34 = rt::Scalar(first_5.hit.found);
+                            let _e34 = rt::Scalar(first_6.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
-                                let _e42 = rt::Scalar(first_5.key);
-                                local_115 = rt::Scalar(_e23.key).elementwise_gt(_e42);
+                                let _e42 = rt::Scalar(first_6.key);
+                                local_120 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_115 = rt::Scalar(true);
+                                local_120 = rt::Scalar(true);
                             }
-                            let _e45 = local_115;
+                            let _e45 = local_120;
                             if rt::Scalar::into_branch_condition(_e45) {
-                                first_5 = _e23;
+                                first_6 = _e23;
                             }
                             if rt::Scalar::into_branch_condition(rt::Scalar(pixel_77.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
@@ -16412,242 +17294,242 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e55 = cost_25;
-        first_5.hit.cost = _e55;
-        let _e56 = first_5;
+        let _e55 = cost_28;
+        first_6.hit.cost = _e55;
+        let _e56 = first_6;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_112: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_78, at_112))
+    pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_118: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_78, at_118))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_112: Entered) -> FirstHit {
-        let mut cost_26: rt::Vec3<u32> = NO_COST;
-        let mut first_6: FirstHit;
+    pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_118: Entered) -> FirstHit {
+        let mut cost_29: rt::Vec3<u32> = NO_COST;
+        let mut first_7: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_116: rt::Scalar<bool>;
-        let mut local_117: rt::Scalar<bool>;
-        let mut local_118: rt::Scalar<bool>;
+        let mut local_121: rt::Scalar<bool>;
+        let mut local_122: rt::Scalar<bool>;
+        let mut local_123: rt::Scalar<bool>;
 
-        let _e4 = cost_26;
+        let _e4 = cost_29;
         let _e5 = self.v_miss(_e4);
-        first_6 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_19 = (rt::Scalar(at_112.segments) * MOST_ROUNDS);
+        first_7 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
+        let most_20 = (rt::Scalar(at_118.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_112.segments))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_118.segments))) {
                     let _e26 = turns;
-                    local_116 = _e26.elementwise_lt(most_19);
+                    local_121 = _e26.elementwise_lt(most_20);
                 } else {
-                    local_116 = rt::Scalar(false);
+                    local_121 = rt::Scalar(false);
                 }
-                let _e29 = local_116;
+                let _e29 = local_121;
                 if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e30 = k_34;
-                    let _e31 = self.v_segment_of(pixel_78, at_112, _e30);
+                    let _e31 = self.v_segment_of(pixel_78, at_118, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
-                    let ahead_3 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
-                    let passed = (passed_m / ahead_3);
-                    if rt::Scalar::into_branch_condition(ahead_3.elementwise_gt(rt::Scalar(0f32))) {
-                        local_117 = passed.elementwise_lt(rt::Scalar(_e31.exit));
+                    let ahead_4 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
+                    let passed = (passed_m / ahead_4);
+                    if rt::Scalar::into_branch_condition(ahead_4.elementwise_gt(rt::Scalar(0f32))) {
+                        local_122 = passed.elementwise_lt(rt::Scalar(_e31.exit));
                     } else {
-                        local_117 = rt::Scalar(false);
+                        local_122 = rt::Scalar(false);
                     }
-                    let _e49 = local_117;
+                    let _e49 = local_122;
                     if rt::Scalar::into_branch_condition((!_e49)) {
-                        let _e52 = cost_26;
+                        let _e52 = cost_29;
                         let _e53 = self.v_miss(_e52);
-                        first_6.hit = _e53;
-                        let _e54 = first_6;
+                        first_7.hit = _e53;
+                        let _e54 = first_7;
                         return _e54;
                     }
                     let _e55 = self.v_beginning_at(_e31, passed);
                     let _e56 = self.v_trace(_e55);
-                    let _e57 = cost_26;
-                    cost_26 = (_e57 + _e56.cost);
+                    let _e57 = cost_29;
+                    cost_29 = (_e57 + _e56.cost);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e56.found).elementwise_eq(rt::Scalar(0u32))) {
-                        let _e64 = cost_26;
+                        let _e64 = cost_29;
                         let _e65 = self.v_miss(_e64);
-                        first_6.hit = _e65;
-                        let _e66 = first_6;
+                        first_7.hit = _e65;
+                        let _e66 = first_7;
                         return _e66;
                     }
-                    let t_54 = (passed + rt::Scalar(_e56.t));
-                    let _e70 = self.v_metres_on(_e31, t_54);
+                    let t_56 = (passed + rt::Scalar(_e56.t));
+                    let _e70 = self.v_metres_on(_e31, t_56);
                     let at_m = (rt::Scalar(_e31.start) + _e70);
-                    let _e74 = rt::Scalar(first_6.hit.found);
+                    let _e74 = rt::Scalar(first_7.hit.found);
                     if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
                         let _e80 = reached_1;
                         let _e81 = reached_1;
-                        local_118 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
+                        local_123 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
                     } else {
-                        local_118 = rt::Scalar(true);
+                        local_123 = rt::Scalar(true);
                     }
-                    let _e87 = local_118;
+                    let _e87 = local_123;
                     if rt::Scalar::into_branch_condition(_e87) {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
-                        let _e93 = cost_26;
+                        let _e93 = cost_29;
                         let _e95 = k_34;
-                        let _e96 = self.v_hit_on_segment(pixel_78, at_112, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_54, _e93), _e95);
-                        first_6 = _e96;
-                        let _e99 = first_6.hit.cost;
-                        cost_26 = _e99;
+                        let _e96 = self.v_hit_on_segment(pixel_78, at_118, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_56, _e93), _e95);
+                        first_7 = _e96;
+                        let _e99 = first_7.hit.cost;
+                        cost_29 = _e99;
                     }
                     let _e100 = agreed;
                     agreed = (_e100 + rt::Scalar(1u32));
                     let _e103 = k_34;
                     let _e107 = k_34;
-                    k_34 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_112.segments)));
+                    k_34 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_118.segments)));
                     let _e113 = turns;
                     turns = (_e113 + rt::Scalar(1u32));
                 }
             }
         }
         let _e120 = agreed;
-        rt::Scalar(first_6.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_112.segments)));
-        let _e126 = cost_26;
-        first_6.hit.cost = _e126;
-        let _e127 = first_6;
+        rt::Scalar(first_7.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_118.segments)));
+        let _e126 = cost_29;
+        first_7.hit.cost = _e126;
+        let _e127 = first_7;
         return _e127;
     }
     pub(crate) fn object_depth(
         &self,
         pixel_79: PixelIn,
-        at_113: Entered,
-        params_106: impl rt::Into<rt::Vec4<f32>>,
+        at_119: Entered,
+        params_114: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_79, at_113, rt::into(params_106)))
+        rt::into(self.v_object_depth(pixel_79, at_119, rt::into(params_114)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth(
         &self,
         pixel_79: PixelIn,
-        at_113: Entered,
-        params_106: rt::Vec4<f32>,
+        at_119: Entered,
+        params_114: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_79, at_113);
+        let _e3 = self.v_first_in_all(pixel_79, at_119);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
         pixel_80: PixelIn,
-        at_114: Entered,
-        params_107: impl rt::Into<rt::Vec4<f32>>,
+        at_120: Entered,
+        params_115: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_80, at_114, rt::into(params_107)))
+        rt::into(self.v_object_hull(pixel_80, at_120, rt::into(params_115)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull(
         &self,
         pixel_80: PixelIn,
-        at_114: Entered,
-        params_107: rt::Vec4<f32>,
+        at_120: Entered,
+        params_115: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_80, at_114);
+        let _e3 = self.v_first_in_all(pixel_80, at_120);
         return _e3;
     }
-    pub(crate) fn look_into_frame(&self, uv_32: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_look_into_frame(rt::into(uv_32)))
+    pub(crate) fn look_into_frame(&self, uv_33: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_look_into_frame(rt::into(uv_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_look_into_frame(&self, uv_32: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_look_into_frame(&self, uv_33: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_181 = ((uv_32 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_181);
-        let part_31 = (at_181 - _e8);
+        let at_188 = ((uv_33 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_188);
+        let part_32 = (at_188 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_16 = (rt::Scalar(1f32) - part_31.x());
-        let y_11 = (rt::Scalar(1f32) - part_31.y());
-        let weights_7 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_31.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_31.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_31.x() * part_31.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
-        let cover_2 = ((weights_7.x() + weights_7.y()) + (weights_7.z() + weights_7.w()));
+        let x_16 = (rt::Scalar(1f32) - part_32.x());
+        let y_11 = (rt::Scalar(1f32) - part_32.y());
+        let weights_8 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_32.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_32.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_32.x() * part_32.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let cover_2 = ((weights_8.x() + weights_8.y()) + (weights_8.z() + weights_8.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_7.dot(_e12) / cover_2));
+            return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_8.dot(_e12) / cover_2));
         }
         return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn look_along(
         &self,
-        path_95: Path,
+        path_97: Path,
         image_11: Image,
         steps_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_look_along(path_95, image_11, rt::into(steps_1)))
+        rt::into(self.v_look_along(path_97, image_11, rt::into(steps_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_look_along(
         &self,
-        path_95: Path,
+        path_97: Path,
         image_11: Image,
         steps_1: rt::Scalar<u32>,
     ) -> rt::Vec2<f32> {
-        let mut height_11: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut height_12: rt::Scalar<f32> = rt::Scalar(0.5f32);
         let mut cover: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut step_4: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut step_5: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        let beyond_8 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
-        let low_12 = (image_11.corner - beyond_8);
-        let high_7 = ((image_11.corner + image_11.extent) + beyond_8);
+        let beyond_9 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
+        let low_13 = (image_11.corner - beyond_9);
+        let high_8 = ((image_11.corner + image_11.extent) + beyond_9);
         'naga_break: loop {
             'naga_continue: {
-                let _e21 = step_4;
+                let _e21 = step_5;
                 if rt::Scalar::into_branch_condition(_e21.elementwise_le(steps_1)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e23 = height_11;
-                    let _e30 = self.v_path_uv(path_95, ((_e23 - path_95.h.x()) / path_95.h.y()));
-                    let _e32 = self.v_look_into_frame(_e30.clamp(low_12, high_7));
+                    let _e23 = height_12;
+                    let _e30 = self.v_path_uv(path_97, ((_e23 - path_97.h.x()) / path_97.h.y()));
+                    let _e32 = self.v_look_into_frame(_e30.clamp(low_13, high_8));
                     cover = _e32.x();
-                    let _e34 = height_11;
+                    let _e34 = height_12;
                     let _e36 = cover;
-                    height_11 = _e34.select(_e32.y(), _e36.elementwise_gt(rt::Scalar(0f32)));
-                    let _e40 = step_4;
-                    step_4 = (_e40 + rt::Scalar(1u32));
+                    height_12 = _e34.select(_e32.y(), _e36.elementwise_gt(rt::Scalar(0f32)));
+                    let _e40 = step_5;
+                    step_5 = (_e40 + rt::Scalar(1u32));
                 }
             }
         }
         let _e43 = cover;
-        let _e44 = height_11;
+        let _e44 = height_12;
         return <rt::Vec2<f32>>::from_scalars(_e43, _e44);
     }
     pub(crate) fn object_blend(
         &self,
         pixel_81: PixelIn,
-        at_115: Entered,
-        params_108: impl rt::Into<rt::Vec4<f32>>,
+        at_121: Entered,
+        params_116: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_81, at_115, rt::into(params_108)))
+        rt::into(self.v_object_blend(pixel_81, at_121, rt::into(params_116)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_blend(
         &self,
         pixel_81: PixelIn,
-        at_115: Entered,
-        params_108: rt::Vec4<f32>,
+        at_121: Entered,
+        params_116: rt::Vec4<f32>,
     ) -> FirstHit {
-        let mut cost_27: rt::Vec3<u32> = NO_COST;
+        let mut cost_30: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut along_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut heaviest: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_35: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut first_7: FirstHit;
-        let mut local_119: rt::Scalar<bool>;
+        let mut first_8: FirstHit;
+        let mut local_124: rt::Scalar<bool>;
 
         let toward_11 = (-pixel_81.direction.normalize());
         let _e6 = self.v_frames_around(toward_11);
@@ -16666,11 +17548,11 @@ impl<'g> Resources<'g> {
                     let _e26 = self.v_frame_weight(_e6, _e25);
                     if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_11).elementwise_ge(rt::Scalar(0.05f32))) {
                         let _e31 = k_35;
-                        let _e32 = self.v_segment_of(pixel_81, at_115, _e31);
-                        let _e35 = self.v_look_along(_e32, _e24, params_108.w().to_u32());
+                        let _e32 = self.v_segment_of(pixel_81, at_121, _e31);
+                        let _e35 = self.v_look_along(_e32, _e24, params_116.w().to_u32());
                         let seen_10 = (_e26 * _e35.x());
-                        let _e38 = cost_27;
-                        cost_27 = (_e38 + (LOOK * (params_108.w().to_u32() + rt::Scalar(1u32))));
+                        let _e38 = cost_30;
+                        cost_30 = (_e38 + (LOOK * (params_116.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
                         cover_1 = (_e46 + seen_10);
                         let _e48 = along_18;
@@ -16687,70 +17569,70 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e66 = cost_27;
+        let _e66 = cost_30;
         let _e67 = self.v_miss(_e66);
-        first_7 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_8 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
-            local_119 = _e78.elementwise_lt(rt::Scalar(0f32));
+            local_124 = _e78.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_119 = rt::Scalar(true);
+            local_124 = rt::Scalar(true);
         }
-        let _e82 = local_119;
+        let _e82 = local_124;
         if rt::Scalar::into_branch_condition(_e82) {
-            let _e83 = first_7;
+            let _e83 = first_8;
             return _e83;
         }
         let _e84 = heaviest;
-        let _e85 = self.v_segment_of(pixel_81, at_115, _e84);
+        let _e85 = self.v_segment_of(pixel_81, at_121, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
-        let t_55 = ((_e86 / _e87) - rt::Scalar(_e85.start));
-        let _e93 = self.v_path_uv(_e85, t_55);
-        let _e94 = self.v_path_height(_e85, t_55);
-        let _e95 = cost_27;
-        let hit_81 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_55, _e95);
+        let t_57 = ((_e86 / _e87) - rt::Scalar(_e85.start));
+        let _e93 = self.v_path_uv(_e85, t_57);
+        let _e94 = self.v_path_height(_e85, t_57);
+        let _e95 = cost_30;
+        let hit_86 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_57, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_81, at_115, _e85, hit_81, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_81, at_121, _e85, hit_86, _e97);
         return _e98;
     }
-    pub(crate) fn object_stage(&self, pixel_82: PixelIn, at_116: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_82, at_116))
+    pub(crate) fn object_stage(&self, pixel_82: PixelIn, at_122: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_82, at_122))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_object_stage(&self, pixel_82: PixelIn, at_116: Entered) -> FirstHit {
+    pub(super) fn v_object_stage(&self, pixel_82: PixelIn, at_122: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_82, at_116, _e11);
+                let _e12 = self.v_object_none(pixel_82, at_122, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_82, at_116, _e17);
+                let _e18 = self.v_object_depth(pixel_82, at_122, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_82, at_116, _e23);
+                let _e24 = self.v_object_hull(pixel_82, at_122, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend(pixel_82, at_116, _e29);
+                let _e30 = self.v_object_blend(pixel_82, at_122, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_83: PixelIn, at_117: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_83, at_117))
+    pub(crate) fn first_hit(&self, pixel_83: PixelIn, at_123: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_83, at_123))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_first_hit(&self, pixel_83: PixelIn, at_117: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_83, at_117);
+    pub(super) fn v_first_hit(&self, pixel_83: PixelIn, at_123: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_83, at_123);
         return _e2;
     }
     pub(crate) fn quotient_up(
@@ -16798,107 +17680,112 @@ impl<'g> Resources<'g> {
         let _e43 = self.v_quotient_up((m_6 * (doubled - (rt::Scalar(2i32) * sweep_5.apex.x()))), (rt::Scalar(2i32) * (sweep_5.end.x() - sweep_5.apex.x())));
         return (n_18 + _e43);
     }
-    pub(crate) fn shadow_search_stage(&self, path_96: Path) -> SearchResult {
-        rt::into(self.v_shadow_search_stage(path_96))
+    pub(crate) fn shadow_search_stage(&self, path_98: Path) -> SearchResult {
+        rt::into(self.v_shadow_search_stage(path_98))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_shadow_search_stage(&self, path_96: Path) -> SearchResult {
+    pub(super) fn v_shadow_search_stage(&self, path_98: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[10usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[10usize].params;
-                let _e11 = self.v_search_none(path_96, _e10);
+                let _e11 = self.v_search_none(path_98, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[10usize].params;
-                let _e17 = self.v_search_linear(path_96, _e16);
+                let _e17 = self.v_search_linear(path_98, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[10usize].params;
-                let _e23 = self.v_search_cells(path_96, _e22);
+                let _e23 = self.v_search_cells(path_98, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[10usize].params;
-                let _e29 = self.v_search_frustum(path_96, _e28);
+                let _e29 = self.v_search_frustum(path_98, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[10usize].params;
-                let _e35 = self.v_search_cone(path_96, _e34);
+                let _e35 = self.v_search_cone(path_98, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[10usize].params;
-                let _e41 = self.v_search_pyramid(path_96, _e40);
+                let _e41 = self.v_search_pyramid(path_98, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[10usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_96, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_98, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[10usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_96, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_98, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[10usize].params;
-                let _e59 = self.v_search_sphere(path_96, _e58);
+                let _e59 = self.v_search_sphere(path_98, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[10usize].params;
-                let _e65 = self.v_search_cone_moved(path_96, _e64);
+                let _e65 = self.v_search_cone_moved(path_98, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[10usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_96, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_98, _e70);
                 return _e71;
             }
             11u32 => {
                 let _e76 = self.surface_settings.choices[10usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_96, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_98, _e76);
                 return _e77;
             }
             12u32 => {
                 let _e82 = self.surface_settings.choices[10usize].params;
-                let _e83 = self.v_search_voxels(path_96, _e82);
+                let _e83 = self.v_search_voxels(path_98, _e82);
                 return _e83;
             }
             13u32 => {
                 let _e88 = self.surface_settings.choices[10usize].params;
-                let _e89 = self.v_search_generalised(path_96, _e88);
+                let _e89 = self.v_search_generalised(path_98, _e88);
                 return _e89;
             }
             14u32 => {
                 let _e94 = self.surface_settings.choices[10usize].params;
-                let _e95 = self.v_search_view_dependent(path_96, _e94);
+                let _e95 = self.v_search_view_dependent(path_98, _e94);
                 return _e95;
             }
             15u32 => {
                 let _e100 = self.surface_settings.choices[10usize].params;
-                let _e101 = self.v_search_view_dependent_free(path_96, _e100);
+                let _e101 = self.v_search_view_dependent_free(path_98, _e100);
                 return _e101;
             }
-            _ => {
+            16u32 => {
                 let _e106 = self.surface_settings.choices[10usize].params;
-                let _e107 = self.v_search_translucent(path_96, _e106);
+                let _e107 = self.v_search_translucent(path_98, _e106);
                 return _e107;
+            }
+            _ => {
+                let _e112 = self.surface_settings.choices[10usize].params;
+                let _e113 = self.v_search_shell_map(path_98, _e112);
+                return _e113;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_118: Entered, hit_37: Hit, light_8: Toward) -> f32 {
-        rt::into(self.v_free_way(at_118, hit_37, light_8))
+    pub(crate) fn free_way(&self, at_124: Entered, hit_42: Hit, light_11: Toward) -> f32 {
+        rt::into(self.v_free_way(at_124, hit_42, light_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_free_way(&self, at_118: Entered, hit_37: Hit, light_8: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_field_light_ray_stage(at_118, hit_37, light_8);
+    pub(super) fn v_free_way(&self, at_124: Entered, hit_42: Hit, light_11: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_field_light_ray_stage(at_124, hit_42, light_11);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -16910,74 +17797,74 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn way_into_heights(
         &self,
-        height_12: impl rt::Into<rt::Scalar<f32>>,
+        height_13: impl rt::Into<rt::Scalar<f32>>,
         slope_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_way_into_heights(rt::into(height_12), rt::into(slope_5)))
+        rt::into(self.v_way_into_heights(rt::into(height_13), rt::into(slope_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_way_into_heights(
         &self,
-        height_12: rt::Scalar<f32>,
+        height_13: rt::Scalar<f32>,
         slope_5: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut local_120: rt::Scalar<bool>;
+        let mut local_125: rt::Scalar<bool>;
 
-        let beyond_9 = (height_12 - height_12.clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(beyond_9.abs().elementwise_gt(rt::Scalar(0f32))) {
-            local_120 = slope_5.abs().elementwise_gt(rt::Scalar(0f32));
+        let beyond_10 = (height_13 - height_13.clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(beyond_10.abs().elementwise_gt(rt::Scalar(0f32))) {
+            local_125 = slope_5.abs().elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_120 = rt::Scalar(false);
+            local_125 = rt::Scalar(false);
         }
-        let _e17 = local_120;
-        return rt::Scalar(0f32).select((beyond_9 / slope_5).abs(), _e17);
+        let _e17 = local_125;
+        return rt::Scalar(0f32).select((beyond_10 / slope_5).abs(), _e17);
     }
     pub(crate) fn rest_of_segment(
         &self,
-        path_97: Path,
+        path_99: Path,
         until_m: impl rt::Into<rt::Scalar<f32>>,
         reach_m: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_rest_of_segment(path_97, rt::into(until_m), rt::into(reach_m)))
+        rt::into(self.v_rest_of_segment(path_99, rt::into(until_m), rt::into(reach_m)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_rest_of_segment(
         &self,
-        path_97: Path,
+        path_99: Path,
         until_m: rt::Scalar<f32>,
         reach_m: rt::Scalar<f32>,
     ) -> Path {
         let mut rest_2: Path;
 
-        let _e7 = self.v_way_into_heights(path_97.h.x(), path_97.h.y());
-        let _e9 = self.v_path_height(path_97, rt::Scalar(path_97.exit));
-        let _e11 = self.v_path_slope(path_97, rt::Scalar(path_97.exit));
+        let _e7 = self.v_way_into_heights(path_99.h.x(), path_99.h.y());
+        let _e9 = self.v_path_height(path_99, rt::Scalar(path_99.exit));
+        let _e11 = self.v_path_slope(path_99, rt::Scalar(path_99.exit));
         let _e12 = self.v_way_into_heights(_e9, _e11);
-        let begin_12 = _e7.max((until_m - rt::Scalar(path_97.start)));
-        rest_2 = path_97;
+        let begin_12 = _e7.max((until_m - rt::Scalar(path_99.start)));
+        rest_2 = path_99;
         if rt::Scalar::into_branch_condition(begin_12.elementwise_gt(rt::Scalar(0f32))) {
-            let _e19 = self.v_beginning_at(path_97, begin_12);
+            let _e19 = self.v_beginning_at(path_99, begin_12);
             rest_2 = _e19;
         }
         let _e27 = rt::Scalar(rest_2.start);
-        rt::Scalar(rest_2.exit) = ((rt::Scalar(path_97.exit) - _e12) - begin_12.max(rt::Scalar(0f32))).min((reach_m - _e27));
+        rt::Scalar(rest_2.exit) = ((rt::Scalar(path_99.exit) - _e12) - begin_12.max(rt::Scalar(0f32))).min((reach_m - _e27));
         let _e30 = rest_2;
         return _e30;
     }
-    pub(crate) fn light_around(&self, at_119: Entered, path_98: Path) -> rt::Vec3<f32> {
-        rt::into(self.v_light_around(at_119, path_98))
+    pub(crate) fn light_around(&self, at_125: Entered, path_100: Path) -> rt::Vec3<f32> {
+        rt::into(self.v_light_around(at_125, path_100))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_light_around(&self, at_119: Entered, path_98: Path) -> rt::Vec3<f32> {
-        let mut light_9: rt::Vec3<f32>;
+    pub(super) fn v_light_around(&self, at_125: Entered, path_100: Path) -> rt::Vec3<f32> {
+        let mut light_12: rt::Vec3<f32>;
         let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let hit_82 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_98.uv, path_98.h.x(), rt::Scalar(0f32), NO_COST);
+        let hit_87 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_100.uv, path_100.h.x(), rt::Scalar(0f32), NO_COST);
         let zero_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let white_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let material_14 = <Material>::new(white_1, zero_2, zero_2, white_1, zero_2, rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
-        light_9 = zero_2;
+        light_12 = zero_2;
         'naga_break: loop {
             'naga_continue: {
                 let _e29 = k_36;
@@ -16987,19 +17874,19 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e32 = k_36;
-                    let along_41 = rt::Scalar(-1f32).select(rt::Scalar(1f32), (_e32 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32)));
+                    let along_42 = rt::Scalar(-1f32).select(rt::Scalar(1f32), (_e32 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32)));
                     let _e40 = k_36;
-                    let axis_6 = (_e40 >> rt::Scalar(1u32));
-                    let normal_34 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32).select(along_41, axis_6.elementwise_eq(rt::Scalar(0u32))), rt::Scalar(0f32).select(along_41, axis_6.elementwise_eq(rt::Scalar(1u32))), rt::Scalar(0f32).select(along_41, axis_6.elementwise_eq(rt::Scalar(2u32))));
-                    let _e56 = light_9;
-                    let _e57 = self.v_ambient_stage(at_119, hit_82, normal_34, normal_34, material_14);
-                    light_9 = (_e56 + _e57);
+                    let axis_8 = (_e40 >> rt::Scalar(1u32));
+                    let normal_36 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32).select(along_42, axis_8.elementwise_eq(rt::Scalar(0u32))), rt::Scalar(0f32).select(along_42, axis_8.elementwise_eq(rt::Scalar(1u32))), rt::Scalar(0f32).select(along_42, axis_8.elementwise_eq(rt::Scalar(2u32))));
+                    let _e56 = light_12;
+                    let _e57 = self.v_ambient_stage(at_125, hit_87, normal_36, normal_36, material_14);
+                    light_12 = (_e56 + _e57);
                     let _e59 = k_36;
                     k_36 = (_e59 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e62 = light_9;
+        let _e62 = light_12;
         return (_e62 * rt::Scalar(0.16666667f32));
     }
     pub(crate) fn goes_on(&self, seen_2: Gathered) -> bool {
@@ -17010,143 +17897,143 @@ impl<'g> Resources<'g> {
     pub(super) fn v_goes_on(&self, seen_2: Gathered) -> rt::Scalar<bool> {
         return rt::Scalar(seen_2.transmittance).elementwise_gt(rt::Scalar(0.000061035156f32));
     }
-    pub(crate) fn placed_over(&self, at_120: Entered, hit_38: Hit) -> Entered {
-        rt::into(self.v_placed_over(at_120, hit_38))
+    pub(crate) fn placed_over(&self, at_126: Entered, hit_43: Hit) -> Entered {
+        rt::into(self.v_placed_over(at_126, hit_43))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_placed_over(&self, at_120: Entered, hit_38: Hit) -> Entered {
+    pub(super) fn v_placed_over(&self, at_126: Entered, hit_43: Hit) -> Entered {
         let mut placed: Entered;
 
-        let uv_45 = hit_38.uv;
-        let aside_9 = (uv_45 - at_120.uv);
-        let _e7 = self.v_field_height_stage(uv_45, rt::Scalar(hit_38.height), rt::Scalar(at_120.level));
+        let uv_46 = hit_43.uv;
+        let aside_10 = (uv_46 - at_126.uv);
+        let _e7 = self.v_field_height_stage(uv_46, rt::Scalar(hit_43.height), rt::Scalar(at_126.level));
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let height_26 = (_e10 + (_e13 * _e7));
-        placed = at_120;
-        placed.point = (((at_120.point + (at_120.tangent * aside_9.x())) + (at_120.bitangent * aside_9.y())) + (at_120.normal * height_26));
-        placed.uv = uv_45;
+        let height_27 = (_e10 + (_e13 * _e7));
+        placed = at_126;
+        placed.point = (((at_126.point + (at_126.tangent * aside_10.x())) + (at_126.bitangent * aside_10.y())) + (at_126.normal * height_27));
+        placed.uv = uv_46;
         let _e31 = placed;
         return _e31;
     }
     pub(crate) fn surface_plane_place(
         &self,
         pixel_84: PixelIn,
-        at_121: Entered,
-        path_99: Path,
-        hit_39: Hit,
-        params_109: impl rt::Into<rt::Vec4<f32>>,
+        at_127: Entered,
+        path_101: Path,
+        hit_44: Hit,
+        params_117: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_84, at_121, path_99, hit_39, rt::into(params_109)))
+        rt::into(self.v_surface_plane_place(pixel_84, at_127, path_101, hit_44, rt::into(params_117)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_plane_place(
         &self,
         pixel_84: PixelIn,
-        at_121: Entered,
-        path_99: Path,
-        hit_39: Hit,
-        params_109: rt::Vec4<f32>,
+        at_127: Entered,
+        path_101: Path,
+        hit_44: Hit,
+        params_117: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_over(at_121, hit_39);
+        let _e5 = self.v_placed_over(at_127, hit_44);
         return _e5;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_85: PixelIn,
-        at_122: Entered,
+        at_128: Entered,
         weights_5: impl rt::Into<rt::Vec3<f32>>,
         point_19: impl rt::Into<rt::Vec3<f32>>,
-        uv_33: impl rt::Into<rt::Vec2<f32>>,
+        uv_34: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_85, at_122, rt::into(weights_5), rt::into(point_19), rt::into(uv_33)))
+        rt::into(self.v_placed_at(pixel_85, at_128, rt::into(weights_5), rt::into(point_19), rt::into(uv_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_placed_at(
         &self,
         pixel_85: PixelIn,
-        at_122: Entered,
+        at_128: Entered,
         weights_5: rt::Vec3<f32>,
         point_19: rt::Vec3<f32>,
-        uv_33: rt::Vec2<f32>,
+        uv_34: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_85, weights_5, point_19, uv_33, at_122.facing);
+        let _e6 = self.v_frame_at(pixel_85, weights_5, point_19, uv_34, at_128.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_122.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_122.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_122.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_128.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_128.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_128.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_86: PixelIn,
-        at_123: Entered,
-        path_100: Path,
-        hit_40: Hit,
-        params_110: impl rt::Into<rt::Vec4<f32>>,
+        at_129: Entered,
+        path_102: Path,
+        hit_45: Hit,
+        params_118: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_86, at_123, path_100, hit_40, rt::into(params_110)))
+        rt::into(self.v_surface_prism_place(pixel_86, at_129, path_102, hit_45, rt::into(params_118)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_prism_place(
         &self,
         pixel_86: PixelIn,
-        at_123: Entered,
-        path_100: Path,
-        hit_40: Hit,
-        params_110: rt::Vec4<f32>,
+        at_129: Entered,
+        path_102: Path,
+        hit_45: Hit,
+        params_118: rt::Vec4<f32>,
     ) -> Entered {
-        let along_42 = pixel_86.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_86, along_42);
-        let _e8 = self.v_prism_of(pixel_86, along_42, _e7, params_110);
-        let s_3 = ((rt::Scalar(path_100.start) + rt::Scalar(hit_40.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_86, _e8, (along_42 * s_3), rt::Scalar(hit_40.height));
-        let weights_8 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_86, at_123, weights_8, (pixel_86.origin + (along_42 * (rt::Scalar(path_100.start) + rt::Scalar(hit_40.t)))), hit_40.uv);
+        let along_43 = pixel_86.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_86, along_43);
+        let _e8 = self.v_prism_of(pixel_86, along_43, _e7, params_118);
+        let s_3 = ((rt::Scalar(path_102.start) + rt::Scalar(hit_45.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_86, _e8, (along_43 * s_3), rt::Scalar(hit_45.height));
+        let weights_9 = _e15.weights;
+        let _e24 = self.v_placed_at(pixel_86, at_129, weights_9, (pixel_86.origin + (along_43 * (rt::Scalar(path_102.start) + rt::Scalar(hit_45.t)))), hit_45.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_124: Entered,
+        at_130: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_124, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_130, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_quadric_frame(
         &self,
-        at_124: Entered,
+        at_130: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_121: rt::Scalar<bool>;
+        let mut local_126: rt::Scalar<bool>;
 
-        placed_2 = at_124;
-        let _e5 = self.v_quadric_slope(at_124.of_surface.xyz(), aside);
+        placed_2 = at_130;
+        let _e5 = self.v_quadric_slope(at_130.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_121 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_126 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_121 = rt::Scalar(false);
+            local_126 = rt::Scalar(false);
         }
-        let _e15 = local_121;
+        let _e15 = local_126;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_7 = at_124.metric;
+        let m_7 = at_130.metric;
         let area_7 = ((m_7.x() * m_7.z()) - (m_7.y() * m_7.y()));
         let along_t = (((_e5.x() * m_7.z()) - (_e5.y() * m_7.y())) / area_7);
         let along_b = (((_e5.y() * m_7.x()) - (_e5.x() * m_7.y())) / area_7);
-        placed_2.tangent = (at_124.tangent + (at_124.normal * _e5.x()));
-        placed_2.bitangent = (at_124.bitangent + (at_124.normal * _e5.y()));
-        placed_2.normal = ((at_124.normal - (at_124.tangent * along_t)) - (at_124.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_130.tangent + (at_130.normal * _e5.x()));
+        placed_2.bitangent = (at_130.bitangent + (at_130.normal * _e5.y()));
+        placed_2.normal = ((at_130.normal - (at_130.tangent * along_t)) - (at_130.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -17163,100 +18050,100 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_87: PixelIn,
-        at_125: Entered,
-        path_101: Path,
-        hit_41: Hit,
-        params_111: impl rt::Into<rt::Vec4<f32>>,
+        at_131: Entered,
+        path_103: Path,
+        hit_46: Hit,
+        params_119: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_87, at_125, path_101, hit_41, rt::into(params_111)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_87, at_131, path_103, hit_46, rt::into(params_119)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_87: PixelIn,
-        at_125: Entered,
-        path_101: Path,
-        hit_41: Hit,
-        params_111: rt::Vec4<f32>,
+        at_131: Entered,
+        path_103: Path,
+        hit_46: Hit,
+        params_119: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_125, (hit_41.uv - at_125.uv));
+        let _e8 = self.v_quadric_frame(at_131, (hit_46.uv - at_131.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_87.origin + (pixel_87.direction.normalize() * (rt::Scalar(path_101.start) + rt::Scalar(hit_41.t))));
-        placed_3.uv = hit_41.uv;
+        placed_3.point = (pixel_87.origin + (pixel_87.direction.normalize() * (rt::Scalar(path_103.start) + rt::Scalar(hit_46.t))));
+        placed_3.uv = hit_46.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_88: PixelIn,
-        at_126: Entered,
-        path_102: Path,
-        hit_42: Hit,
-        params_112: impl rt::Into<rt::Vec4<f32>>,
+        at_132: Entered,
+        path_104: Path,
+        hit_47: Hit,
+        params_120: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_88, at_126, path_102, hit_42, rt::into(params_112)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_88, at_132, path_104, hit_47, rt::into(params_120)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_place(
         &self,
         pixel_88: PixelIn,
-        at_126: Entered,
-        path_102: Path,
-        hit_42: Hit,
-        params_112: rt::Vec4<f32>,
+        at_132: Entered,
+        path_104: Path,
+        hit_47: Hit,
+        params_120: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_42.uv - at_126.uv);
-        let _e11 = self.v_field_height_stage(hit_42.uv, rt::Scalar(hit_42.height), rt::Scalar(at_126.level));
+        let aside_11 = (hit_47.uv - at_132.uv);
+        let _e11 = self.v_field_height_stage(hit_47.uv, rt::Scalar(hit_47.height), rt::Scalar(at_132.level));
         let _e14 = rt::Scalar(self.surface_settings.bias_m);
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
-        let height_27 = (_e14 + (_e17 * _e11));
+        let height_28 = (_e14 + (_e17 * _e11));
         let _e20 = self.v_base_height();
         let _e24 = self.v_traced_scale_m();
-        let _e28 = self.v_quadric_at(at_126.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e20 - at_126.of_surface.w()) * _e24) + _e28);
-        let _e30 = self.v_quadric_frame(at_126, aside_10);
+        let _e28 = self.v_quadric_at(at_132.of_surface.xyz(), aside_11);
+        let lifted_2 = (((_e20 - at_132.of_surface.w()) * _e24) + _e28);
+        let _e30 = self.v_quadric_frame(at_132, aside_11);
         placed_4 = _e30;
-        placed_4.point = (((at_126.point + (at_126.tangent * aside_10.x())) + (at_126.bitangent * aside_10.y())) + (at_126.normal * (height_27 + lifted_2)));
-        placed_4.uv = hit_42.uv;
+        placed_4.point = (((at_132.point + (at_132.tangent * aside_11.x())) + (at_132.bitangent * aside_11.y())) + (at_132.normal * (height_28 + lifted_2)));
+        placed_4.uv = hit_47.uv;
         let _e48 = placed_4;
         return _e48;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_89: PixelIn,
-        at_127: Entered,
-        path_103: Path,
-        hit_43: Hit,
-        params_113: impl rt::Into<rt::Vec4<f32>>,
+        at_133: Entered,
+        path_105: Path,
+        hit_48: Hit,
+        params_121: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_89, at_127, path_103, hit_43, rt::into(params_113)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_89, at_133, path_105, hit_48, rt::into(params_121)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_place(
         &self,
         pixel_89: PixelIn,
-        at_127: Entered,
-        path_103: Path,
-        hit_43: Hit,
-        params_113: rt::Vec4<f32>,
+        at_133: Entered,
+        path_105: Path,
+        hit_48: Hit,
+        params_121: rt::Vec4<f32>,
     ) -> Entered {
-        let mut nearest: Tetrahedron;
+        let mut nearest_2: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
         let mut number_16: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_43 = pixel_89.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_89, along_43);
-        let t_56 = ((rt::Scalar(path_103.start) + rt::Scalar(hit_43.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_89, along_43, _e7, rt::Scalar(0u32));
-        nearest = _e13;
-        let _e17 = nearest.inside.x();
-        let _e21 = nearest.inside.y();
-        beside_1 = (_e17 - t_56).max((t_56 - _e21));
+        let along_44 = pixel_89.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_89, along_44);
+        let t_58 = ((rt::Scalar(path_105.start) + rt::Scalar(hit_48.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_89, along_44, _e7, rt::Scalar(0u32));
+        nearest_2 = _e13;
+        let _e17 = nearest_2.inside.x();
+        let _e21 = nearest_2.inside.y();
+        beside_1 = (_e17 - t_58).max((t_58 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_16;
@@ -17266,103 +18153,103 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = number_16;
-                    let _e31 = self.v_tetrahedron(pixel_89, along_43, _e7, _e30);
-                    let aside_11 = (_e31.inside.x() - t_56).max((t_56 - _e31.inside.y()));
+                    let _e31 = self.v_tetrahedron(pixel_89, along_44, _e7, _e30);
+                    let aside_12 = (_e31.inside.x() - t_58).max((t_58 - _e31.inside.y()));
                     let _e39 = beside_1;
-                    if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
-                        nearest = _e31;
-                        beside_1 = aside_11;
+                    if rt::Scalar::into_branch_condition(aside_12.elementwise_lt(_e39)) {
+                        nearest_2 = _e31;
+                        beside_1 = aside_12;
                     }
                     let _e41 = number_16;
                     number_16 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e45 = nearest.weights;
-        let _e47 = nearest.change;
-        let weights_9 = (_e45 + (_e47 * t_56));
-        let point_33 = (pixel_89.origin + (along_43 * (rt::Scalar(path_103.start) + rt::Scalar(hit_43.t))));
-        let _e58 = self.v_placed_at(pixel_89, at_127, weights_9.xyz(), point_33, hit_43.uv);
+        let _e45 = nearest_2.weights;
+        let _e47 = nearest_2.change;
+        let weights_10 = (_e45 + (_e47 * t_58));
+        let point_33 = (pixel_89.origin + (along_44 * (rt::Scalar(path_105.start) + rt::Scalar(hit_48.t))));
+        let _e58 = self.v_placed_at(pixel_89, at_133, weights_10.xyz(), point_33, hit_48.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_90: PixelIn,
-        at_128: Entered,
-        path_104: Path,
-        hit_44: Hit,
-        params_114: impl rt::Into<rt::Vec4<f32>>,
+        at_134: Entered,
+        path_106: Path,
+        hit_49: Hit,
+        params_122: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_90, at_128, path_104, hit_44, rt::into(params_114)))
+        rt::into(self.v_surface_facets_place(pixel_90, at_134, path_106, hit_49, rt::into(params_122)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_place(
         &self,
         pixel_90: PixelIn,
-        at_128: Entered,
-        path_104: Path,
-        hit_44: Hit,
-        params_114: rt::Vec4<f32>,
+        at_134: Entered,
+        path_106: Path,
+        hit_49: Hit,
+        params_122: rt::Vec4<f32>,
     ) -> Entered {
-        return at_128;
+        return at_134;
     }
     pub(crate) fn surface_slices_place(
         &self,
         pixel_91: PixelIn,
-        at_129: Entered,
-        path_105: Path,
-        hit_45: Hit,
-        params_115: impl rt::Into<rt::Vec4<f32>>,
+        at_135: Entered,
+        path_107: Path,
+        hit_50: Hit,
+        params_123: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_91, at_129, path_105, hit_45, rt::into(params_115)))
+        rt::into(self.v_surface_slices_place(pixel_91, at_135, path_107, hit_50, rt::into(params_123)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_place(
         &self,
         pixel_91: PixelIn,
-        at_129: Entered,
-        path_105: Path,
-        hit_45: Hit,
-        params_115: rt::Vec4<f32>,
+        at_135: Entered,
+        path_107: Path,
+        hit_50: Hit,
+        params_123: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_over(at_129, hit_45);
+        let _e5 = self.v_placed_over(at_135, hit_50);
         return _e5;
     }
-    pub(crate) fn rise_of_mask(&self, uv_34: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_rise_of_mask(rt::into(uv_34)))
+    pub(crate) fn rise_of_mask(&self, uv_35: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_rise_of_mask(rt::into(uv_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_rise_of_mask(&self, uv_34: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    pub(super) fn v_rise_of_mask(&self, uv_35: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_182 = ((uv_34 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_182);
+        let at_189 = ((uv_35 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_189);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_32 = (at_182 - _e8);
-        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_32.y())) + ((_e11.w() - _e11.z()) * part_32.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_32.x())) + ((_e11.w() - _e11.y()) * part_32.x())));
+        let part_33 = (at_189 - _e8);
+        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_33.y())) + ((_e11.w() - _e11.z()) * part_33.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_33.x())) + ((_e11.w() - _e11.y()) * part_33.x())));
     }
     pub(crate) fn normal_of_mask(
         &self,
         image_12: Image,
-        uv_35: impl rt::Into<rt::Vec2<f32>>,
+        uv_36: impl rt::Into<rt::Vec2<f32>>,
         within: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_35), rt::into(within)))
+        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_36), rt::into(within)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_of_mask(
         &self,
         image_12: Image,
-        uv_35: rt::Vec2<f32>,
+        uv_36: rt::Vec2<f32>,
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_rise_of_mask(uv_35);
-        let place_40 = ((uv_35 - image_12.corner) / image_12.extent);
-        let along_u_5 = (image_12.u.xyz() - (image_12.depth.xyz() * place_40.x())).normalize();
-        let along_v_5 = (image_12.v.xyz() - (image_12.depth.xyz() * place_40.y())).normalize();
+        let _e3 = self.v_rise_of_mask(uv_36);
+        let place_47 = ((uv_36 - image_12.corner) / image_12.extent);
+        let along_u_5 = (image_12.u.xyz() - (image_12.depth.xyz() * place_47.x())).normalize();
+        let along_v_5 = (image_12.v.xyz() - (image_12.depth.xyz() * place_47.y())).normalize();
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_5 * _e3.x())) - (along_v_5 * _e3.y()));
         let square_6 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_6.elementwise_gt(rt::Scalar(0f32))) {
@@ -17370,21 +18257,21 @@ impl<'g> Resources<'g> {
         }
         return within;
     }
-    pub(crate) fn placed_in_image(&self, pixel_92: PixelIn, at_130: Entered, path_106: Path, hit_46: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_92, at_130, path_106, hit_46))
+    pub(crate) fn placed_in_image(&self, pixel_92: PixelIn, at_136: Entered, path_108: Path, hit_51: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_92, at_136, path_108, hit_51))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_placed_in_image(&self, pixel_92: PixelIn, at_130: Entered, path_106: Path, hit_46: Hit) -> Entered {
+    pub(super) fn v_placed_in_image(&self, pixel_92: PixelIn, at_136: Entered, path_108: Path, hit_51: Hit) -> Entered {
         let mut placed_5: Entered;
 
-        let _e6 = self.v_image_of_object(rt::Scalar(path_106.base).to_u32());
-        placed_5 = at_130;
-        placed_5.point = (pixel_92.origin + (pixel_92.direction.normalize() * (rt::Scalar(path_106.start) + rt::Scalar(hit_46.t))));
-        placed_5.uv = hit_46.uv;
+        let _e6 = self.v_image_of_object(rt::Scalar(path_108.base).to_u32());
+        placed_5 = at_136;
+        placed_5.point = (pixel_92.origin + (pixel_92.direction.normalize() * (rt::Scalar(path_108.start) + rt::Scalar(hit_51.t))));
+        placed_5.uv = hit_51.uv;
         let _e20 = placed_5.point;
         let _e21 = self.v_depth_in_image(_e6, _e20);
         let _e23 = placed_5.point;
-        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_46.height));
+        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_51.height));
         let _e27 = self.v_tangent_of_image(_e6);
         placed_5.tangent = ((_e27 * _e21) / rt::Vec3::splat_from_scalar(_e25));
         let _e32 = self.v_bitangent_of_image(_e6);
@@ -17396,11 +18283,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(rt::Scalar(1u32))) {
             placed_5.normal = _e6.toward;
         }
-        placed_5.metric = path_106.metric;
+        placed_5.metric = path_108.metric;
         placed_5.facing = _e6.toward;
         let _e53 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e53.elementwise_eq(CELLS_MASK)) {
-            let _e59 = self.v_normal_of_mask(_e6, hit_46.uv, _e6.toward);
+            let _e59 = self.v_normal_of_mask(_e6, hit_51.uv, _e6.toward);
             placed_5.normal = _e59;
             let _e62 = placed_5.normal;
             placed_5.facing = _e62;
@@ -17411,31 +18298,31 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_place(
         &self,
         pixel_93: PixelIn,
-        at_131: Entered,
-        path_107: Path,
-        hit_47: Hit,
-        params_116: impl rt::Into<rt::Vec4<f32>>,
+        at_137: Entered,
+        path_109: Path,
+        hit_52: Hit,
+        params_124: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_93, at_131, path_107, hit_47, rt::into(params_116)))
+        rt::into(self.v_surface_object_place(pixel_93, at_137, path_109, hit_52, rt::into(params_124)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_place(
         &self,
         pixel_93: PixelIn,
-        at_131: Entered,
-        path_107: Path,
-        hit_47: Hit,
-        params_116: rt::Vec4<f32>,
+        at_137: Entered,
+        path_109: Path,
+        hit_52: Hit,
+        params_124: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_93, at_131, path_107, hit_47);
+        let _e5 = self.v_placed_in_image(pixel_93, at_137, path_109, hit_52);
         return _e5;
     }
-    pub(crate) fn normal_of_frames(&self, at_132: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_frames(at_132, frames_2))
+    pub(crate) fn normal_of_frames(&self, at_138: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_138, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_normal_of_frames(&self, at_132: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    pub(super) fn v_normal_of_frames(&self, at_138: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_5: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_3: Entered;
@@ -17451,17 +18338,17 @@ impl<'g> Resources<'g> {
                     let _e12 = k_37;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
-                    seen_3 = at_132;
+                    seen_3 = at_138;
                     let _e17 = self.v_tangent_of_image(_e14);
                     seen_3.tangent = _e17;
                     let _e19 = self.v_bitangent_of_image(_e14);
                     seen_3.bitangent = _e19;
                     seen_3.normal = _e14.toward;
-                    let _e23 = self.v_place_in_image(_e14, at_132.point);
-                    let uv_46 = _e23.xy();
+                    let _e23 = self.v_place_in_image(_e14, at_138.point);
+                    let uv_47 = _e23.xy();
                     let _e25 = sum_5;
                     let _e26 = seen_3;
-                    let _e27 = self.v_finest_normal(_e26, uv_46);
+                    let _e27 = self.v_finest_normal(_e26, uv_47);
                     let _e28 = k_37;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_5 = (_e25 + (_e27 * _e29));
@@ -17477,40 +18364,40 @@ impl<'g> Resources<'g> {
             let _e40 = sum_5;
             return (_e40 / rt::Vec3::splat_from_scalar(square_7.sqrt()));
         }
-        return at_132.normal;
+        return at_138.normal;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_94: PixelIn,
-        at_133: Entered,
-        path_108: Path,
-        hit_48: Hit,
-        params_117: impl rt::Into<rt::Vec4<f32>>,
+        at_139: Entered,
+        path_110: Path,
+        hit_53: Hit,
+        params_125: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_94, at_133, path_108, hit_48, rt::into(params_117)))
+        rt::into(self.v_surface_frames_place(pixel_94, at_139, path_110, hit_53, rt::into(params_125)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_frames_place(
         &self,
         pixel_94: PixelIn,
-        at_133: Entered,
-        path_108: Path,
-        hit_48: Hit,
-        params_117: rt::Vec4<f32>,
+        at_139: Entered,
+        path_110: Path,
+        hit_53: Hit,
+        params_125: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_122: rt::Scalar<bool>;
+        let mut local_127: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_94, at_133, path_108, hit_48);
+        let _e5 = self.v_placed_in_image(pixel_94, at_139, path_110, hit_53);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_122 = _e16.elementwise_ne(CELLS_MASK);
+            local_127 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_122 = rt::Scalar(false);
+            local_127 = rt::Scalar(false);
         }
-        let _e20 = local_122;
+        let _e20 = local_127;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
             let _e26 = self.v_frames_around((-pixel_94.direction.normalize()));
@@ -17523,36 +18410,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_place(
         &self,
         pixel_95: PixelIn,
-        at_134: Entered,
-        path_109: Path,
-        hit_49: Hit,
-        params_118: impl rt::Into<rt::Vec4<f32>>,
+        at_140: Entered,
+        path_111: Path,
+        hit_54: Hit,
+        params_126: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_95, at_134, path_109, hit_49, rt::into(params_118)))
+        rt::into(self.v_surface_object_slices_place(pixel_95, at_140, path_111, hit_54, rt::into(params_126)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_object_slices_place(
         &self,
         pixel_95: PixelIn,
-        at_134: Entered,
-        path_109: Path,
-        hit_49: Hit,
-        params_118: rt::Vec4<f32>,
+        at_140: Entered,
+        path_111: Path,
+        hit_54: Hit,
+        params_126: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
         let mut placed_7: Entered;
 
-        let _e6 = self.v_slice_at(at_134.point);
+        let _e6 = self.v_slice_at(at_140.point);
         let number_27 = rt::Scalar(_e6.number);
-        of_image = path_109;
+        of_image = path_111;
         rt::Scalar(of_image.base) = number_27.to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_95, at_134, _e11, hit_49);
+        let _e12 = self.v_placed_in_image(pixel_95, at_140, _e11, hit_54);
         placed_7 = _e12;
         let _e16 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e16.elementwise_eq(CELLS_MASK)) {
             let _e20 = self.v_image_of_object(number_27);
-            let _e23 = self.v_normal_of_mask(_e20, hit_49.uv, at_134.normal);
+            let _e23 = self.v_normal_of_mask(_e20, hit_54.uv, at_140.normal);
             placed_7.normal = _e23;
             let _e26 = placed_7.normal;
             placed_7.facing = _e26;
@@ -17560,76 +18447,76 @@ impl<'g> Resources<'g> {
         let _e27 = placed_7;
         return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_96: PixelIn, at_135: Entered, path_110: Path, hit_50: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_96, at_135, path_110, hit_50))
+    pub(crate) fn surface_place_stage(&self, pixel_96: PixelIn, at_141: Entered, path_112: Path, hit_55: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_96, at_141, path_112, hit_55))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_place_stage(&self, pixel_96: PixelIn, at_135: Entered, path_110: Path, hit_50: Hit) -> Entered {
+    pub(super) fn v_surface_place_stage(&self, pixel_96: PixelIn, at_141: Entered, path_112: Path, hit_55: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_96, at_135, path_110, hit_50, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_96, at_141, path_112, hit_55, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_96, at_135, path_110, hit_50, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_96, at_141, path_112, hit_55, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_96, at_135, path_110, hit_50, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_96, at_141, path_112, hit_55, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_96, at_135, path_110, hit_50, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_96, at_141, path_112, hit_55, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_96, at_135, path_110, hit_50, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_96, at_141, path_112, hit_55, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_96, at_135, path_110, hit_50, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_96, at_141, path_112, hit_55, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_96, at_135, path_110, hit_50, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_96, at_141, path_112, hit_55, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_96, at_135, path_110, hit_50, _e55);
+                let _e56 = self.v_surface_object_place(pixel_96, at_141, path_112, hit_55, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_96, at_135, path_110, hit_50, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_96, at_141, path_112, hit_55, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_96, at_135, path_110, hit_50, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_96, at_141, path_112, hit_55, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_97: PixelIn, at_136: Entered, path_111: Path, hit_51: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_97, at_136, path_111, hit_51))
+    pub(crate) fn place_on_segment(&self, pixel_97: PixelIn, at_142: Entered, path_113: Path, hit_56: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_97, at_142, path_113, hit_56))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_place_on_segment(&self, pixel_97: PixelIn, at_136: Entered, path_111: Path, hit_51: Hit) -> Entered {
+    pub(super) fn v_place_on_segment(&self, pixel_97: PixelIn, at_142: Entered, path_113: Path, hit_56: Hit) -> Entered {
         let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_97, at_136, path_111, hit_51);
+        let _e4 = self.v_surface_place_stage(pixel_97, at_142, path_113, hit_56);
         placed_8 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_97, path_111, hit_51);
+        let _e7 = self.v_depth_on_ray(pixel_97, path_113, hit_56);
         rt::Scalar(placed_8.depth) = _e7;
         let _e8 = placed_8;
         return _e8;
@@ -17648,46 +18535,46 @@ impl<'g> Resources<'g> {
         number_17: rt::Scalar<u32>,
         position: rt::Vec3<f32>,
     ) -> Toward {
-        let light_24 = self.frame.lights[rt::Scalar::into_array_index(number_17)];
-        if rt::Scalar::into_branch_condition(light_24.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_12 = (light_24.place.xyz() - position);
+        let light_27 = self.frame.lights[rt::Scalar::into_array_index(number_17)];
+        if rt::Scalar::into_branch_condition(light_27.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
+            let toward_12 = (light_27.place.xyz() - position);
             let squared_5 = toward_12.dot(toward_12);
             let distance_3 = squared_5.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_5.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_12.normalize(), falloff, distance_3, (light_24.color.w() / distance_3), number_17);
+            return <Toward>::new(toward_12.normalize(), falloff, distance_3, (light_27.color.w() / distance_3), number_17);
         }
-        return <Toward>::new(light_24.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_24.color.w(), number_17);
+        return <Toward>::new(light_27.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_27.color.w(), number_17);
     }
     pub(crate) fn scattered(
         &self,
         pixel_98: PixelIn,
-        at_137: Entered,
-        path_112: Path,
-        t_46: impl rt::Into<rt::Scalar<f32>>,
+        at_143: Entered,
+        path_114: Path,
+        t_48: impl rt::Into<rt::Scalar<f32>>,
         around_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_scattered(pixel_98, at_137, path_112, rt::into(t_46), rt::into(around_1)))
+        rt::into(self.v_scattered(pixel_98, at_143, path_114, rt::into(t_48), rt::into(around_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_scattered(
         &self,
         pixel_98: PixelIn,
-        at_137: Entered,
-        path_112: Path,
-        t_46: rt::Scalar<f32>,
+        at_143: Entered,
+        path_114: Path,
+        t_48: rt::Scalar<f32>,
         around_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let mut light_10: rt::Vec3<f32>;
+        let mut light_13: rt::Vec3<f32>;
         let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e7 = self.v_path_uv(path_112, t_46);
-        let _e8 = self.v_path_height(path_112, t_46);
-        let hit_83 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e7, _e8, t_46, NO_COST);
-        let _e11 = self.v_place_on_segment(pixel_98, at_137, path_112, hit_83);
+        let _e7 = self.v_path_uv(path_114, t_48);
+        let _e8 = self.v_path_height(path_114, t_48);
+        let hit_88 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e7, _e8, t_48, NO_COST);
+        let _e11 = self.v_place_on_segment(pixel_98, at_143, path_114, hit_88);
         let _e14 = self.surface_settings.diffuse;
-        let _e18 = self.v_color_or_white(hit_83.uv, rt::Scalar(at_137.footprint));
+        let _e18 = self.v_color_or_white(hit_88.uv, rt::Scalar(at_143.footprint));
         let albedo = (_e14.xyz() * _e18);
-        light_10 = around_1;
+        light_13 = around_1;
         'naga_break: loop {
             'naga_continue: {
                 let _e23 = k_38;
@@ -17699,121 +18586,121 @@ impl<'g> Resources<'g> {
                 {
                     let _e28 = k_38;
                     let _e30 = self.v_toward_light(_e28, _e11.point);
-                    let _e31 = self.v_arriving(_e11, hit_83, _e30);
-                    let part_33 = (_e31 * rt::Scalar(_e30.falloff));
-                    let _e34 = light_10;
+                    let _e31 = self.v_arriving(_e11, hit_88, _e30);
+                    let part_34 = (_e31 * rt::Scalar(_e30.falloff));
+                    let _e34 = light_13;
                     let _e37 = k_38;
                     let _e40 = self.frame.lights[rt::Scalar::into_array_index(_e37)].color;
-                    light_10 = (_e34 + (_e40.xyz() * (rt::Scalar(0.25f32) * part_33)));
+                    light_13 = (_e34 + (_e40.xyz() * (rt::Scalar(0.25f32) * part_34)));
                     let _e46 = k_38;
                     k_38 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e49 = light_10;
+        let _e49 = light_13;
         let _e53 = self.surface_settings.emission;
         return ((albedo * _e49) + _e53.xyz());
     }
     pub(crate) fn looked_at(
         &self,
-        before_3: Gathering,
+        before_5: Gathering,
         pixel_99: PixelIn,
-        at_138: Entered,
-        path_113: Path,
+        at_144: Entered,
+        path_115: Path,
         around_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> Gathering {
-        rt::into(self.v_looked_at(before_3, pixel_99, at_138, path_113, rt::into(around_2)))
+        rt::into(self.v_looked_at(before_5, pixel_99, at_144, path_115, rt::into(around_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_looked_at(
         &self,
-        before_3: Gathering,
+        before_5: Gathering,
         pixel_99: PixelIn,
-        at_138: Entered,
-        path_113: Path,
+        at_144: Entered,
+        path_115: Path,
         around_2: rt::Vec3<f32>,
     ) -> Gathering {
         let mut now: Gathering;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(before_3.part).elementwise_gt(rt::Scalar(0f32)))) {
-            return before_3;
+        if rt::Scalar::into_branch_condition((!rt::Scalar(before_5.part).elementwise_gt(rt::Scalar(0f32)))) {
+            return before_5;
         }
-        let _e12 = self.v_scattered(pixel_99, at_138, path_113, (rt::Scalar(before_3.places) / rt::Scalar(before_3.part)), around_2);
-        now = <Gathering>::new(before_3.seen, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        let _e12 = self.v_scattered(pixel_99, at_144, path_115, (rt::Scalar(before_5.places) / rt::Scalar(before_5.part)), around_2);
+        now = <Gathering>::new(before_5.seen, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
         let _e23 = now.seen.light;
         let _e27 = rt::Scalar(now.seen.pending);
-        now.seen.light = (_e23 + (_e12 * (rt::Scalar(before_3.part) + _e27)));
+        now.seen.light = (_e23 + (_e12 * (rt::Scalar(before_5.part) + _e27)));
         rt::Scalar(now.seen.pending) = rt::Scalar(0f32);
         let _e34 = now;
         return _e34;
     }
     pub(crate) fn gathered_in_cell(
         &self,
-        before_4: Gathering,
+        before_6: Gathering,
         pixel_100: PixelIn,
-        at_139: Entered,
-        path_114: Path,
+        at_145: Entered,
+        path_116: Path,
         way_22: VoxelPath,
         part_14: CellPart,
         around_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> Gathering {
-        rt::into(self.v_gathered_in_cell(before_4, pixel_100, at_139, path_114, way_22, part_14, rt::into(around_3)))
+        rt::into(self.v_gathered_in_cell(before_6, pixel_100, at_145, path_116, way_22, part_14, rt::into(around_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_gathered_in_cell(
         &self,
-        before_4: Gathering,
+        before_6: Gathering,
         pixel_100: PixelIn,
-        at_139: Entered,
-        path_114: Path,
+        at_145: Entered,
+        path_116: Path,
         way_22: VoxelPath,
         part_14: CellPart,
         around_3: rt::Vec3<f32>,
     ) -> Gathering {
         let mut now_1: Gathering;
-        let mut begin_7: rt::Scalar<f32>;
-        let mut local_123: rt::Scalar<bool>;
-        let mut local_124: rt::Scalar<bool>;
-        let mut local_125: rt::Scalar<bool>;
+        let mut begin_8: rt::Scalar<f32>;
+        let mut local_128: rt::Scalar<bool>;
+        let mut local_129: rt::Scalar<bool>;
+        let mut local_130: rt::Scalar<bool>;
 
-        let params_141 = self.surface_settings.choices[6usize].params;
+        let params_149 = self.surface_settings.choices[6usize].params;
         let _e14 = self.v_voxel_cell(part_14.cell.to_i32());
-        let share_1 = (rt::Scalar(1f32) / params_141.y());
-        now_1 = before_4;
-        begin_7 = rt::Scalar(part_14.begin);
+        let share_1 = (rt::Scalar(1f32) / params_149.y());
+        now_1 = before_6;
+        begin_8 = rt::Scalar(part_14.begin);
         'naga_break: loop {
             'naga_continue: {
-                let _e21 = begin_7;
+                let _e21 = begin_8;
                 if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(part_14.end))) {
                     let _e27 = now_1.seen;
                     let _e28 = self.v_goes_on(_e27);
-                    local_123 = _e28;
+                    local_128 = _e28;
                 } else {
-                    local_123 = rt::Scalar(false);
+                    local_128 = rt::Scalar(false);
                 }
-                let _e30 = local_123;
+                let _e30 = local_128;
                 if rt::Scalar::into_branch_condition(_e30) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = begin_7;
+                    let _e31 = begin_8;
                     let _e35 = rt::Scalar(now_1.seen.transmittance);
-                    let _e37 = self.v_end_of_piece(way_22, part_14, _e14, _e31, params_141.x(), (share_1 / _e35));
-                    let _e39 = begin_7;
+                    let _e37 = self.v_end_of_piece(way_22, part_14, _e14, _e31, params_149.x(), (share_1 / _e35));
+                    let _e39 = begin_8;
                     let _e40 = self.v_field_between(way_22, part_14.cell, _e14, _e39, _e37);
-                    let depth_14 = (_e40 * params_141.x());
+                    let depth_14 = (_e40 * params_149.x());
                     if rt::Scalar::into_branch_condition(depth_14.elementwise_gt(rt::Scalar(0f32))) {
                         let _e49 = rt::Scalar(now_1.seen.entry);
-                        local_124 = _e49.elementwise_eq(rt::Scalar(300000000000000000000000000000000000000f32));
+                        local_129 = _e49.elementwise_eq(rt::Scalar(300000000000000000000000000000000000000f32));
                     } else {
-                        local_124 = rt::Scalar(false);
+                        local_129 = rt::Scalar(false);
                     }
-                    let _e53 = local_124;
+                    let _e53 = local_129;
                     if rt::Scalar::into_branch_condition(_e53) {
-                        let _e61 = begin_7;
-                        let _e64 = self.v_depth_on_ray(pixel_100, path_114, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_114.uv, path_114.h.x(), _e61, NO_COST));
+                        let _e61 = begin_8;
+                        let _e64 = self.v_depth_on_ray(pixel_100, path_116, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_116.uv, path_116.h.x(), _e61, NO_COST));
                         rt::Scalar(now_1.seen.entry) = _e64;
                     }
                     let _e65 = self.v_transmittance_of(depth_14);
@@ -17824,16 +18711,16 @@ impl<'g> Resources<'g> {
                     let _e80 = rt::Scalar(now_1.part);
                     rt::Scalar(now_1.part) = (_e80 + scattered_part);
                     let _e84 = rt::Scalar(now_1.places);
-                    let _e85 = begin_7;
+                    let _e85 = begin_8;
                     rt::Scalar(now_1.places) = (_e84 + (scattered_part * (rt::Scalar(0.5f32) * (_e85 + _e37))));
                     let _e92 = rt::Scalar(now_1.part);
                     if rt::Scalar::into_branch_condition(_e92.elementwise_ge(share_1)) {
                         let _e94 = now_1;
-                        let _e95 = self.v_looked_at(_e94, pixel_100, at_139, path_114, around_3);
+                        let _e95 = self.v_looked_at(_e94, pixel_100, at_145, path_116, around_3);
                         now_1 = _e95;
                     }
-                    let _e97 = begin_7;
-                    begin_7 = rt::Scalar(part_14.end).select(_e37, _e37.elementwise_gt(_e97));
+                    let _e97 = begin_8;
+                    begin_8 = rt::Scalar(part_14.end).select(_e37, _e37.elementwise_gt(_e97));
                 }
             }
         }
@@ -17842,14 +18729,14 @@ impl<'g> Resources<'g> {
         let _e106 = rt::Scalar(now_1.cells);
         if rt::Scalar::into_branch_condition(_e106.elementwise_ge(MOST_CELLS)) {
             let _e112 = rt::Scalar(now_1.part);
-            local_125 = _e112.elementwise_ge((share_1 * rt::Scalar(0.125f32)));
+            local_130 = _e112.elementwise_ge((share_1 * rt::Scalar(0.125f32)));
         } else {
-            local_125 = rt::Scalar(false);
+            local_130 = rt::Scalar(false);
         }
-        let _e117 = local_125;
+        let _e117 = local_130;
         if rt::Scalar::into_branch_condition(_e117) {
             let _e118 = now_1;
-            let _e119 = self.v_looked_at(_e118, pixel_100, at_139, path_114, around_3);
+            let _e119 = self.v_looked_at(_e118, pixel_100, at_145, path_116, around_3);
             now_1 = _e119;
         }
         let _e120 = now_1;
@@ -17857,39 +18744,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn gather_segment(
         &self,
-        before_5: Gathered,
+        before_7: Gathered,
         pixel_101: PixelIn,
-        at_140: Entered,
+        at_146: Entered,
         k_39: impl rt::Into<rt::Scalar<u32>>,
     ) -> Gathered {
-        rt::into(self.v_gather_segment(before_5, pixel_101, at_140, rt::into(k_39)))
+        rt::into(self.v_gather_segment(before_7, pixel_101, at_146, rt::into(k_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_gather_segment(
         &self,
-        before_5: Gathered,
+        before_7: Gathered,
         pixel_101: PixelIn,
-        at_140: Entered,
+        at_146: Entered,
         k_39: rt::Scalar<u32>,
     ) -> Gathered {
         let mut now_2: Gathering;
         let mut part_15: CellPart;
         let mut cells_1: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut goes_1: rt::Scalar<bool> = rt::Scalar(true);
-        let mut local_126: rt::Scalar<bool>;
-        let mut local_127: rt::Scalar<bool>;
+        let mut local_131: rt::Scalar<bool>;
+        let mut local_132: rt::Scalar<bool>;
 
-        let _e4 = self.v_segment_of(pixel_101, at_140, k_39);
-        let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_5.until_m), rt::Scalar(before_5.reach_m));
+        let _e4 = self.v_segment_of(pixel_101, at_146, k_39);
+        let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_7.until_m), rt::Scalar(before_7.reach_m));
         if rt::Scalar::into_branch_condition((!rt::Scalar(_e7.exit).elementwise_gt(rt::Scalar(0f32)))) {
-            return before_5;
+            return before_7;
         }
         let _e12 = self.v_voxel_path(_e7);
         let _e13 = self.v_turning_point(_e12);
         let _e19 = self.surface_settings.choices[6usize].params.z();
-        let limit_16 = _e19.to_u32();
-        let _e21 = self.v_light_around(at_140, _e7);
-        now_2 = <Gathering>::new(before_5, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        let limit_18 = _e19.to_u32();
+        let _e21 = self.v_light_around(at_146, _e7);
+        now_2 = <Gathering>::new(before_7, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
         rt::Scalar(now_2.seen.until_m) = (rt::Scalar(_e7.start) + rt::Scalar(_e7.exit));
         let _e32 = self.v_first_part(_e7, _e12, _e13);
         part_15 = _e32;
@@ -17905,32 +18792,32 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e40.elementwise_lt(rt::Scalar(0f32))) {
                         let _e43 = now_2;
                         let _e44 = part_15;
-                        let _e45 = self.v_gathered_in_cell(_e43, pixel_101, at_140, _e7, _e12, _e44, _e21);
+                        let _e45 = self.v_gathered_in_cell(_e43, pixel_101, at_146, _e7, _e12, _e44, _e21);
                         now_2 = _e45;
                     } else {
                         let _e47 = rt::Scalar(now_2.part);
                         if rt::Scalar::into_branch_condition(_e47.elementwise_gt(rt::Scalar(0.000061035156f32))) {
                             let _e50 = now_2;
-                            let _e51 = self.v_looked_at(_e50, pixel_101, at_140, _e7, _e21);
+                            let _e51 = self.v_looked_at(_e50, pixel_101, at_146, _e7, _e21);
                             now_2 = _e51;
                         }
                     }
                     let _e53 = rt::Scalar(part_15.is_last);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_eq(rt::Scalar(0u32))) {
                         let _e58 = cells_1;
-                        local_126 = _e58.elementwise_lt(limit_16);
+                        local_131 = _e58.elementwise_lt(limit_18);
                     } else {
-                        local_126 = rt::Scalar(false);
+                        local_131 = rt::Scalar(false);
                     }
-                    let _e61 = local_126;
+                    let _e61 = local_131;
                     if rt::Scalar::into_branch_condition(_e61) {
                         let _e65 = now_2.seen;
                         let _e66 = self.v_goes_on(_e65);
-                        local_127 = _e66;
+                        local_132 = _e66;
                     } else {
-                        local_127 = rt::Scalar(false);
+                        local_132 = rt::Scalar(false);
                     }
-                    let _e68 = local_127;
+                    let _e68 = local_132;
                     goes_1 = _e68;
                     let _e69 = goes_1;
                     if rt::Scalar::into_branch_condition(_e69) {
@@ -17947,7 +18834,7 @@ impl<'g> Resources<'g> {
         let _e79 = rt::Scalar(now_2.seen.pending);
         if rt::Scalar::into_branch_condition((_e76 + _e79).elementwise_gt(rt::Scalar(0.000061035156f32))) {
             let _e83 = now_2;
-            let _e84 = self.v_looked_at(_e83, pixel_101, at_140, _e7, _e21);
+            let _e84 = self.v_looked_at(_e83, pixel_101, at_146, _e7, _e21);
             return _e84.seen;
         }
         let _e90 = rt::Scalar(now_2.seen.pending);
@@ -17964,8 +18851,8 @@ impl<'g> Resources<'g> {
     pub(super) fn v_quarter_sine(&self, turn_4: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_17 = (turn_4 * rt::Scalar(6.2831855f32));
         let s_4 = (x_17 * x_17);
-        let last_18 = (rt::Scalar(-0.0001984127f32) + (s_4 * rt::Scalar(0.0000027557319f32)));
-        return (x_17 * (rt::Scalar(1f32) + (s_4 * (rt::Scalar(-0.16666667f32) + (s_4 * (rt::Scalar(0.008333334f32) + (s_4 * last_18)))))));
+        let last_19 = (rt::Scalar(-0.0001984127f32) + (s_4 * rt::Scalar(0.0000027557319f32)));
+        return (x_17 * (rt::Scalar(1f32) + (s_4 * (rt::Scalar(-0.16666667f32) + (s_4 * (rt::Scalar(0.008333334f32) + (s_4 * last_19)))))));
     }
     pub(crate) fn sine_of(&self, turn_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_5)))
@@ -17973,9 +18860,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_sine_of(&self, turn_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_34 = (turn_5 - turn_5.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_34 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_34.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_35 = (turn_5 - turn_5.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_35 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_35.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned_1(&self, turn_6: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned_1(rt::into(turn_6)))
@@ -18022,34 +18909,34 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn gradient_noise(
         &self,
-        at_141: impl rt::Into<rt::Vec2<f32>>,
+        at_147: impl rt::Into<rt::Vec2<f32>>,
         count_8: impl rt::Into<rt::Scalar<f32>>,
         turns_2: impl rt::Into<rt::Scalar<f32>>,
         seed_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_noise(rt::into(at_141), rt::into(count_8), rt::into(turns_2), rt::into(seed_3)))
+        rt::into(self.v_gradient_noise(rt::into(at_147), rt::into(count_8), rt::into(turns_2), rt::into(seed_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gradient_noise(
         &self,
-        at_141: rt::Vec2<f32>,
+        at_147: rt::Vec2<f32>,
         count_8: rt::Scalar<f32>,
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let cell_46 = at_141.floor();
-        let part_35 = (at_141 - cell_46);
-        let fade = (((part_35 * part_35) * part_35) * ((part_35 * ((part_35 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
-        let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
+        let cell_46 = at_147.floor();
+        let part_36 = (at_147 - cell_46);
+        let fade = (((part_36 * part_36) * part_36) * ((part_36 * ((part_36 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
+        let right_6 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_46, part_35, count_8, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_46 + right_5), (part_35 - right_5), count_8, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_46 + down_1), (part_35 - down_1), count_8, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_46 + right_5) + down_1), ((part_35 - right_5) - down_1), count_8, turns_2, seed_3);
-        let above_11 = (_e24 + ((_e27 - _e24) * fade.x()));
+        let _e24 = self.v_gradient_at(cell_46, part_36, count_8, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_46 + right_6), (part_36 - right_6), count_8, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_46 + down_1), (part_36 - down_1), count_8, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_46 + right_6) + down_1), ((part_36 - right_6) - down_1), count_8, turns_2, seed_3);
+        let above_12 = (_e24 + ((_e27 - _e24) * fade.x()));
         let below_12 = (_e30 + ((_e35 - _e30) * fade.x()));
-        return (above_11 + ((below_12 - above_11) * fade.y()));
+        return (above_12 + ((below_12 - above_12) * fade.y()));
     }
     pub(crate) fn is_before(
         &self,
@@ -18071,42 +18958,42 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_128: rt::Scalar<bool>;
+        let mut local_133: rt::Scalar<bool>;
 
-        let low_13 = (plane_1.xyz().dot((position_1 + (direction_6 * low_m))) + plane_1.w());
-        let high_8 = (plane_1.xyz().dot((position_1 + (direction_6 * high_m))) + plane_1.w());
-        if rt::Scalar::into_branch_condition(low_13.elementwise_gt(rt::Scalar(0f32))) {
-            local_128 = high_8.elementwise_gt(rt::Scalar(0f32));
+        let low_14 = (plane_1.xyz().dot((position_1 + (direction_6 * low_m))) + plane_1.w());
+        let high_9 = (plane_1.xyz().dot((position_1 + (direction_6 * high_m))) + plane_1.w());
+        if rt::Scalar::into_branch_condition(low_14.elementwise_gt(rt::Scalar(0f32))) {
+            local_133 = high_9.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_128 = rt::Scalar(false);
+            local_133 = rt::Scalar(false);
         }
-        let _e24 = local_128;
+        let _e24 = local_133;
         return _e24;
     }
     pub(crate) fn is_left_out(
         &self,
         grid_10: Tessellation,
-        a_15: BaseVertex,
-        b_15: BaseVertex,
-        c_11: BaseVertex,
+        a_18: BaseVertex,
+        b_18: BaseVertex,
+        c_13: BaseVertex,
         low_m_1: impl rt::Into<rt::Scalar<f32>>,
         high_m_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_is_left_out(grid_10, a_15, b_15, c_11, rt::into(low_m_1), rt::into(high_m_1)))
+        rt::into(self.v_is_left_out(grid_10, a_18, b_18, c_13, rt::into(low_m_1), rt::into(high_m_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_is_left_out(
         &self,
         grid_10: Tessellation,
-        a_15: BaseVertex,
-        b_15: BaseVertex,
-        c_11: BaseVertex,
+        a_18: BaseVertex,
+        b_18: BaseVertex,
+        c_13: BaseVertex,
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_129: rt::Scalar<bool>;
-        let mut local_130: rt::Scalar<bool>;
+        let mut local_134: rt::Scalar<bool>;
+        let mut local_135: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -18120,21 +19007,21 @@ impl<'g> Resources<'g> {
                     let plane_3 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
                     let _e14 = k_40;
                     k_40 = (_e14 + rt::Scalar(1u32));
-                    let _e19 = self.v_is_before(plane_3, a_15.position, a_15.direction, low_m_1, high_m_1);
+                    let _e19 = self.v_is_before(plane_3, a_18.position, a_18.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
-                        let _e24 = self.v_is_before(plane_3, b_15.position, b_15.direction, low_m_1, high_m_1);
-                        local_129 = _e24;
+                        let _e24 = self.v_is_before(plane_3, b_18.position, b_18.direction, low_m_1, high_m_1);
+                        local_134 = _e24;
                     } else {
-                        local_129 = rt::Scalar(false);
+                        local_134 = rt::Scalar(false);
                     }
-                    let _e26 = local_129;
+                    let _e26 = local_134;
                     if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_3, c_11.position, c_11.direction, low_m_1, high_m_1);
-                        local_130 = _e31;
+                        let _e31 = self.v_is_before(plane_3, c_13.position, c_13.direction, low_m_1, high_m_1);
+                        local_135 = _e31;
                     } else {
-                        local_130 = rt::Scalar(false);
+                        local_135 = rt::Scalar(false);
                     }
-                    let _e33 = local_130;
+                    let _e33 = local_135;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -18151,25 +19038,25 @@ impl<'g> Resources<'g> {
     pub(super) fn v_magnitude(&self, number_18: rt::Scalar<i32>) -> rt::Scalar<u32> {
         return number_18.abs().to_u32();
     }
-    pub(crate) fn stretch_of(&self, a_16: SweptPoint, b_16: SweptPoint) -> u32 {
-        rt::into(self.v_stretch_of(a_16, b_16))
+    pub(crate) fn stretch_of(&self, a_19: SweptPoint, b_19: SweptPoint) -> u32 {
+        rt::into(self.v_stretch_of(a_19, b_19))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_stretch_of(&self, a_16: SweptPoint, b_16: SweptPoint) -> rt::Scalar<u32> {
-        let _e9 = self.v_magnitude(((rt::Scalar(b_16.x) * rt::Scalar(a_16.w)) - (rt::Scalar(a_16.x) * rt::Scalar(b_16.w))));
-        let _e17 = self.v_magnitude(((rt::Scalar(b_16.y) * rt::Scalar(a_16.w)) - (rt::Scalar(a_16.y) * rt::Scalar(b_16.w))));
+    pub(super) fn v_stretch_of(&self, a_19: SweptPoint, b_19: SweptPoint) -> rt::Scalar<u32> {
+        let _e9 = self.v_magnitude(((rt::Scalar(b_19.x) * rt::Scalar(a_19.w)) - (rt::Scalar(a_19.x) * rt::Scalar(b_19.w))));
+        let _e17 = self.v_magnitude(((rt::Scalar(b_19.y) * rt::Scalar(a_19.w)) - (rt::Scalar(a_19.y) * rt::Scalar(b_19.w))));
         return (_e9 + _e17);
     }
-    pub(crate) fn is_no_longer(&self, a_17: SweptPoint, b_17: SweptPoint, c_12: SweptPoint, d_3: SweptPoint) -> bool {
-        rt::into(self.v_is_no_longer(a_17, b_17, c_12, d_3))
+    pub(crate) fn is_no_longer(&self, a_20: SweptPoint, b_20: SweptPoint, c_14: SweptPoint, d_3: SweptPoint) -> bool {
+        rt::into(self.v_is_no_longer(a_20, b_20, c_14, d_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_is_no_longer(&self, a_17: SweptPoint, b_17: SweptPoint, c_12: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
-        let _e4 = self.v_stretch_of(a_17, b_17);
-        let _e9 = self.v_stretch_of(c_12, d_3);
-        let _e14 = self.v_compared(_e4, (rt::Scalar(c_12.w) * rt::Scalar(d_3.w)).to_u32(), _e9, (rt::Scalar(a_17.w) * rt::Scalar(b_17.w)).to_u32());
+    pub(super) fn v_is_no_longer(&self, a_20: SweptPoint, b_20: SweptPoint, c_14: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
+        let _e4 = self.v_stretch_of(a_20, b_20);
+        let _e9 = self.v_stretch_of(c_14, d_3);
+        let _e14 = self.v_compared(_e4, (rt::Scalar(c_14.w) * rt::Scalar(d_3.w)).to_u32(), _e9, (rt::Scalar(a_20.w) * rt::Scalar(b_20.w)).to_u32());
         return _e14.elementwise_le(rt::Scalar(0i32));
     }
     pub(crate) fn longest_of(&self, between_1: impl rt::Into<rt::Vec3<i32>>) -> i32 {
@@ -18178,69 +19065,69 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_longest_of(&self, between_1: rt::Vec3<i32>) -> rt::Scalar<i32> {
-        let along_44 = between_1.abs();
-        return along_44.x().max(along_44.y()).max(along_44.z());
+        let along_45 = between_1.abs();
+        return along_45.x().max(along_45.y()).max(along_45.z());
     }
     pub(crate) fn is_swept(
         &self,
         grid_11: Tessellation,
-        a_18: Voxel,
-        b_18: Voxel,
-        c_13: Voxel,
-        level_52: impl rt::Into<rt::Scalar<u32>>,
+        a_21: Voxel,
+        b_21: Voxel,
+        c_15: Voxel,
+        level_55: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_18, b_18, c_13, rt::into(level_52)))
+        rt::into(self.v_is_swept(grid_11, a_21, b_21, c_15, rt::into(level_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_is_swept(
         &self,
         grid_11: Tessellation,
-        a_18: Voxel,
-        b_18: Voxel,
-        c_13: Voxel,
-        level_52: rt::Scalar<u32>,
+        a_21: Voxel,
+        b_21: Voxel,
+        c_15: Voxel,
+        level_55: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let mut local_131: rt::Scalar<bool>;
-        let mut local_132: rt::Scalar<bool>;
+        let mut local_136: rt::Scalar<bool>;
+        let mut local_137: rt::Scalar<bool>;
 
-        let _e6 = self.v_coarser_voxel(a_18.at, level_52);
-        let _e8 = self.v_coarser_voxel(b_18.at, level_52);
-        let _e10 = self.v_coarser_voxel(c_13.at, level_52);
+        let _e6 = self.v_coarser_voxel(a_21.at, level_55);
+        let _e8 = self.v_coarser_voxel(b_21.at, level_55);
+        let _e10 = self.v_coarser_voxel(c_15.at, level_55);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
         let longest = _e12.max(_e14).max(_e17);
         if rt::Scalar::into_branch_condition(longest.elementwise_gt(rt::Scalar(0i32))) {
-            local_131 = longest.elementwise_le(rt::Scalar(1023i32));
+            local_136 = longest.elementwise_le(rt::Scalar(1023i32));
         } else {
-            local_131 = rt::Scalar(false);
+            local_136 = rt::Scalar(false);
         }
-        let _e26 = local_131;
+        let _e26 = local_136;
         if rt::Scalar::into_branch_condition(_e26) {
-            local_132 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
+            local_137 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
         } else {
-            local_132 = rt::Scalar(false);
+            local_137 = rt::Scalar(false);
         }
-        let _e33 = local_132;
+        let _e33 = local_137;
         return _e33;
     }
     pub(crate) fn light_seen(
         &self,
-        at_142: Entered,
-        hit_52: Hit,
+        at_148: Entered,
+        hit_57: Hit,
         number_19: impl rt::Into<rt::Scalar<u32>>,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
         filter_texels_1: impl rt::Into<rt::Scalar<f32>>,
         bias_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_142, hit_52, rt::into(number_19), rt::into(toward_2), rt::into(filter_texels_1), rt::into(bias_2)))
+        rt::into(self.v_light_seen(at_148, hit_57, rt::into(number_19), rt::into(toward_2), rt::into(filter_texels_1), rt::into(bias_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_light_seen(
         &self,
-        at_142: Entered,
-        hit_52: Hit,
+        at_148: Entered,
+        hit_57: Hit,
         number_19: rt::Scalar<u32>,
         toward_2: rt::Vec3<f32>,
         filter_texels_1: rt::Scalar<f32>,
@@ -18250,11 +19137,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_field_patch_normal_stage(at_142, hit_52);
+        let _e14 = self.v_field_patch_normal_stage(at_148, hit_57);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_2).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e20 = self.v_patch_seen(at_142, _e14, number_19, filter_texels_1, bias_2);
+        let _e20 = self.v_patch_seen(at_148, _e14, number_19, filter_texels_1, bias_2);
         return _e20;
     }
     pub(crate) fn main_axis(
@@ -18271,81 +19158,81 @@ impl<'g> Resources<'g> {
         start_4: rt::Vec3<i32>,
         to_1: rt::Vec3<i32>,
     ) -> rt::Scalar<u32> {
-        let mut local_133: rt::Scalar<bool>;
+        let mut local_138: rt::Scalar<bool>;
 
-        let along_45 = (to_1 - start_4).abs();
-        let of_last_1 = rt::Scalar(2u32).select(rt::Scalar(1u32), along_45.y().elementwise_ge(along_45.z()));
-        if rt::Scalar::into_branch_condition(along_45.x().elementwise_ge(along_45.y())) {
-            local_133 = along_45.x().elementwise_ge(along_45.z());
+        let along_46 = (to_1 - start_4).abs();
+        let of_last_1 = rt::Scalar(2u32).select(rt::Scalar(1u32), along_46.y().elementwise_ge(along_46.z()));
+        if rt::Scalar::into_branch_condition(along_46.x().elementwise_ge(along_46.y())) {
+            local_138 = along_46.x().elementwise_ge(along_46.z());
         } else {
-            local_133 = rt::Scalar(false);
+            local_138 = rt::Scalar(false);
         }
-        let _e20 = local_133;
+        let _e20 = local_138;
         return of_last_1.select(rt::Scalar(0u32), _e20);
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_143: Entered,
-        hit_53: Hit,
-        light_11: Toward,
-        params_119: impl rt::Into<rt::Vec4<f32>>,
+        at_149: Entered,
+        hit_58: Hit,
+        light_14: Toward,
+        params_127: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_143, hit_53, light_11, rt::into(params_119)))
+        rt::into(self.v_shadow_ray(at_149, hit_58, light_14, rt::into(params_127)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_ray(
         &self,
-        at_143: Entered,
-        hit_53: Hit,
-        light_11: Toward,
-        params_119: rt::Vec4<f32>,
+        at_149: Entered,
+        hit_58: Hit,
+        light_14: Toward,
+        params_127: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_143, hit_53, light_11);
+        let _e4 = self.v_free_way(at_149, hit_58, light_14);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_144: Entered,
-        hit_54: Hit,
-        light_12: Toward,
-        params_120: impl rt::Into<rt::Vec4<f32>>,
+        at_150: Entered,
+        hit_59: Hit,
+        light_15: Toward,
+        params_128: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_144, hit_54, light_12, rt::into(params_120)))
+        rt::into(self.v_shadow_none(at_150, hit_59, light_15, rt::into(params_128)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_none(
         &self,
-        at_144: Entered,
-        hit_54: Hit,
-        light_12: Toward,
-        params_120: rt::Vec4<f32>,
+        at_150: Entered,
+        hit_59: Hit,
+        light_15: Toward,
+        params_128: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_145: Entered,
-        hit_55: Hit,
-        light_13: Toward,
-        params_121: impl rt::Into<rt::Vec4<f32>>,
+        at_151: Entered,
+        hit_60: Hit,
+        light_16: Toward,
+        params_129: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_145, hit_55, light_13, rt::into(params_121)))
+        rt::into(self.v_shadow_entry(at_151, hit_60, light_16, rt::into(params_129)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_entry(
         &self,
-        at_145: Entered,
-        hit_55: Hit,
-        light_13: Toward,
-        params_121: rt::Vec4<f32>,
+        at_151: Entered,
+        hit_60: Hit,
+        light_16: Toward,
+        params_129: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_145, hit_55, light_13);
+        let _e4 = self.v_from_hit(at_151, hit_60, light_16);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e11 = self.v_way_out(_e4, light_13);
+        let _e11 = self.v_way_out(_e4, light_16);
         if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(1f32);
         }
@@ -18359,34 +19246,34 @@ impl<'g> Resources<'g> {
             return rt::Scalar(1f32);
         }
         let _e52 = self.v_height_size(rt::Scalar(_e4.level));
-        let apart_4 = ((_e42.uv - _e4.uv).abs() * _e52);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_121.x()));
+        let apart_5 = ((_e42.uv - _e4.uv).abs() * _e52);
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_5.x().max(apart_5.y()).elementwise_le(params_129.x()));
     }
-    pub(crate) fn seed_of(&self, hit_56: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_56))
+    pub(crate) fn seed_of(&self, hit_61: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_61))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_seed_of(&self, hit_56: Hit) -> rt::Scalar<u32> {
-        let place_41 = ((hit_56.uv - hit_56.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_41.y());
-        let _e12 = self.v_mixed((place_41.x() ^ _e10));
+    pub(super) fn v_seed_of(&self, hit_61: Hit) -> rt::Scalar<u32> {
+        let place_48 = ((hit_61.uv - hit_61.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_48.y());
+        let _e12 = self.v_mixed((place_48.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn point_of_disc(
         &self,
-        light_14: Toward,
+        light_17: Toward,
         seed_4: impl rt::Into<rt::Scalar<u32>>,
         k_41: impl rt::Into<rt::Scalar<u32>>,
         count_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_14, rt::into(seed_4), rt::into(k_41), rt::into(count_9)))
+        rt::into(self.v_point_of_disc(light_17, rt::into(seed_4), rt::into(k_41), rt::into(count_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_point_of_disc(
         &self,
-        light_14: Toward,
+        light_17: Toward,
         seed_4: rt::Scalar<u32>,
         k_41: rt::Scalar<u32>,
         count_9: rt::Scalar<u32>,
@@ -18396,36 +19283,36 @@ impl<'g> Resources<'g> {
         let ring = ((k_41.to_f32() + _e9) / count_9.to_f32());
         let _e16 = self.v_unit_of(seed_4);
         let _e18 = self.v_turned_1(((k_41.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_42 = (_e18 * (ring.sqrt() * rt::Scalar(light_14.radius)));
-        let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_14.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
-        let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_14.direction).normalize();
-        let up_5 = light_14.direction.cross(right_6);
-        let toward_13 = ((light_14.direction + (right_6 * place_42.x())) + (up_5 * place_42.y()));
-        let along_46 = toward_13.length();
-        return <Toward>::new((toward_13 / rt::Vec3::splat_from_scalar(along_46)), rt::Scalar(light_14.falloff), (rt::Scalar(light_14.distance) * along_46), rt::Scalar(0f32), rt::Scalar(light_14.number));
+        let place_49 = (_e18 * (ring.sqrt() * rt::Scalar(light_17.radius)));
+        let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_17.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
+        let right_7 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_17.direction).normalize();
+        let up_5 = light_17.direction.cross(right_7);
+        let toward_13 = ((light_17.direction + (right_7 * place_49.x())) + (up_5 * place_49.y()));
+        let along_47 = toward_13.length();
+        return <Toward>::new((toward_13 / rt::Vec3::splat_from_scalar(along_47)), rt::Scalar(light_17.falloff), (rt::Scalar(light_17.distance) * along_47), rt::Scalar(0f32), rt::Scalar(light_17.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_146: Entered,
-        hit_57: Hit,
-        light_15: Toward,
-        params_122: impl rt::Into<rt::Vec4<f32>>,
+        at_152: Entered,
+        hit_62: Hit,
+        light_18: Toward,
+        params_130: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_146, hit_57, light_15, rt::into(params_122)))
+        rt::into(self.v_shadow_soft(at_152, hit_62, light_18, rt::into(params_130)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_soft(
         &self,
-        at_146: Entered,
-        hit_57: Hit,
-        light_15: Toward,
-        params_122: rt::Vec4<f32>,
+        at_152: Entered,
+        hit_62: Hit,
+        light_18: Toward,
+        params_130: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_42: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_14 = params_122.x().to_u32();
-        let _e6 = self.v_seed_of(hit_57);
+        let count_14 = params_130.x().to_u32();
+        let _e6 = self.v_seed_of(hit_62);
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_42;
@@ -18436,8 +19323,8 @@ impl<'g> Resources<'g> {
                 {
                     let _e13 = free;
                     let _e14 = k_42;
-                    let _e15 = self.v_point_of_disc(light_15, _e6, _e14, count_14);
-                    let _e16 = self.v_free_way(at_146, hit_57, _e15);
+                    let _e15 = self.v_point_of_disc(light_18, _e6, _e14, count_14);
+                    let _e16 = self.v_free_way(at_152, hit_62, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_42;
                     k_42 = (_e18 + rt::Scalar(1u32));
@@ -18449,90 +19336,90 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_147: Entered,
-        hit_58: Hit,
-        light_16: Toward,
-        params_123: impl rt::Into<rt::Vec4<f32>>,
+        at_153: Entered,
+        hit_63: Hit,
+        light_19: Toward,
+        params_131: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_147, hit_58, light_16, rt::into(params_123)))
+        rt::into(self.v_shadow_heuristic(at_153, hit_63, light_19, rt::into(params_131)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_heuristic(
         &self,
-        at_147: Entered,
-        hit_58: Hit,
-        light_16: Toward,
-        params_123: rt::Vec4<f32>,
+        at_153: Entered,
+        hit_63: Hit,
+        light_19: Toward,
+        params_131: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_43: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_147, hit_58, light_16);
+        let _e4 = self.v_from_hit(at_153, hit_63, light_19);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e11 = self.v_way_out(_e4, light_16);
+        let _e11 = self.v_way_out(_e4, light_19);
         'naga_break: loop {
             'naga_continue: {
                 let _e16 = k_43;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_123.x())) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_131.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e19 = k_43;
-                    let part_36 = (_e19 / params_123.x());
+                    let part_37 = (_e19 / params_131.x());
                     let _e22 = most_3;
-                    let _e24 = self.v_path_gap(_e4, (part_36 * _e11));
-                    most_3 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_36)));
+                    let _e24 = self.v_path_gap(_e4, (part_37 * _e11));
+                    most_3 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_37)));
                     let _e31 = k_43;
                     k_43 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_3;
-        return (rt::Scalar(1f32) - (params_123.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_131.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_26: impl rt::Into<rt::Vec2<i32>>,
+        place_33: impl rt::Into<rt::Vec2<i32>>,
         layer_11: impl rt::Into<rt::Scalar<i32>>,
-        level_53: impl rt::Into<rt::Scalar<i32>>,
+        level_56: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_26), rt::into(layer_11), rt::into(level_53)))
+        rt::into(self.v_shadow_texel(rt::into(place_33), rt::into(layer_11), rt::into(level_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_texel(
         &self,
-        place_26: rt::Vec2<i32>,
+        place_33: rt::Vec2<i32>,
         layer_11: rt::Scalar<i32>,
-        level_53: rt::Scalar<i32>,
+        level_56: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_26, rt::Scalar::into_inner(layer_11), 0i32, rt::Scalar::into_inner(level_53));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_33, rt::Scalar::into_inner(layer_11), 0i32, rt::Scalar::into_inner(level_56));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_36: impl rt::Into<rt::Vec2<f32>>,
+        uv_37: impl rt::Into<rt::Vec2<f32>>,
         layer_12: impl rt::Into<rt::Scalar<i32>>,
-        level_54: impl rt::Into<rt::Scalar<u32>>,
+        level_57: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_36), rt::into(layer_12), rt::into(level_54)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_37), rt::into(layer_12), rt::into(level_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_texel_between(
         &self,
-        uv_36: rt::Vec2<f32>,
+        uv_37: rt::Vec2<f32>,
         layer_12: rt::Scalar<i32>,
-        level_54: rt::Scalar<u32>,
+        level_57: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_54);
-        let _e4 = self.v_texels_around(uv_36, _e3);
-        let k_61 = level_54.to_i32();
+        let _e3 = self.v_height_texels(level_57);
+        let _e4 = self.v_texels_around(uv_37, _e3);
+        let k_61 = level_57.to_i32();
         let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_12, k_61);
         let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_12, k_61);
         let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_12, k_61);
@@ -18546,136 +19433,136 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_own_slope(&self, way_24: Path) -> rt::Scalar<f32> {
-        let mut level_55: Path;
+        let mut level_58: Path;
 
         let _e1 = self.v_grid_of(way_24);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
-        let end_26 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_55 = way_24;
-        level_55.h = <rt::Vec3<f32>>::from_scalars(way_24.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_55.exit) = end_26;
-        let _e18 = level_55;
+        let end_27 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
+        level_58 = way_24;
+        level_58.h = <rt::Vec3<f32>>::from_scalars(way_24.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_58.exit) = end_27;
+        let _e18 = level_58;
         let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_24.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
-        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_26))));
+        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_27))));
     }
-    pub(crate) fn part_above(&self, height_13: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_part_above(rt::into(height_13)))
+    pub(crate) fn part_above(&self, height_14: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_part_above(rt::into(height_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_part_above(&self, height_13: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_18 = height_13.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+    pub(super) fn v_part_above(&self, height_14: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_18 = height_14.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
         let s_5 = (x_18 * x_18);
         return (rt::Scalar(0.5f32) + (x_18 * (rt::Scalar(0.6401074f32) + (s_5 * (rt::Scalar(-0.13985065f32) + (s_5 * (rt::Scalar(0.06702511f32) + (s_5 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_148: Entered,
-        hit_59: Hit,
-        light_17: Toward,
-        params_124: impl rt::Into<rt::Vec4<f32>>,
+        at_154: Entered,
+        hit_64: Hit,
+        light_20: Toward,
+        params_132: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_148, hit_59, light_17, rt::into(params_124)))
+        rt::into(self.v_shadow_horizon(at_154, hit_64, light_20, rt::into(params_132)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_horizon(
         &self,
-        at_148: Entered,
-        hit_59: Hit,
-        light_17: Toward,
-        params_124: rt::Vec4<f32>,
+        at_154: Entered,
+        hit_64: Hit,
+        light_20: Toward,
+        params_132: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_148, light_17.direction);
+        let _e5 = self.v_climb(at_154, light_20.direction);
         let map_6 = self.surface_settings.maps[3usize];
-        let along_47 = (_e5.xy() * map_6.tile_m);
-        let _e13 = self.v_turn_of(along_47);
-        let azimuth_6 = (_e13 * params_124.x());
-        let first_27 = azimuth_6.floor();
-        let count_15 = params_124.x().to_i32();
-        let before_14 = (first_27.to_i32() % count_15);
-        let part_37 = (azimuth_6 - first_27);
-        let _e24 = self.v_shadow_texel_between(hit_59.uv, before_14, rt::Scalar(at_148.level));
-        let low_14 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_59.uv, ((before_14 + rt::Scalar(1i32)) % count_15), rt::Scalar(at_148.level));
-        let sine_1 = (low_14 + ((_e31.x() - low_14) * part_37));
+        let along_48 = (_e5.xy() * map_6.tile_m);
+        let _e13 = self.v_turn_of(along_48);
+        let azimuth_6 = (_e13 * params_132.x());
+        let first_31 = azimuth_6.floor();
+        let count_15 = params_132.x().to_i32();
+        let before_16 = (first_31.to_i32() % count_15);
+        let part_38 = (azimuth_6 - first_31);
+        let _e24 = self.v_shadow_texel_between(hit_64.uv, before_16, rt::Scalar(at_154.level));
+        let low_15 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_64.uv, ((before_16 + rt::Scalar(1i32)) % count_15), rt::Scalar(at_154.level));
+        let sine_1 = (low_15 + ((_e31.x() - low_15) * part_38));
         let squared_6 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_19 = (squared_6 * along_47.dot(along_47)).sqrt();
-        let _e48 = self.v_from_hit(at_148, hit_59, light_17);
+        let far_22 = (squared_6 * along_48.dot(along_48)).sqrt();
+        let _e48 = self.v_from_hit(at_154, hit_64, light_20);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
-        let near_11 = (_e49 * _e52);
-        let horizon = far_19.max(near_11);
-        let up_6 = at_148.normal.dot(light_17.direction);
-        if rt::Scalar::into_branch_condition((!rt::Scalar(light_17.radius).elementwise_gt(rt::Scalar(0f32)))) {
+        let near_14 = (_e49 * _e52);
+        let horizon = far_22.max(near_14);
+        let up_6 = at_154.normal.dot(light_20.direction);
+        if rt::Scalar::into_branch_condition((!rt::Scalar(light_20.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
         let flat = (rt::Scalar(1f32) - (up_6 * up_6)).max(rt::Scalar(0f32));
-        let beside_8 = (flat + (up_6 * horizon));
-        if rt::Scalar::into_branch_condition((!beside_8.elementwise_gt(rt::Scalar(0f32)))) {
+        let beside_9 = (flat + (up_6 * horizon));
+        if rt::Scalar::into_branch_condition((!beside_9.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_6 - horizon)) / (beside_8 * rt::Scalar(light_17.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_6 - horizon)) / (beside_9 * rt::Scalar(light_20.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_149: Entered,
-        hit_60: Hit,
+        at_155: Entered,
+        hit_65: Hit,
         azimuth_3: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_149, hit_60, rt::into(azimuth_3), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_155, hit_65, rt::into(azimuth_3), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_open_part(
         &self,
-        at_149: Entered,
-        hit_60: Hit,
+        at_155: Entered,
+        hit_65: Hit,
         azimuth_3: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_60.uv, ((azimuth_3 * elevations) + elevation_2), rt::Scalar(at_149.level));
+        let _e9 = self.v_shadow_texel_between(hit_65.uv, ((azimuth_3 * elevations) + elevation_2), rt::Scalar(at_155.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_150: Entered,
-        hit_61: Hit,
-        light_18: Toward,
-        params_125: impl rt::Into<rt::Vec4<f32>>,
+        at_156: Entered,
+        hit_66: Hit,
+        light_21: Toward,
+        params_133: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_150, hit_61, light_18, rt::into(params_125)))
+        rt::into(self.v_shadow_visibility(at_156, hit_66, light_21, rt::into(params_133)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_visibility(
         &self,
-        at_150: Entered,
-        hit_61: Hit,
-        light_18: Toward,
-        params_125: rt::Vec4<f32>,
+        at_156: Entered,
+        hit_66: Hit,
+        light_21: Toward,
+        params_133: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_150, light_18.direction);
+        let _e5 = self.v_climb(at_156, light_21.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_7 = self.surface_settings.maps[3usize];
-        let along_48 = (_e5.xy() * map_7.tile_m);
+        let along_49 = (_e5.xy() * map_7.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_28 = (_e5.z() * _e21);
-        let squared_7 = ((height_28 * height_28) / (along_48.dot(along_48) + (height_28 * height_28)));
-        let azimuths = params_125.x().to_i32();
-        let elevations_1 = params_125.y().to_i32();
-        let _e32 = self.v_turn_of(along_48);
-        let azimuth_7 = (_e32 * params_125.x());
-        let elevation_6 = ((squared_7 * params_125.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_125.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_125.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_42 = ((azimuth_7 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_150, hit_61, a_42, (elevation_6 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+        let height_29 = (_e5.z() * _e21);
+        let squared_7 = ((height_29 * height_29) / (along_49.dot(along_49) + (height_29 * height_29)));
+        let azimuths = params_133.x().to_i32();
+        let elevations_1 = params_133.y().to_i32();
+        let _e32 = self.v_turn_of(along_49);
+        let azimuth_7 = (_e32 * params_133.x());
+        let elevation_6 = ((squared_7 * params_133.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_133.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_133.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_47 = ((azimuth_7 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
+            let _e56 = self.v_open_part(at_156, hit_66, a_47, (elevation_6 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_2 = (azimuth_7.floor().to_i32() % azimuths);
@@ -18684,122 +19571,122 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_7 - azimuth_7.floor());
         let along_elevation = (elevation_6 - elevation_6.floor());
-        let _e74 = self.v_open_part(at_150, hit_61, a1_2, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_150, hit_61, a0_2, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_156, hit_66, a1_2, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_156, hit_66, a0_2, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_150, hit_61, a0_2, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_156, hit_66, a0_2, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_150, hit_61, a1_2, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_156, hit_66, a1_2, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_151: Entered,
-        hit_62: Hit,
-        light_19: Toward,
-        params_126: impl rt::Into<rt::Vec4<f32>>,
+        at_157: Entered,
+        hit_67: Hit,
+        light_22: Toward,
+        params_134: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_151, hit_62, light_19, rt::into(params_126)))
+        rt::into(self.v_shadow_map(at_157, hit_67, light_22, rt::into(params_134)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_map(
         &self,
-        at_151: Entered,
-        hit_62: Hit,
-        light_19: Toward,
-        params_126: rt::Vec4<f32>,
+        at_157: Entered,
+        hit_67: Hit,
+        light_22: Toward,
+        params_134: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e8 = self.v_light_seen(at_151, hit_62, rt::Scalar(light_19.number), light_19.direction, params_126.z(), params_126.w());
+        let _e8 = self.v_light_seen(at_157, hit_67, rt::Scalar(light_22.number), light_22.direction, params_134.z(), params_134.w());
         return _e8;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_152: Entered,
-        hit_63: Hit,
-        light_20: Toward,
-        params_127: impl rt::Into<rt::Vec4<f32>>,
+        at_158: Entered,
+        hit_68: Hit,
+        light_23: Toward,
+        params_135: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_152, hit_63, light_20, rt::into(params_127)))
+        rt::into(self.v_shadow_scene(at_158, hit_68, light_23, rt::into(params_135)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_scene(
         &self,
-        at_152: Entered,
-        hit_63: Hit,
-        light_20: Toward,
-        params_127: rt::Vec4<f32>,
+        at_158: Entered,
+        hit_68: Hit,
+        light_23: Toward,
+        params_135: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_153: Entered, hit_64: Hit, light_21: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_153, hit_64, light_21))
+    pub(crate) fn shadow_stage(&self, at_159: Entered, hit_69: Hit, light_24: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_159, hit_69, light_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_shadow_stage(&self, at_153: Entered, hit_64: Hit, light_21: Toward) -> rt::Scalar<f32> {
+    pub(super) fn v_shadow_stage(&self, at_159: Entered, hit_69: Hit, light_24: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[9usize].params;
-                let _e13 = self.v_shadow_ray(at_153, hit_64, light_21, _e12);
+                let _e13 = self.v_shadow_ray(at_159, hit_69, light_24, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[9usize].params;
-                let _e19 = self.v_shadow_none(at_153, hit_64, light_21, _e18);
+                let _e19 = self.v_shadow_none(at_159, hit_69, light_24, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[9usize].params;
-                let _e25 = self.v_shadow_entry(at_153, hit_64, light_21, _e24);
+                let _e25 = self.v_shadow_entry(at_159, hit_69, light_24, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[9usize].params;
-                let _e31 = self.v_shadow_soft(at_153, hit_64, light_21, _e30);
+                let _e31 = self.v_shadow_soft(at_159, hit_69, light_24, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[9usize].params;
-                let _e37 = self.v_shadow_heuristic(at_153, hit_64, light_21, _e36);
+                let _e37 = self.v_shadow_heuristic(at_159, hit_69, light_24, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[9usize].params;
-                let _e43 = self.v_shadow_horizon(at_153, hit_64, light_21, _e42);
+                let _e43 = self.v_shadow_horizon(at_159, hit_69, light_24, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[9usize].params;
-                let _e49 = self.v_shadow_visibility(at_153, hit_64, light_21, _e48);
+                let _e49 = self.v_shadow_visibility(at_159, hit_69, light_24, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[9usize].params;
-                let _e55 = self.v_shadow_map(at_153, hit_64, light_21, _e54);
+                let _e55 = self.v_shadow_map(at_159, hit_69, light_24, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[9usize].params;
-                let _e61 = self.v_shadow_scene(at_153, hit_64, light_21, _e60);
+                let _e61 = self.v_shadow_scene(at_159, hit_69, light_24, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_102: PixelIn, at_154: Entered, hit_65: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_102, at_154, hit_65))
+    pub(crate) fn mirrored_light(&self, pixel_102: PixelIn, at_160: Entered, hit_70: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_102, at_160, hit_70))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_mirrored_light(&self, pixel_102: PixelIn, at_154: Entered, hit_65: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_65.found).elementwise_eq(rt::Scalar(0u32))) {
+    pub(super) fn v_mirrored_light(&self, pixel_102: PixelIn, at_160: Entered, hit_70: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_70.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_3 = pixel_102.direction.normalize();
-        let up_7 = (down_3 - (at_154.normal * (rt::Scalar(2f32) * down_3.dot(at_154.normal))));
-        let _e24 = self.v_shadow_stage(at_154, hit_65, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
+        let up_7 = (down_3 - (at_160.normal * (rt::Scalar(2f32) * down_3.dot(at_160.normal))));
+        let _e24 = self.v_shadow_stage(at_160, hit_70, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
     pub(crate) fn nothing_gathered(&self, reach_m_1: impl rt::Into<rt::Scalar<f32>>) -> Gathered {
@@ -18812,155 +19699,155 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_blend_color(
         &self,
-        at_155: Entered,
-        hit_66: Hit,
-        view_22: impl rt::Into<rt::Vec3<f32>>,
-        params_128: impl rt::Into<rt::Vec4<f32>>,
+        at_161: Entered,
+        hit_71: Hit,
+        view_23: impl rt::Into<rt::Vec3<f32>>,
+        params_136: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_155, hit_66, rt::into(view_22), rt::into(params_128)))
+        rt::into(self.v_object_blend_color(at_161, hit_71, rt::into(view_23), rt::into(params_136)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_blend_color(
         &self,
-        at_155: Entered,
-        hit_66: Hit,
-        view_22: rt::Vec3<f32>,
-        params_128: rt::Vec4<f32>,
+        at_161: Entered,
+        hit_71: Hit,
+        view_23: rt::Vec3<f32>,
+        params_136: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_155, view_22, params_128.z());
+        let _e5 = self.v_color_of_object(at_161, view_23, params_136.z());
         return _e5;
     }
     pub(crate) fn object_none_color(
         &self,
-        at_156: Entered,
-        hit_67: Hit,
-        view_23: impl rt::Into<rt::Vec3<f32>>,
-        params_129: impl rt::Into<rt::Vec4<f32>>,
+        at_162: Entered,
+        hit_72: Hit,
+        view_24: impl rt::Into<rt::Vec3<f32>>,
+        params_137: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_156, hit_67, rt::into(view_23), rt::into(params_129)))
+        rt::into(self.v_object_none_color(at_162, hit_72, rt::into(view_24), rt::into(params_137)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_none_color(
         &self,
-        at_156: Entered,
-        hit_67: Hit,
-        view_23: rt::Vec3<f32>,
-        params_129: rt::Vec4<f32>,
+        at_162: Entered,
+        hit_72: Hit,
+        view_24: rt::Vec3<f32>,
+        params_137: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_color_or_white(hit_67.uv, rt::Scalar(at_156.footprint));
+        let _e6 = self.v_color_or_white(hit_72.uv, rt::Scalar(at_162.footprint));
         return _e6;
     }
     pub(crate) fn object_depth_color(
         &self,
-        at_157: Entered,
-        hit_68: Hit,
-        view_24: impl rt::Into<rt::Vec3<f32>>,
-        params_130: impl rt::Into<rt::Vec4<f32>>,
+        at_163: Entered,
+        hit_73: Hit,
+        view_25: impl rt::Into<rt::Vec3<f32>>,
+        params_138: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_157, hit_68, rt::into(view_24), rt::into(params_130)))
+        rt::into(self.v_object_depth_color(at_163, hit_73, rt::into(view_25), rt::into(params_138)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth_color(
         &self,
-        at_157: Entered,
-        hit_68: Hit,
-        view_24: rt::Vec3<f32>,
-        params_130: rt::Vec4<f32>,
+        at_163: Entered,
+        hit_73: Hit,
+        view_25: rt::Vec3<f32>,
+        params_138: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_157, view_24, params_130.z());
+        let _e5 = self.v_color_of_object(at_163, view_25, params_138.z());
         return _e5;
     }
     pub(crate) fn object_hull_color(
         &self,
-        at_158: Entered,
-        hit_69: Hit,
-        view_25: impl rt::Into<rt::Vec3<f32>>,
-        params_131: impl rt::Into<rt::Vec4<f32>>,
+        at_164: Entered,
+        hit_74: Hit,
+        view_26: impl rt::Into<rt::Vec3<f32>>,
+        params_139: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_158, hit_69, rt::into(view_25), rt::into(params_131)))
+        rt::into(self.v_object_hull_color(at_164, hit_74, rt::into(view_26), rt::into(params_139)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull_color(
         &self,
-        at_158: Entered,
-        hit_69: Hit,
-        view_25: rt::Vec3<f32>,
-        params_131: rt::Vec4<f32>,
+        at_164: Entered,
+        hit_74: Hit,
+        view_26: rt::Vec3<f32>,
+        params_139: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_158, view_25, params_131.z());
+        let _e5 = self.v_color_of_object(at_164, view_26, params_139.z());
         return _e5;
     }
     pub(crate) fn object_color_stage(
         &self,
-        at_159: Entered,
-        hit_70: Hit,
-        view_26: impl rt::Into<rt::Vec3<f32>>,
+        at_165: Entered,
+        hit_75: Hit,
+        view_27: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color_stage(at_159, hit_70, rt::into(view_26)))
+        rt::into(self.v_object_color_stage(at_165, hit_75, rt::into(view_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_color_stage(
         &self,
-        at_159: Entered,
-        hit_70: Hit,
-        view_26: rt::Vec3<f32>,
+        at_165: Entered,
+        hit_75: Hit,
+        view_27: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[3usize].params;
-                let _e13 = self.v_object_none_color(at_159, hit_70, view_26, _e12);
+                let _e13 = self.v_object_none_color(at_165, hit_75, view_27, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[3usize].params;
-                let _e19 = self.v_object_depth_color(at_159, hit_70, view_26, _e18);
+                let _e19 = self.v_object_depth_color(at_165, hit_75, view_27, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[3usize].params;
-                let _e25 = self.v_object_hull_color(at_159, hit_70, view_26, _e24);
+                let _e25 = self.v_object_hull_color(at_165, hit_75, view_27, _e24);
                 return _e25;
             }
             _ => {
                 let _e30 = self.surface_settings.choices[3usize].params;
-                let _e31 = self.v_object_blend_color(at_159, hit_70, view_26, _e30);
+                let _e31 = self.v_object_blend_color(at_165, hit_75, view_27, _e30);
                 return _e31;
             }
         }
     }
     pub(crate) fn occlusion_roughness_metalness(
         &self,
-        uv_37: impl rt::Into<rt::Vec2<f32>>,
+        uv_38: impl rt::Into<rt::Vec2<f32>>,
         footprint_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_37), rt::into(footprint_4)))
+        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_38), rt::into(footprint_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_occlusion_roughness_metalness(
         &self,
-        uv_37: rt::Vec2<f32>,
+        uv_38: rt::Vec2<f32>,
         footprint_4: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_material);
         if rt::Scalar::into_branch_condition((_e4 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
-        let _e14 = self.v_material_layer(uv_37, footprint_4, rt::Scalar(0i32));
+        let _e14 = self.v_material_layer(uv_38, footprint_4, rt::Scalar(0i32));
         return _e14;
     }
     pub(crate) fn parts_by_uv(
         &self,
         grid_12: Tessellation,
         along_19: impl rt::Into<rt::Vec2<f32>>,
-        level_56: impl rt::Into<rt::Scalar<u32>>,
+        level_59: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_56)))
+        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -18968,85 +19855,85 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: rt::Vec2<f32>,
-        level_56: rt::Scalar<u32>,
+        level_59: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let both_2 = (along_19 * grid_12.parts_of_uv);
-        let parts_7 = ((both_2.x().max(both_2.y()) / (rt::Scalar(1u32) << level_56).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
+        let parts_7 = ((both_2.x().max(both_2.y()) / (rt::Scalar(1u32) << level_59).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
         return parts_7.clamp(rt::Scalar(1f32), rt::Scalar(32767f32)).to_u32();
     }
     pub(crate) fn parts_by_voxels(
         &self,
-        a_19: Voxel,
-        b_19: Voxel,
-        level_57: impl rt::Into<rt::Scalar<u32>>,
+        a_22: Voxel,
+        b_22: Voxel,
+        level_60: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_57)))
+        rt::into(self.v_parts_by_voxels(a_22, b_22, rt::into(level_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_parts_by_voxels(
         &self,
-        a_19: Voxel,
-        b_19: Voxel,
-        level_57: rt::Scalar<u32>,
+        a_22: Voxel,
+        b_22: Voxel,
+        level_60: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_coarser_voxel(b_19.at, level_57);
-        let _e6 = self.v_coarser_voxel(a_19.at, level_57);
+        let _e4 = self.v_coarser_voxel(b_22.at, level_60);
+        let _e6 = self.v_coarser_voxel(a_22.at, level_60);
         let _e8 = self.v_longest_of((_e4 - _e6));
         return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
     }
     pub(crate) fn parts_between(
         &self,
         grid_13: Tessellation,
-        a_20: Voxel,
-        b_20: Voxel,
+        a_23: Voxel,
+        b_23: Voxel,
         along_20: impl rt::Into<rt::Vec2<f32>>,
-        level_58: impl rt::Into<rt::Scalar<u32>>,
+        level_61: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_58)))
+        rt::into(self.v_parts_between(grid_13, a_23, b_23, rt::into(along_20), rt::into(level_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_parts_between(
         &self,
         grid_13: Tessellation,
-        a_20: Voxel,
-        b_20: Voxel,
+        a_23: Voxel,
+        b_23: Voxel,
         along_20: rt::Vec2<f32>,
-        level_58: rt::Scalar<u32>,
+        level_61: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         if rt::Scalar::into_branch_condition(grid_13.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))) {
-            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_58);
+            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_61);
             return _e9;
         }
-        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_58);
+        let _e10 = self.v_parts_by_voxels(a_23, b_23, level_61);
         return _e10;
     }
     pub(crate) fn pass_segment(
         &self,
-        before_6: Gathered,
+        before_8: Gathered,
         pixel_103: PixelIn,
-        at_160: Entered,
+        at_166: Entered,
         k_44: impl rt::Into<rt::Scalar<u32>>,
     ) -> Gathered {
-        rt::into(self.v_pass_segment(before_6, pixel_103, at_160, rt::into(k_44)))
+        rt::into(self.v_pass_segment(before_8, pixel_103, at_166, rt::into(k_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_pass_segment(
         &self,
-        before_6: Gathered,
+        before_8: Gathered,
         pixel_103: PixelIn,
-        at_160: Entered,
+        at_166: Entered,
         k_44: rt::Scalar<u32>,
     ) -> Gathered {
         let mut seen_4: Gathered;
 
-        let _e4 = self.v_segment_of(pixel_103, at_160, k_44);
-        let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_6.until_m), rt::Scalar(before_6.reach_m));
+        let _e4 = self.v_segment_of(pixel_103, at_166, k_44);
+        let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_8.until_m), rt::Scalar(before_8.reach_m));
         if rt::Scalar::into_branch_condition((!rt::Scalar(_e7.exit).elementwise_gt(rt::Scalar(0f32)))) {
-            return before_6;
+            return before_8;
         }
-        seen_4 = before_6;
+        seen_4 = before_8;
         rt::Scalar(seen_4.until_m) = (rt::Scalar(_e7.start) + rt::Scalar(_e7.exit));
         let _e19 = rt::Scalar(seen_4.transmittance);
         let _e20 = self.v_optical_depth(_e7);
@@ -19068,75 +19955,75 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn pixel_of(
         &self,
-        a_21: Corner,
-        b_21: Corner,
-        c_14: Corner,
+        a_24: Corner,
+        b_24: Corner,
+        c_16: Corner,
         shell_4: Shell,
         side_4: impl rt::Into<rt::Scalar<f32>>,
         point_21: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_21, b_21, c_14, shell_4, rt::into(side_4), rt::into(point_21)))
+        rt::into(self.v_pixel_of(a_24, b_24, c_16, shell_4, rt::into(side_4), rt::into(point_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_pixel_of(
         &self,
-        a_21: Corner,
-        b_21: Corner,
-        c_14: Corner,
+        a_24: Corner,
+        b_24: Corner,
+        c_16: Corner,
         shell_4: Shell,
         side_4: rt::Scalar<f32>,
         point_21: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e6 = self.v_pixel_eye(point_21);
         let _e7 = self.v_pixel_direction(point_21);
-        return <PixelIn>::new(_e6, _e7, side_4, a_21, b_21, c_14, shell_4);
+        return <PixelIn>::new(_e6, _e7, side_4, a_24, b_24, c_16, shell_4);
     }
     pub(crate) fn place_hit(
         &self,
         pixel_105: PixelIn,
-        at_161: Entered,
+        at_167: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_71: Hit,
+        hit_76: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_105, at_161, rt::into(segment), hit_71))
+        rt::into(self.v_place_hit(pixel_105, at_167, rt::into(segment), hit_76))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_place_hit(
         &self,
         pixel_105: PixelIn,
-        at_161: Entered,
+        at_167: Entered,
         segment: rt::Scalar<u32>,
-        hit_71: Hit,
+        hit_76: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_105, at_161, segment);
-        let _e5 = self.v_place_on_segment(pixel_105, at_161, _e4, hit_71);
+        let _e4 = self.v_segment_of(pixel_105, at_167, segment);
+        let _e5 = self.v_place_on_segment(pixel_105, at_167, _e4, hit_76);
         return _e5;
     }
     pub(crate) fn point_of_light(
         &self,
-        at_162: Entered,
-        hit_72: Hit,
+        at_168: Entered,
+        hit_77: Hit,
         number_20: impl rt::Into<rt::Scalar<u32>>,
         k_45: impl rt::Into<rt::Scalar<u32>>,
         count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_162, hit_72, rt::into(number_20), rt::into(k_45), rt::into(count_10)))
+        rt::into(self.v_point_of_light(at_168, hit_77, rt::into(number_20), rt::into(k_45), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_point_of_light(
         &self,
-        at_162: Entered,
-        hit_72: Hit,
+        at_168: Entered,
+        hit_77: Hit,
         number_20: rt::Scalar<u32>,
         k_45: rt::Scalar<u32>,
         count_10: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_20, at_162.point);
+        let _e6 = self.v_toward_light(number_20, at_168.point);
         if rt::Scalar::into_branch_condition(count_10.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_72);
+            let _e9 = self.v_seed_of(hit_77);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_45, count_10);
             return _e10;
         }
@@ -19146,9 +20033,9 @@ impl<'g> Resources<'g> {
         &self,
         start_5: impl rt::Into<rt::Vec3<i32>>,
         to_2: impl rt::Into<rt::Vec3<i32>>,
-        third: impl rt::Into<rt::Vec3<i32>>,
+        third_1: impl rt::Into<rt::Vec3<i32>>,
     ) -> i32 {
-        rt::into(self.v_primary_length(rt::into(start_5), rt::into(to_2), rt::into(third)))
+        rt::into(self.v_primary_length(rt::into(start_5), rt::into(to_2), rt::into(third_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19156,44 +20043,44 @@ impl<'g> Resources<'g> {
         &self,
         start_5: rt::Vec3<i32>,
         to_2: rt::Vec3<i32>,
-        third: rt::Vec3<i32>,
+        third_1: rt::Vec3<i32>,
     ) -> rt::Scalar<i32> {
-        let mut local_134: rt::Scalar<bool>;
+        let mut local_139: rt::Scalar<bool>;
 
         let _e3 = self.v_main_axis(start_5, to_2);
         let _e4 = self.v_axis_of(start_5, _e3);
         let _e5 = self.v_axis_of(to_2, _e3);
-        let _e6 = self.v_axis_of(third, _e3);
+        let _e6 = self.v_axis_of(third_1, _e3);
         if rt::Scalar::into_branch_condition(_e4.min(_e5).elementwise_le(_e6)) {
-            local_134 = _e6.elementwise_le(_e4.max(_e5));
+            local_139 = _e6.elementwise_le(_e4.max(_e5));
         } else {
-            local_134 = rt::Scalar(false);
+            local_139 = rt::Scalar(false);
         }
-        let is_primary = local_134;
+        let is_primary = local_139;
         return ((_e5 - _e4).abs() + rt::Scalar(0i32).select(rt::Scalar(1048576i32), is_primary));
     }
     pub(crate) fn procedure_bumps(
         &self,
-        place_27: impl rt::Into<rt::Vec2<f32>>,
+        place_34: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
-        params_132: impl rt::Into<rt::Vec4<f32>>,
+        params_140: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_27), rt::into(time), rt::into(seed_5), rt::into(params_132)))
+        rt::into(self.v_procedure_bumps(rt::into(place_34), rt::into(time), rt::into(seed_5), rt::into(params_140)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_bumps(
         &self,
-        place_27: rt::Vec2<f32>,
+        place_34: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
-        params_132: rt::Vec4<f32>,
+        params_140: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let mut height_14: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut height_15: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_46: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_183 = (place_27 * params_132.x());
-        let own_1 = at_183.floor();
+        let at_190 = (place_34 * params_140.x());
+        let own_1 = at_190.floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_46;
@@ -19205,74 +20092,74 @@ impl<'g> Resources<'g> {
                     let _e14 = k_46;
                     let _e18 = k_46;
                     let cell_47 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_47, params_132.x(), seed_5);
+                    let _e29 = self.v_bits_of_point(cell_47, params_140.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
-                    let beside_9 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_18 = ((cell_47 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_9 * (rt::Scalar(0.5f32) * params_132.z())));
-                    let away_2 = ((at_183 - middle_18) / rt::Vec2::splat_from_scalar(params_132.y()));
+                    let beside_10 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+                    let middle_18 = ((cell_47 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_10 * (rt::Scalar(0.5f32) * params_140.z())));
+                    let away_2 = ((at_190 - middle_18) / rt::Vec2::splat_from_scalar(params_140.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
                     let _e58 = self.v_sine_of((time + _e56));
                     let wave = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e58));
-                    let high_9 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
-                    let _e67 = height_14;
-                    height_14 = _e67.max((high_9 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
+                    let high_10 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
+                    let _e67 = height_15;
+                    height_15 = _e67.max((high_10 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
                     let _e76 = k_46;
                     k_46 = (_e76 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e79 = height_14;
+        let _e79 = height_15;
         return _e79;
     }
     pub(crate) fn procedure_fbm(
         &self,
-        place_28: impl rt::Into<rt::Vec2<f32>>,
+        place_35: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
-        params_133: impl rt::Into<rt::Vec4<f32>>,
+        params_141: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_28), rt::into(time_1), rt::into(seed_6), rt::into(params_133)))
+        rt::into(self.v_procedure_fbm(rt::into(place_35), rt::into(time_1), rt::into(seed_6), rt::into(params_141)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_fbm(
         &self,
-        place_28: rt::Vec2<f32>,
+        place_35: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
-        params_133: rt::Vec4<f32>,
+        params_141: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let mut height_15: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut height_16: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut strength: rt::Scalar<f32> = rt::Scalar(1f32);
         let mut count_11: rt::Scalar<f32>;
         let mut octave: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        count_11 = params_133.x();
+        count_11 = params_141.x();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = octave;
-                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_133.y())) {
+                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_141.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e18 = octave;
                     let turns_3 = (time_1 * (_e18 + rt::Scalar(1u32)).to_f32());
-                    let _e23 = height_15;
+                    let _e23 = height_16;
                     let _e24 = strength;
                     let _e25 = count_11;
                     let _e27 = count_11;
                     let _e28 = octave;
-                    let _e30 = self.v_gradient_noise((place_28 * _e25), _e27, turns_3, (seed_6 + _e28));
-                    height_15 = (_e23 + (_e24 * _e30));
+                    let _e30 = self.v_gradient_noise((place_35 * _e25), _e27, turns_3, (seed_6 + _e28));
+                    height_16 = (_e23 + (_e24 * _e30));
                     let _e33 = sum_6;
                     let _e34 = strength;
                     sum_6 = (_e33 + _e34);
                     let _e36 = strength;
-                    strength = (_e36 * params_133.z());
+                    strength = (_e36 * params_141.z());
                     let _e39 = count_11;
                     count_11 = (_e39 * rt::Scalar(2f32));
                     let _e42 = octave;
@@ -19280,35 +20167,35 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e45 = height_15;
+        let _e45 = height_16;
         let _e48 = sum_6;
         return (rt::Scalar(0.5f32) + ((rt::Scalar(0.5f32) * _e45) / (_e48 * rt::Scalar(0.7071068f32))));
     }
     pub(crate) fn procedure_waves(
         &self,
-        place_29: impl rt::Into<rt::Vec2<f32>>,
+        place_36: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
-        params_134: impl rt::Into<rt::Vec4<f32>>,
+        params_142: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_29), rt::into(time_2), rt::into(seed_7), rt::into(params_134)))
+        rt::into(self.v_procedure_waves(rt::into(place_36), rt::into(time_2), rt::into(seed_7), rt::into(params_142)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_waves(
         &self,
-        place_29: rt::Vec2<f32>,
+        place_36: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
-        params_134: rt::Vec4<f32>,
+        params_142: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let mut height_16: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut height_17: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_47: rt::Scalar<u32> = rt::Scalar(0u32);
 
         'naga_break: loop {
             'naga_continue: {
                 let _e10 = k_47;
-                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_134.y())) {
+                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_142.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -19316,19 +20203,19 @@ impl<'g> Resources<'g> {
                     let _e15 = k_47;
                     let _e18 = self.v_mixed((seed_7 + (rt::Scalar(4u32) * _e15)));
                     let _e19 = k_47;
-                    let part_38 = (_e19.to_f32() / params_134.y());
-                    let size_6 = (params_134.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_38) * part_38)));
-                    let along_49 = (size_6 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let part_39 = (_e19.to_f32() / params_142.y());
+                    let size_8 = (params_142.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_39) * part_39)));
+                    let along_50 = (size_8 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e39 = self.v_unit_of(_e18);
-                    let across_13 = ((((rt::Scalar(2f32) * size_6) * params_134.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
-                    let length = ((along_49 * along_49) + (across_13 * across_13)).sqrt();
-                    let pace_1 = ((rt::Scalar(2f32) * (length / params_134.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let across_13 = ((((rt::Scalar(2f32) * size_8) * params_142.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
+                    let length = ((along_50 * along_50) + (across_13 * across_13)).sqrt();
+                    let pace_1 = ((rt::Scalar(2f32) * (length / params_142.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
-                    let _e72 = self.v_sine_of(((((along_49 * place_29.x()) + (across_13 * place_29.y())) - (pace_1 * time_2)) + _e63));
+                    let _e72 = self.v_sine_of(((((along_50 * place_36.x()) + (across_13 * place_36.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
-                    let _e77 = height_16;
-                    height_16 = (_e77 + ((crest + (params_134.w() * ((crest * crest) - crest))) / length));
+                    let _e77 = height_17;
+                    height_17 = (_e77 + ((crest + (params_142.w() * ((crest * crest) - crest))) / length));
                     let _e85 = sum_7;
                     sum_7 = (_e85 + (rt::Scalar(1f32) / length));
                     let _e89 = k_47;
@@ -19336,41 +20223,41 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e92 = height_16;
+        let _e92 = height_17;
         let _e93 = sum_7;
         return (_e92 / _e93);
     }
     pub(crate) fn procedure_height(
         &self,
         number_21: impl rt::Into<rt::Scalar<u32>>,
-        place_30: impl rt::Into<rt::Vec2<f32>>,
+        place_37: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
-        params_135: impl rt::Into<rt::Vec4<f32>>,
+        params_143: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_21), rt::into(place_30), rt::into(time_3), rt::into(seed_8), rt::into(params_135)))
+        rt::into(self.v_procedure_height(rt::into(number_21), rt::into(place_37), rt::into(time_3), rt::into(seed_8), rt::into(params_143)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_procedure_height(
         &self,
         number_21: rt::Scalar<u32>,
-        place_30: rt::Vec2<f32>,
+        place_37: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
-        params_135: rt::Vec4<f32>,
+        params_143: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         match rt::Scalar::into_inner(number_21) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_30, time_3, seed_8, params_135);
+                let _e5 = self.v_procedure_waves(place_37, time_3, seed_8, params_143);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_30, time_3, seed_8, params_135);
+                let _e6 = self.v_procedure_fbm(place_37, time_3, seed_8, params_143);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_30, time_3, seed_8, params_135);
+                let _e7 = self.v_procedure_bumps(place_37, time_3, seed_8, params_143);
                 return _e7;
             }
         }
@@ -19395,69 +20282,69 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_163: Entered,
-        hit_73: Hit,
+        at_169: Entered,
+        hit_78: Hit,
         number_22: impl rt::Into<rt::Scalar<u32>>,
         k_48: impl rt::Into<rt::Scalar<u32>>,
         count_12: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_163, hit_73, rt::into(number_22), rt::into(k_48), rt::into(count_12)))
+        rt::into(self.v_ray_to_light(at_169, hit_78, rt::into(number_22), rt::into(k_48), rt::into(count_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ray_to_light(
         &self,
-        at_163: Entered,
-        hit_73: Hit,
+        at_169: Entered,
+        hit_78: Hit,
         number_22: rt::Scalar<u32>,
         k_48: rt::Scalar<u32>,
         count_12: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_163, hit_73, number_22, k_48, count_12);
-        let _e6 = self.v_field_light_ray_stage(at_163, hit_73, _e5);
+        let _e5 = self.v_point_of_light(at_169, hit_78, number_22, k_48, count_12);
+        let _e6 = self.v_field_light_ray_stage(at_169, hit_78, _e5);
         return _e6;
     }
     pub(crate) fn reach_of_hit(
         &self,
-        found_15: impl rt::Into<rt::Scalar<u32>>,
+        found_17: impl rt::Into<rt::Scalar<u32>>,
         depth_10: impl rt::Into<rt::Scalar<f32>>,
         direction_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_reach_of_hit(rt::into(found_15), rt::into(depth_10), rt::into(direction_7)))
+        rt::into(self.v_reach_of_hit(rt::into(found_17), rt::into(depth_10), rt::into(direction_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_reach_of_hit(
         &self,
-        found_15: rt::Scalar<u32>,
+        found_17: rt::Scalar<u32>,
         depth_10: rt::Scalar<f32>,
         direction_7: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        return rt::Scalar(300000000000000000000000000000000000000f32).select((depth_10 * direction_7.length()), found_15.elementwise_eq(rt::Scalar(1u32)));
+        return rt::Scalar(300000000000000000000000000000000000000f32).select((depth_10 * direction_7.length()), found_17.elementwise_eq(rt::Scalar(1u32)));
     }
     pub(crate) fn shade_blinn_phong_material(
         &self,
-        at_164: Entered,
-        hit_74: Hit,
+        at_170: Entered,
+        hit_79: Hit,
         normal_22: impl rt::Into<rt::Vec3<f32>>,
         mean_3: impl rt::Into<rt::Scalar<f32>>,
-        view_27: impl rt::Into<rt::Vec3<f32>>,
+        view_28: impl rt::Into<rt::Vec3<f32>>,
         color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_136: impl rt::Into<rt::Vec4<f32>>,
+        params_144: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_blinn_phong_material(at_164, hit_74, rt::into(normal_22), rt::into(mean_3), rt::into(view_27), rt::into(color_1), rt::into(params_136)))
+        rt::into(self.v_shade_blinn_phong_material(at_170, hit_79, rt::into(normal_22), rt::into(mean_3), rt::into(view_28), rt::into(color_1), rt::into(params_144)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shade_blinn_phong_material(
         &self,
-        at_164: Entered,
-        hit_74: Hit,
+        at_170: Entered,
+        hit_79: Hit,
         normal_22: rt::Vec3<f32>,
         mean_3: rt::Scalar<f32>,
-        view_27: rt::Vec3<f32>,
+        view_28: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
-        params_136: rt::Vec4<f32>,
+        params_144: rt::Vec4<f32>,
     ) -> Material {
         let transmission = rt::Scalar(self.surface_settings.transmission);
         let _e12 = self.surface_settings.diffuse;
@@ -19470,32 +20357,32 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_metallic_roughness_material(
         &self,
-        at_165: Entered,
-        hit_75: Hit,
+        at_171: Entered,
+        hit_80: Hit,
         normal_23: impl rt::Into<rt::Vec3<f32>>,
         mean_4: impl rt::Into<rt::Scalar<f32>>,
-        view_28: impl rt::Into<rt::Vec3<f32>>,
+        view_29: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
-        params_137: impl rt::Into<rt::Vec4<f32>>,
+        params_145: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_metallic_roughness_material(at_165, hit_75, rt::into(normal_23), rt::into(mean_4), rt::into(view_28), rt::into(color_2), rt::into(params_137)))
+        rt::into(self.v_shade_metallic_roughness_material(at_171, hit_80, rt::into(normal_23), rt::into(mean_4), rt::into(view_29), rt::into(color_2), rt::into(params_145)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_material(
         &self,
-        at_165: Entered,
-        hit_75: Hit,
+        at_171: Entered,
+        hit_80: Hit,
         normal_23: rt::Vec3<f32>,
         mean_4: rt::Scalar<f32>,
-        view_28: rt::Vec3<f32>,
+        view_29: rt::Vec3<f32>,
         color_2: rt::Vec3<f32>,
-        params_137: rt::Vec4<f32>,
+        params_145: rt::Vec4<f32>,
     ) -> Material {
         let mut roughness_1: rt::Scalar<f32>;
         let mut alpha_1: rt::Scalar<f32>;
         let mut squared_alpha: rt::Scalar<f32>;
 
-        let _e9 = self.v_occlusion_roughness_metalness(hit_75.uv, rt::Scalar(at_165.footprint));
+        let _e9 = self.v_occlusion_roughness_metalness(hit_80.uv, rt::Scalar(at_171.footprint));
         let _e12 = rt::Scalar(self.surface_settings.roughness);
         roughness_1 = (_e12 * _e9.y()).max(rt::Scalar(0.045f32));
         let _e20 = rt::Scalar(self.surface_settings.metallic);
@@ -19522,10 +20409,10 @@ impl<'g> Resources<'g> {
             let _e74 = alpha_1;
             roughness_1 = _e74.sqrt();
         }
-        let upright_5 = normal_23.dot(view_28).max(rt::Scalar(0.0001f32));
-        let aside_12 = (rt::Scalar(1f32) - (upright_5 * upright_5)).max(rt::Scalar(0f32));
+        let upright_5 = normal_23.dot(view_29).max(rt::Scalar(0.0001f32));
+        let aside_13 = (rt::Scalar(1f32) - (upright_5 * upright_5)).max(rt::Scalar(0f32));
         let _e85 = squared_alpha;
-        let masking = ((upright_5 * upright_5) + (_e85 * aside_12)).sqrt();
+        let masking = ((upright_5 * upright_5) + (_e85 * aside_13)).sqrt();
         let _e89 = alpha_1;
         let _e90 = roughness_1;
         let _e91 = self.v_facet_reflection(upright_5, _e89, _e90);
@@ -19533,7 +20420,7 @@ impl<'g> Resources<'g> {
         let white_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let _e103 = self.v_reflected_by(_e91, specular_2);
         let reflected_1 = (_e103 * (white_2 + (specular_2 * again)));
-        let _e117 = self.v_emission_at(hit_75.uv, rt::Scalar(at_165.footprint));
+        let _e117 = self.v_emission_at(hit_80.uv, rt::Scalar(at_171.footprint));
         let _e119 = roughness_1;
         let _e120 = alpha_1;
         let _e121 = squared_alpha;
@@ -19541,36 +20428,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_material_stage(
         &self,
-        at_166: Entered,
-        hit_76: Hit,
+        at_172: Entered,
+        hit_81: Hit,
         normal_24: impl rt::Into<rt::Vec3<f32>>,
         mean_5: impl rt::Into<rt::Scalar<f32>>,
-        view_29: impl rt::Into<rt::Vec3<f32>>,
+        view_30: impl rt::Into<rt::Vec3<f32>>,
         color_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_material_stage(at_166, hit_76, rt::into(normal_24), rt::into(mean_5), rt::into(view_29), rt::into(color_3)))
+        rt::into(self.v_shade_material_stage(at_172, hit_81, rt::into(normal_24), rt::into(mean_5), rt::into(view_30), rt::into(color_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shade_material_stage(
         &self,
-        at_166: Entered,
-        hit_76: Hit,
+        at_172: Entered,
+        hit_81: Hit,
         normal_24: rt::Vec3<f32>,
         mean_5: rt::Scalar<f32>,
-        view_29: rt::Vec3<f32>,
+        view_30: rt::Vec3<f32>,
         color_3: rt::Vec3<f32>,
     ) -> Material {
         let _e10 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e10) {
             0u32 => {
                 let _e15 = self.surface_settings.choices[8usize].params;
-                let _e16 = self.v_shade_blinn_phong_material(at_166, hit_76, normal_24, mean_5, view_29, color_3, _e15);
+                let _e16 = self.v_shade_blinn_phong_material(at_172, hit_81, normal_24, mean_5, view_30, color_3, _e15);
                 return _e16;
             }
             _ => {
                 let _e21 = self.surface_settings.choices[8usize].params;
-                let _e22 = self.v_shade_metallic_roughness_material(at_166, hit_76, normal_24, mean_5, view_29, color_3, _e21);
+                let _e22 = self.v_shade_metallic_roughness_material(at_172, hit_81, normal_24, mean_5, view_30, color_3, _e21);
                 return _e22;
             }
         }
@@ -19601,16 +20488,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_167: Entered,
+        at_173: Entered,
         seen_5: SeenNormals,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_167, seen_5, rt::into(toward_4)))
+        rt::into(self.v_seen_cosine(at_173, seen_5, rt::into(toward_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_cosine(
         &self,
-        at_167: Entered,
+        at_173: Entered,
         seen_5: SeenNormals,
         toward_4: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -19619,7 +20506,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_5.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_5.normal.dot(toward_4).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_167, toward_4);
+        let _e10 = self.v_to_tangent_space(at_173, toward_4);
         let middle_19 = seen_5.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_19, seen_5.along.dot(_e10), seen_5.across.dot(_e10));
         let one_2 = (rt::Scalar(seen_5.middle_seen) * middle_19.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -19695,11 +20582,11 @@ impl<'g> Resources<'g> {
         normal_25: impl rt::Into<rt::Vec3<f32>>,
         mean_6: impl rt::Into<rt::Scalar<f32>>,
         cosine_7: impl rt::Into<rt::Scalar<f32>>,
-        view_30: impl rt::Into<rt::Vec3<f32>>,
+        view_31: impl rt::Into<rt::Vec3<f32>>,
         toward_5: impl rt::Into<rt::Vec3<f32>>,
-        params_138: impl rt::Into<rt::Vec4<f32>>,
+        params_146: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_25), rt::into(mean_6), rt::into(cosine_7), rt::into(view_30), rt::into(toward_5), rt::into(params_138)))
+        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_25), rt::into(mean_6), rt::into(cosine_7), rt::into(view_31), rt::into(toward_5), rt::into(params_146)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_blinn_phong_light(
@@ -19708,9 +20595,9 @@ impl<'g> Resources<'g> {
         normal_25: rt::Vec3<f32>,
         mean_6: rt::Scalar<f32>,
         cosine_7: rt::Scalar<f32>,
-        view_30: rt::Vec3<f32>,
+        view_31: rt::Vec3<f32>,
         toward_5: rt::Vec3<f32>,
-        params_138: rt::Vec4<f32>,
+        params_146: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_3: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -19725,7 +20612,7 @@ impl<'g> Resources<'g> {
                 exponent_3 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_25.dot((toward_5 + view_30).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_25.dot((toward_5 + view_31).normalize()).max(rt::Scalar(0f32));
             let _e42 = exponent_3;
             let _e43 = self.v_whole_power(lobe, _e42);
             let _e44 = dimmed;
@@ -19740,11 +20627,11 @@ impl<'g> Resources<'g> {
         normal_26: impl rt::Into<rt::Vec3<f32>>,
         mean_7: impl rt::Into<rt::Scalar<f32>>,
         cosine_8: impl rt::Into<rt::Scalar<f32>>,
-        view_31: impl rt::Into<rt::Vec3<f32>>,
+        view_32: impl rt::Into<rt::Vec3<f32>>,
         toward_6: impl rt::Into<rt::Vec3<f32>>,
-        params_139: impl rt::Into<rt::Vec4<f32>>,
+        params_147: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_26), rt::into(mean_7), rt::into(cosine_8), rt::into(view_31), rt::into(toward_6), rt::into(params_139)))
+        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_26), rt::into(mean_7), rt::into(cosine_8), rt::into(view_32), rt::into(toward_6), rt::into(params_147)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_light(
@@ -19753,20 +20640,20 @@ impl<'g> Resources<'g> {
         normal_26: rt::Vec3<f32>,
         mean_7: rt::Scalar<f32>,
         cosine_8: rt::Scalar<f32>,
-        view_31: rt::Vec3<f32>,
+        view_32: rt::Vec3<f32>,
         toward_6: rt::Vec3<f32>,
-        params_139: rt::Vec4<f32>,
+        params_147: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         if rt::Scalar::into_branch_condition(cosine_8.elementwise_gt(rt::Scalar(0f32))) {
-            let sum_14 = (toward_6 + view_31);
-            let squared_sum = sum_14.dot(sum_14).max(rt::Scalar(0.000001f32));
-            let along_50 = normal_26.dot(sum_14);
-            let across_14 = normal_26.cross(sum_14);
-            let a_43 = rt::Scalar(material_12.squared_alpha);
-            let spread_1 = ((((along_50 * along_50) * a_43) + across_14.dot(across_14)) / squared_sum);
-            let shadowing = ((cosine_8 * cosine_8) + (a_43 * (rt::Scalar(1f32) - (cosine_8 * cosine_8)).max(rt::Scalar(0f32)))).sqrt();
+            let sum_15 = (toward_6 + view_32);
+            let squared_sum = sum_15.dot(sum_15).max(rt::Scalar(0.000001f32));
+            let along_51 = normal_26.dot(sum_15);
+            let across_14 = normal_26.cross(sum_15);
+            let a_48 = rt::Scalar(material_12.squared_alpha);
+            let spread_1 = ((((along_51 * along_51) * a_48) + across_14.dot(across_14)) / squared_sum);
+            let shadowing = ((cosine_8 * cosine_8) + (a_48 * (rt::Scalar(1f32) - (cosine_8 * cosine_8)).max(rt::Scalar(0f32)))).sqrt();
             let visible_3 = ((cosine_8 * rt::Scalar(material_12.masking)) + (rt::Scalar(material_12.upright) * shadowing));
-            let facets = ((rt::Scalar(0.5f32) * a_43) / ((spread_1 * spread_1) * visible_3));
+            let facets = ((rt::Scalar(0.5f32) * a_48) / ((spread_1 * spread_1) * visible_3));
             let rest_14 = (rt::Scalar(1f32) - (rt::Scalar(0.5f32) * squared_sum.sqrt())).max(rt::Scalar(0f32));
             let squared_rest = (rest_14 * rest_14);
             let white_3 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
@@ -19783,10 +20670,10 @@ impl<'g> Resources<'g> {
         normal_27: impl rt::Into<rt::Vec3<f32>>,
         mean_8: impl rt::Into<rt::Scalar<f32>>,
         cosine_9: impl rt::Into<rt::Scalar<f32>>,
-        view_32: impl rt::Into<rt::Vec3<f32>>,
+        view_33: impl rt::Into<rt::Vec3<f32>>,
         toward_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_light_stage(material_13, rt::into(normal_27), rt::into(mean_8), rt::into(cosine_9), rt::into(view_32), rt::into(toward_7)))
+        rt::into(self.v_shade_light_stage(material_13, rt::into(normal_27), rt::into(mean_8), rt::into(cosine_9), rt::into(view_33), rt::into(toward_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19796,50 +20683,50 @@ impl<'g> Resources<'g> {
         normal_27: rt::Vec3<f32>,
         mean_8: rt::Scalar<f32>,
         cosine_9: rt::Scalar<f32>,
-        view_32: rt::Vec3<f32>,
+        view_33: rt::Vec3<f32>,
         toward_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e10 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e10) {
             0u32 => {
                 let _e15 = self.surface_settings.choices[8usize].params;
-                let _e16 = self.v_shade_blinn_phong_light(material_13, normal_27, mean_8, cosine_9, view_32, toward_7, _e15);
+                let _e16 = self.v_shade_blinn_phong_light(material_13, normal_27, mean_8, cosine_9, view_33, toward_7, _e15);
                 return _e16;
             }
             _ => {
                 let _e21 = self.surface_settings.choices[8usize].params;
-                let _e22 = self.v_shade_metallic_roughness_light(material_13, normal_27, mean_8, cosine_9, view_32, toward_7, _e21);
+                let _e22 = self.v_shade_metallic_roughness_light(material_13, normal_27, mean_8, cosine_9, view_33, toward_7, _e21);
                 return _e22;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_168: Entered,
-        hit_77: Hit,
+        at_174: Entered,
+        hit_82: Hit,
         seen_6: SeenNormals,
-        view_33: impl rt::Into<rt::Vec3<f32>>,
+        view_34: impl rt::Into<rt::Vec3<f32>>,
         color_4: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_168, hit_77, seen_6, rt::into(view_33), rt::into(color_4), visible))
+        rt::into(self.v_reflected_light(at_174, hit_82, seen_6, rt::into(view_34), rt::into(color_4), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_reflected_light(
         &self,
-        at_168: Entered,
-        hit_77: Hit,
+        at_174: Entered,
+        hit_82: Hit,
         seen_6: SeenNormals,
-        view_33: rt::Vec3<f32>,
+        view_34: rt::Vec3<f32>,
         color_4: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        let mut light_22: rt::Vec3<f32>;
+        let mut light_25: rt::Vec3<f32>;
         let mut k_49: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e8 = self.v_shade_material_stage(at_168, hit_77, seen_6.normal, rt::Scalar(seen_6.length), view_33, color_4);
-        let _e12 = self.v_ambient_stage(at_168, hit_77, (seen_6.normal * rt::Scalar(seen_6.length)), view_33, _e8);
-        light_22 = ((_e12 * rt::Scalar(_e8.occlusion)) + _e8.emission);
+        let _e8 = self.v_shade_material_stage(at_174, hit_82, seen_6.normal, rt::Scalar(seen_6.length), view_34, color_4);
+        let _e12 = self.v_ambient_stage(at_174, hit_82, (seen_6.normal * rt::Scalar(seen_6.length)), view_34, _e8);
+        light_25 = ((_e12 * rt::Scalar(_e8.occlusion)) + _e8.emission);
         'naga_break: loop {
             'naga_continue: {
                 let _e20 = k_49;
@@ -19850,20 +20737,20 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e25 = k_49;
-                    let _e27 = self.v_toward_light(_e25, at_168.point);
-                    let _e29 = self.v_seen_cosine(at_168, seen_6, _e27.direction);
-                    let _e33 = self.v_shade_light_stage(_e8, seen_6.normal, rt::Scalar(seen_6.length), _e29, view_33, _e27.direction);
-                    let _e34 = light_22;
+                    let _e27 = self.v_toward_light(_e25, at_174.point);
+                    let _e29 = self.v_seen_cosine(at_174, seen_6, _e27.direction);
+                    let _e33 = self.v_shade_light_stage(_e8, seen_6.normal, rt::Scalar(seen_6.length), _e29, view_34, _e27.direction);
+                    let _e34 = light_25;
                     let _e37 = k_49;
                     let _e40 = self.frame.lights[rt::Scalar::into_array_index(_e37)].color;
                     let _e44 = k_49;
-                    light_22 = (_e34 + ((_e33 * _e40.xyz()) * (rt::Scalar(_e27.falloff) * visible[rt::Scalar::into_array_index(_e44)].x())));
+                    light_25 = (_e34 + ((_e33 * _e40.xyz()) * (rt::Scalar(_e27.falloff) * visible[rt::Scalar::into_array_index(_e44)].x())));
                     let _e50 = k_49;
                     k_49 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e53 = light_22;
+        let _e53 = light_25;
         return _e53;
     }
     pub(crate) fn roof_left(&self, sweep_6: Sweep, column_3: SweptColumn) -> i32 {
@@ -19876,25 +20763,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_along(
         &self,
-        at_169: impl rt::Into<rt::Vec3<i32>>,
-        axis_3: impl rt::Into<rt::Scalar<u32>>,
+        at_175: impl rt::Into<rt::Vec3<i32>>,
+        axis_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<i32> {
-        rt::into(self.v_seen_along(rt::into(at_169), rt::into(axis_3)))
+        rt::into(self.v_seen_along(rt::into(at_175), rt::into(axis_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_along(
         &self,
-        at_169: rt::Vec3<i32>,
-        axis_3: rt::Scalar<u32>,
+        at_175: rt::Vec3<i32>,
+        axis_5: rt::Scalar<u32>,
     ) -> rt::Vec3<i32> {
-        if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(0u32))) {
-            return at_169;
+        if rt::Scalar::into_branch_condition(axis_5.elementwise_eq(rt::Scalar(0u32))) {
+            return at_175;
         }
-        if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(1u32))) {
-            return <rt::Vec3<i32>>::from_scalars(at_169.y(), at_169.z(), at_169.x());
+        if rt::Scalar::into_branch_condition(axis_5.elementwise_eq(rt::Scalar(1u32))) {
+            return <rt::Vec3<i32>>::from_scalars(at_175.y(), at_175.z(), at_175.x());
         }
-        return <rt::Vec3<i32>>::from_scalars(at_169.z(), at_169.x(), at_169.y());
+        return <rt::Vec3<i32>>::from_scalars(at_175.z(), at_175.x(), at_175.y());
     }
     pub(crate) fn seen_through(
         &self,
@@ -19910,8 +20797,8 @@ impl<'g> Resources<'g> {
         behind: rt::Vec4<f32>,
         seen_7: Gathered,
     ) -> rt::Vec4<f32> {
-        let part_39 = (rt::Scalar(1f32) - rt::Scalar(seen_7.transmittance));
-        return <rt::Vec4<f32>>::new_31((seen_7.light + (behind.xyz() * rt::Scalar(seen_7.transmittance))), (part_39 + (behind.w() * rt::Scalar(seen_7.transmittance))));
+        let part_40 = (rt::Scalar(1f32) - rt::Scalar(seen_7.transmittance));
+        return <rt::Vec4<f32>>::new_31((seen_7.light + (behind.xyz() * rt::Scalar(seen_7.transmittance))), (part_40 + (behind.w() * rt::Scalar(seen_7.transmittance))));
     }
     pub(crate) fn z_of(&self, depth_11: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_z_of(rt::into(depth_11)))
@@ -19931,66 +20818,66 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_hit(
         &self,
-        origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_170: Entered,
-        hit_78: Hit,
+        origin_3: impl rt::Into<rt::Vec3<f32>>,
+        at_176: Entered,
+        hit_83: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_170, hit_78, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_3), at_176, hit_83, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_hit(
         &self,
-        origin_2: rt::Vec3<f32>,
-        at_170: Entered,
-        hit_78: Hit,
+        origin_3: rt::Vec3<f32>,
+        at_176: Entered,
+        hit_83: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_78.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_78.cost.x(), hit_78.cost.y(), hit_78.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(1f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_83.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_83.cost.x(), hit_83.cost.y(), hit_83.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(1f32));
         }
-        let _e46 = self.v_field_height_stage(hit_78.uv, rt::Scalar(hit_78.height), rt::Scalar(at_170.level));
-        let view_36 = (origin_2 - at_170.point).normalize();
-        let _e50 = self.v_field_normals_stage(at_170, hit_78, view_36);
-        let _e51 = self.v_object_color_stage(at_170, hit_78, view_36);
-        let _e52 = self.v_reflected_light(at_170, hit_78, _e50, view_36, _e51, visible_1);
+        let _e46 = self.v_field_height_stage(hit_83.uv, rt::Scalar(hit_83.height), rt::Scalar(at_176.level));
+        let view_37 = (origin_3 - at_176.point).normalize();
+        let _e50 = self.v_field_normals_stage(at_176, hit_83, view_37);
+        let _e51 = self.v_object_color_stage(at_176, hit_83, view_37);
+        let _e52 = self.v_reflected_light(at_176, hit_83, _e50, view_37, _e51, visible_1);
         let _e57 = self.frame.forward;
-        let depth_15 = (at_170.point - origin_2).dot(_e57.xyz());
+        let depth_15 = (at_176.point - origin_3).dot(_e57.xyz());
         let _e62 = self.v_height_size(rt::Scalar(0u32));
-        let _e68 = self.v_cell_of(((hit_78.uv * _e62) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e88 = self.v_z_of(rt::Scalar(at_170.depth));
+        let _e68 = self.v_cell_of(((hit_83.uv * _e62) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e88 = self.v_z_of(rt::Scalar(at_176.depth));
         let _e91 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_78.exhausted), hit_78.uv, _e46, at_170.point, _e50.normal, depth_15, rt::Scalar(hit_78.t), _e68.to_i32(), hit_78.cost.x(), hit_78.cost.y(), hit_78.cost.z(), visible_1[0usize].x(), rt::Scalar(at_170.level), _e88, _e91, rt::Scalar(1f32));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_83.exhausted), hit_83.uv, _e46, at_176.point, _e50.normal, depth_15, rt::Scalar(hit_83.t), _e68.to_i32(), hit_83.cost.x(), hit_83.cost.y(), hit_83.cost.z(), visible_1[0usize].x(), rt::Scalar(at_176.level), _e88, _e91, rt::Scalar(1f32));
     }
     pub(crate) fn visible_light(
         &self,
-        at_171: Entered,
-        hit_79: Hit,
+        at_177: Entered,
+        hit_84: Hit,
         number_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_171, hit_79, rt::into(number_23)))
+        rt::into(self.v_visible_light(at_177, hit_84, rt::into(number_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_visible_light(
         &self,
-        at_171: Entered,
-        hit_79: Hit,
+        at_177: Entered,
+        hit_84: Hit,
         number_23: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_23, at_171.point);
-        let _e5 = self.v_shadow_stage(at_171, hit_79, _e4);
+        let _e4 = self.v_toward_light(number_23, at_177.point);
+        let _e5 = self.v_shadow_stage(at_177, hit_84, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_172: Entered, hit_80: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_172, hit_80))
+    pub(crate) fn visible_lights(&self, at_178: Entered, hit_85: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_178, hit_85))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_visible_lights(&self, at_172: Entered, hit_80: Hit) -> [rt::Vec4<f32>; 8] {
+    pub(super) fn v_visible_lights(&self, at_178: Entered, hit_85: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_50: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_80.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_85.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
@@ -20005,7 +20892,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_50;
                     let _e17 = k_50;
-                    let _e18 = self.v_visible_light(at_172, hit_80, _e17);
+                    let _e18 = self.v_visible_light(at_178, hit_85, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_50;
                     k_50 = (_e23 + rt::Scalar(1u32));
@@ -20038,73 +20925,73 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn weighted_site(
         &self,
-        a_22: BaseSite,
-        b_22: BaseSite,
-        c_15: BaseSite,
+        a_25: BaseSite,
+        b_25: BaseSite,
+        c_17: BaseSite,
         w_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_weighted_site(a_22, b_22, c_15, rt::into(w_2)))
+        rt::into(self.v_weighted_site(a_25, b_25, c_17, rt::into(w_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_weighted_site(
         &self,
-        a_22: BaseSite,
-        b_22: BaseSite,
-        c_15: BaseSite,
+        a_25: BaseSite,
+        b_25: BaseSite,
+        c_17: BaseSite,
         w_2: rt::Vec3<f32>,
     ) -> BaseSite {
-        return <BaseSite>::new((((a_22.position * w_2.x()) + (b_22.position * w_2.y())) + (c_15.position * w_2.z())), (((a_22.direction * w_2.x()) + (b_22.direction * w_2.y())) + (c_15.direction * w_2.z())), (((a_22.seen_uv * w_2.x()) + (b_22.seen_uv * w_2.y())) + (c_15.seen_uv * w_2.z())), (((a_22.uv * w_2.x()) + (b_22.uv * w_2.y())) + (c_15.uv * w_2.z())), (((rt::Scalar(a_22.texels_per_m) * w_2.x()) + (rt::Scalar(b_22.texels_per_m) * w_2.y())) + (rt::Scalar(c_15.texels_per_m) * w_2.z())), (((rt::Scalar(a_22.depth) * w_2.x()) + (rt::Scalar(b_22.depth) * w_2.y())) + (rt::Scalar(c_15.depth) * w_2.z())), (((a_22.normal * w_2.x()) + (b_22.normal * w_2.y())) + (c_15.normal * w_2.z())), (((a_22.tangent * w_2.x()) + (b_22.tangent * w_2.y())) + (c_15.tangent * w_2.z())), (((a_22.bitangent * w_2.x()) + (b_22.bitangent * w_2.y())) + (c_15.bitangent * w_2.z())), (((a_22.turn_u * w_2.x()) + (b_22.turn_u * w_2.y())) + (c_15.turn_u * w_2.z())), (((a_22.turn_v * w_2.x()) + (b_22.turn_v * w_2.y())) + (c_15.turn_v * w_2.z())));
+        return <BaseSite>::new((((a_25.position * w_2.x()) + (b_25.position * w_2.y())) + (c_17.position * w_2.z())), (((a_25.direction * w_2.x()) + (b_25.direction * w_2.y())) + (c_17.direction * w_2.z())), (((a_25.seen_uv * w_2.x()) + (b_25.seen_uv * w_2.y())) + (c_17.seen_uv * w_2.z())), (((a_25.uv * w_2.x()) + (b_25.uv * w_2.y())) + (c_17.uv * w_2.z())), (((rt::Scalar(a_25.texels_per_m) * w_2.x()) + (rt::Scalar(b_25.texels_per_m) * w_2.y())) + (rt::Scalar(c_17.texels_per_m) * w_2.z())), (((rt::Scalar(a_25.depth) * w_2.x()) + (rt::Scalar(b_25.depth) * w_2.y())) + (rt::Scalar(c_17.depth) * w_2.z())), (((a_25.normal * w_2.x()) + (b_25.normal * w_2.y())) + (c_17.normal * w_2.z())), (((a_25.tangent * w_2.x()) + (b_25.tangent * w_2.y())) + (c_17.tangent * w_2.z())), (((a_25.bitangent * w_2.x()) + (b_25.bitangent * w_2.y())) + (c_17.bitangent * w_2.z())), (((a_25.turn_u * w_2.x()) + (b_25.turn_u * w_2.y())) + (c_17.turn_u * w_2.z())), (((a_25.turn_v * w_2.x()) + (b_25.turn_v * w_2.y())) + (c_17.turn_v * w_2.z())));
     }
     pub(crate) fn site_between(
         &self,
-        a_23: BaseSite,
-        b_23: BaseSite,
+        a_26: BaseSite,
+        b_26: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_173: impl rt::Into<rt::Scalar<u32>>,
+        at_179: impl rt::Into<rt::Scalar<u32>>,
         parts_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_23, b_23, rt::into(shares), rt::into(at_173), rt::into(parts_3)))
+        rt::into(self.v_site_between(a_26, b_26, rt::into(shares), rt::into(at_179), rt::into(parts_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_site_between(
         &self,
-        a_23: BaseSite,
-        b_23: BaseSite,
+        a_26: BaseSite,
+        b_26: BaseSite,
         shares: rt::Vec2<f32>,
-        at_173: rt::Scalar<u32>,
+        at_179: rt::Scalar<u32>,
         parts_3: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_3 - at_173).to_f32() * shares.x());
-        let of_b = (at_173.to_f32() * shares.y());
-        let sum_15 = (of_a + of_b);
-        let _e17 = self.v_weighted_site(a_23, b_23, b_23, <rt::Vec3<f32>>::from_scalars((of_a / sum_15), (of_b / sum_15), rt::Scalar(0f32)));
+        let of_a = ((parts_3 - at_179).to_f32() * shares.x());
+        let of_b = (at_179.to_f32() * shares.y());
+        let sum_16 = (of_a + of_b);
+        let _e17 = self.v_weighted_site(a_26, b_26, b_26, <rt::Vec3<f32>>::from_scalars((of_a / sum_16), (of_b / sum_16), rt::Scalar(0f32)));
         return _e17;
     }
     pub(crate) fn site_inside(
         &self,
-        a_24: BaseSite,
-        b_24: BaseSite,
-        c_16: BaseSite,
+        a_27: BaseSite,
+        b_27: BaseSite,
+        c_18: BaseSite,
         shares_1: impl rt::Into<rt::Vec3<f32>>,
         weights_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_inside(a_24, b_24, c_16, rt::into(shares_1), rt::into(weights_6)))
+        rt::into(self.v_site_inside(a_27, b_27, c_18, rt::into(shares_1), rt::into(weights_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_site_inside(
         &self,
-        a_24: BaseSite,
-        b_24: BaseSite,
-        c_16: BaseSite,
+        a_27: BaseSite,
+        b_27: BaseSite,
+        c_18: BaseSite,
         shares_1: rt::Vec3<f32>,
         weights_6: rt::Vec3<f32>,
     ) -> BaseSite {
         let shared_out = (weights_6 * shares_1);
-        let sum_16 = ((shared_out.x() + shared_out.y()) + shared_out.z());
-        let _e13 = self.v_weighted_site(a_24, b_24, c_16, (shared_out / rt::Vec3::splat_from_scalar(sum_16)));
+        let sum_17 = ((shared_out.x() + shared_out.y()) + shared_out.z());
+        let _e13 = self.v_weighted_site(a_27, b_27, c_18, (shared_out / rt::Vec3::splat_from_scalar(sum_17)));
         return _e13;
     }
     pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_8: BaseVertex, voxel: Voxel) -> BaseSite {
@@ -20118,115 +21005,115 @@ impl<'g> Resources<'g> {
     pub(crate) fn sweep_from(
         &self,
         primary: impl rt::Into<rt::Scalar<u32>>,
-        a_25: impl rt::Into<rt::Vec3<i32>>,
-        b_25: impl rt::Into<rt::Vec3<i32>>,
-        c_17: impl rt::Into<rt::Vec3<i32>>,
+        a_28: impl rt::Into<rt::Vec3<i32>>,
+        b_28: impl rt::Into<rt::Vec3<i32>>,
+        c_19: impl rt::Into<rt::Vec3<i32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_from(rt::into(primary), rt::into(a_25), rt::into(b_25), rt::into(c_17)))
+        rt::into(self.v_sweep_from(rt::into(primary), rt::into(a_28), rt::into(b_28), rt::into(c_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_sweep_from(
         &self,
         primary: rt::Scalar<u32>,
-        a_25: rt::Vec3<i32>,
-        b_25: rt::Vec3<i32>,
-        c_17: rt::Vec3<i32>,
+        a_28: rt::Vec3<i32>,
+        b_28: rt::Vec3<i32>,
+        c_19: rt::Vec3<i32>,
     ) -> Sweep {
-        let mut first_8: rt::Vec3<i32>;
+        let mut first_9: rt::Vec3<i32>;
         let mut end_4: rt::Vec3<i32>;
         let mut corners_4: rt::Vec3<u32>;
 
-        let _e4 = self.v_main_axis(a_25, b_25);
-        let _e5 = self.v_axis_of(b_25, _e4);
-        let _e6 = self.v_axis_of(a_25, _e4);
-        let is_back = _e5.elementwise_lt(_e6);
-        first_8 = a_25;
-        end_4 = b_25;
+        let _e4 = self.v_main_axis(a_28, b_28);
+        let _e5 = self.v_axis_of(b_28, _e4);
+        let _e6 = self.v_axis_of(a_28, _e4);
+        let is_back_1 = _e5.elementwise_lt(_e6);
+        first_9 = a_28;
+        end_4 = b_28;
         let _e11 = self.v_around_three(primary, rt::Scalar(1u32));
         let _e13 = self.v_around_three(primary, rt::Scalar(2u32));
         corners_4 = <rt::Vec3<u32>>::from_scalars(primary, _e11, _e13);
-        if rt::Scalar::into_branch_condition(is_back) {
-            first_8 = b_25;
-            end_4 = a_25;
+        if rt::Scalar::into_branch_condition(is_back_1) {
+            first_9 = b_28;
+            end_4 = a_28;
             let _e17 = corners_4.y();
             let _e19 = corners_4.x();
             let _e21 = corners_4.z();
             corners_4 = <rt::Vec3<u32>>::from_scalars(_e17, _e19, _e21);
         }
         let _e23 = end_4;
-        let _e24 = first_8;
+        let _e24 = first_9;
         let _e26 = self.v_seen_along((_e23 - _e24), _e4);
-        let _e27 = first_8;
-        let _e29 = self.v_seen_along((c_17 - _e27), _e4);
+        let _e27 = first_9;
+        let _e29 = self.v_seen_along((c_19 - _e27), _e4);
         let in_first = ((_e26.x() * _e29.y()) - (_e26.y() * _e29.x()));
         let in_second = ((_e26.x() * _e29.z()) - (_e26.z() * _e29.x()));
         let is_first_3 = in_first.abs().elementwise_ge(in_second.abs());
         let upward_1 = rt::Scalar(1i32).select(rt::Scalar(-1i32), in_second.select(in_first, is_first_3).elementwise_lt(rt::Scalar(0i32)));
         let _e53 = corners_4;
-        let _e66 = first_8;
-        let _e68 = self.v_longest_of((c_17 - _e66));
+        let _e66 = first_9;
+        let _e68 = self.v_longest_of((c_19 - _e66));
         let _e71 = end_4;
-        let _e73 = self.v_longest_of((c_17 - _e71));
-        return <Sweep>::new(_e53, <rt::Vec2<i32>>::from_scalars(_e26.x(), (_e26.z().select(_e26.y(), is_first_3) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e29.x(), (_e29.z().select(_e29.y(), is_first_3) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e68.max(rt::Scalar(1i32)), _e73.max(rt::Scalar(1i32))), rt::Scalar(0u32).select(rt::Scalar(1u32), is_back));
+        let _e73 = self.v_longest_of((c_19 - _e71));
+        return <Sweep>::new(_e53, <rt::Vec2<i32>>::from_scalars(_e26.x(), (_e26.z().select(_e26.y(), is_first_3) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e29.x(), (_e29.z().select(_e29.y(), is_first_3) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e68.max(rt::Scalar(1i32)), _e73.max(rt::Scalar(1i32))), rt::Scalar(0u32).select(rt::Scalar(1u32), is_back_1));
     }
     pub(crate) fn sweep_of(
         &self,
-        a_26: impl rt::Into<rt::Vec3<i32>>,
-        b_26: impl rt::Into<rt::Vec3<i32>>,
-        c_18: impl rt::Into<rt::Vec3<i32>>,
+        a_29: impl rt::Into<rt::Vec3<i32>>,
+        b_29: impl rt::Into<rt::Vec3<i32>>,
+        c_20: impl rt::Into<rt::Vec3<i32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_of(rt::into(a_26), rt::into(b_26), rt::into(c_18)))
+        rt::into(self.v_sweep_of(rt::into(a_29), rt::into(b_29), rt::into(c_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_sweep_of(
         &self,
-        a_26: rt::Vec3<i32>,
-        b_26: rt::Vec3<i32>,
-        c_18: rt::Vec3<i32>,
+        a_29: rt::Vec3<i32>,
+        b_29: rt::Vec3<i32>,
+        c_20: rt::Vec3<i32>,
     ) -> Sweep {
-        let mut local_135: rt::Scalar<bool>;
+        let mut local_140: rt::Scalar<bool>;
 
-        let _e3 = self.v_primary_length(a_26, b_26, c_18);
-        let _e4 = self.v_primary_length(b_26, c_18, a_26);
-        let _e5 = self.v_primary_length(c_18, a_26, b_26);
+        let _e3 = self.v_primary_length(a_29, b_29, c_20);
+        let _e4 = self.v_primary_length(b_29, c_20, a_29);
+        let _e5 = self.v_primary_length(c_20, a_29, b_29);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ge(_e4)) {
-            local_135 = _e3.elementwise_ge(_e5);
+            local_140 = _e3.elementwise_ge(_e5);
         } else {
-            local_135 = rt::Scalar(false);
+            local_140 = rt::Scalar(false);
         }
-        let _e11 = local_135;
+        let _e11 = local_140;
         if rt::Scalar::into_branch_condition(_e11) {
-            let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_26, b_26, c_18);
+            let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_29, b_29, c_20);
             return _e13;
         }
         if rt::Scalar::into_branch_condition(_e4.elementwise_ge(_e5)) {
-            let _e16 = self.v_sweep_from(rt::Scalar(1u32), b_26, c_18, a_26);
+            let _e16 = self.v_sweep_from(rt::Scalar(1u32), b_29, c_20, a_29);
             return _e16;
         }
-        let _e18 = self.v_sweep_from(rt::Scalar(2u32), c_18, a_26, b_26);
+        let _e18 = self.v_sweep_from(rt::Scalar(2u32), c_20, a_29, b_29);
         return _e18;
     }
     pub(crate) fn sweep_on(
         &self,
-        a_27: Voxel,
-        b_27: Voxel,
-        c_19: Voxel,
-        level_59: impl rt::Into<rt::Scalar<u32>>,
+        a_30: Voxel,
+        b_30: Voxel,
+        c_21: Voxel,
+        level_62: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_59)))
+        rt::into(self.v_sweep_on(a_30, b_30, c_21, rt::into(level_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_sweep_on(
         &self,
-        a_27: Voxel,
-        b_27: Voxel,
-        c_19: Voxel,
-        level_59: rt::Scalar<u32>,
+        a_30: Voxel,
+        b_30: Voxel,
+        c_21: Voxel,
+        level_62: rt::Scalar<u32>,
     ) -> Sweep {
-        let _e5 = self.v_coarser_voxel(a_27.at, level_59);
-        let _e7 = self.v_coarser_voxel(b_27.at, level_59);
-        let _e9 = self.v_coarser_voxel(c_19.at, level_59);
+        let _e5 = self.v_coarser_voxel(a_30.at, level_62);
+        let _e7 = self.v_coarser_voxel(b_30.at, level_62);
+        let _e9 = self.v_coarser_voxel(c_21.at, level_62);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }
@@ -20261,18 +21148,18 @@ impl<'g> Resources<'g> {
         &self,
         sweep_8: Sweep,
         column_5: impl rt::Into<rt::Scalar<i32>>,
-        first_9: impl rt::Into<rt::Scalar<u32>>,
+        first_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> SweptColumn {
-        rt::into(self.v_swept_column(sweep_8, rt::into(column_5), rt::into(first_9)))
+        rt::into(self.v_swept_column(sweep_8, rt::into(column_5), rt::into(first_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_swept_column(
         &self,
         sweep_8: Sweep,
         column_5: rt::Scalar<i32>,
-        first_9: rt::Scalar<u32>,
+        first_10: rt::Scalar<u32>,
     ) -> SweptColumn {
-        let mut local_136: rt::Scalar<bool>;
+        let mut local_141: rt::Scalar<bool>;
 
         let n_19 = sweep_8.parts.x();
         let m_8 = sweep_8.parts.y();
@@ -20283,13 +21170,13 @@ impl<'g> Resources<'g> {
         let from_top = _e7.max(rt::Scalar(1i32));
         let of_top_1 = (_e10.min((n_19 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
-            local_136 = column_5.elementwise_ge(sweep_8.end.x());
+            local_141 = column_5.elementwise_ge(sweep_8.end.x());
         } else {
-            local_136 = rt::Scalar(true);
+            local_141 = rt::Scalar(true);
         }
-        let _e34 = local_136;
+        let _e34 = local_141;
         if rt::Scalar::into_branch_condition(_e34) {
-            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_9, from_top, of_top_1, top_12);
+            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_10, from_top, of_top_1, top_12);
         }
         let _e43 = self.v_quotient_near((sweep_8.end.y() * column_5), sweep_8.end.x());
         let inside_9 = (_e43 + rt::Scalar(1i32));
@@ -20297,8 +21184,8 @@ impl<'g> Resources<'g> {
         let _e50 = self.v_top_point(sweep_8, ((from_top + of_top_1) - rt::Scalar(1i32)));
         let _e53 = self.v_quotient_near(rt::Scalar(_e46.y), rt::Scalar(_e46.w));
         let _e56 = self.v_quotient_near(rt::Scalar(_e50.y), rt::Scalar(_e50.w));
-        let above_12 = _e53.min(_e56);
-        return <SweptColumn>::new(column_5, inside_9, (above_12 - inside_9).max(rt::Scalar(0i32)), first_9, from_top, of_top_1, top_12);
+        let above_13 = _e53.min(_e56);
+        return <SweptColumn>::new(column_5, inside_9, (above_13 - inside_9).max(rt::Scalar(0i32)), first_10, from_top, of_top_1, top_12);
     }
     pub(crate) fn swept_points_of(&self, sweep_9: Sweep) -> u32 {
         rt::into(self.v_swept_points_of(sweep_9))
@@ -20344,24 +21231,24 @@ impl<'g> Resources<'g> {
         x_5: rt::Scalar<i32>,
         y: rt::Scalar<i32>,
     ) -> rt::Vec3<f32> {
-        let end_27 = sweep_10.end;
+        let end_28 = sweep_10.end;
         let apex_2 = sweep_10.apex;
-        let twice = ((end_27.x() * apex_2.y()) - (end_27.y() * apex_2.x())).to_f32();
+        let twice = ((end_28.x() * apex_2.y()) - (end_28.y() * apex_2.x())).to_f32();
         let of_end = (((x_5 * apex_2.y()) - (y * apex_2.x())).to_f32() / twice);
-        let of_apex = (((end_27.x() * y) - (end_27.y() * x_5)).to_f32() / twice);
+        let of_apex = (((end_28.x() * y) - (end_28.y() * x_5)).to_f32() / twice);
         let of_first = ((rt::Scalar(1f32) - of_end) - of_apex);
         let corners_6 = sweep_10.corners;
         return <rt::Vec3<f32>>::from_scalars(of_apex.select(of_end, corners_6.y().elementwise_eq(rt::Scalar(0u32))).select(of_first, corners_6.x().elementwise_eq(rt::Scalar(0u32))), of_apex.select(of_end, corners_6.y().elementwise_eq(rt::Scalar(1u32))).select(of_first, corners_6.x().elementwise_eq(rt::Scalar(1u32))), of_apex.select(of_end, corners_6.y().elementwise_eq(rt::Scalar(2u32))).select(of_first, corners_6.x().elementwise_eq(rt::Scalar(2u32))));
     }
-    pub(crate) fn turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_20: SweptPoint) -> i32 {
-        rt::into(self.v_turn_of_piece(a_28, b_28, c_20))
+    pub(crate) fn turn_of_piece(&self, a_31: SweptPoint, b_31: SweptPoint, c_22: SweptPoint) -> i32 {
+        rt::into(self.v_turn_of_piece(a_31, b_31, c_22))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_20: SweptPoint) -> rt::Scalar<i32> {
-        let bx_2 = ((rt::Scalar(b_28.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(b_28.w)));
-        let by_5 = ((rt::Scalar(b_28.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(b_28.w)));
-        let cx = ((rt::Scalar(c_20.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(c_20.w)));
-        let cy = ((rt::Scalar(c_20.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(c_20.w)));
+    pub(super) fn v_turn_of_piece(&self, a_31: SweptPoint, b_31: SweptPoint, c_22: SweptPoint) -> rt::Scalar<i32> {
+        let bx_2 = ((rt::Scalar(b_31.x) * rt::Scalar(a_31.w)) - (rt::Scalar(a_31.x) * rt::Scalar(b_31.w)));
+        let by_5 = ((rt::Scalar(b_31.y) * rt::Scalar(a_31.w)) - (rt::Scalar(a_31.y) * rt::Scalar(b_31.w)));
+        let cx = ((rt::Scalar(c_22.x) * rt::Scalar(a_31.w)) - (rt::Scalar(a_31.x) * rt::Scalar(c_22.w)));
+        let cy = ((rt::Scalar(c_22.y) * rt::Scalar(a_31.w)) - (rt::Scalar(a_31.y) * rt::Scalar(c_22.w)));
         let _e31 = self.v_sign_of(bx_2);
         let _e32 = self.v_sign_of(cy);
         let of_first_1 = (_e31 * _e32);
@@ -20404,25 +21291,25 @@ impl<'g> Resources<'g> {
             away = (_e22 * rt::Scalar(grid_14.per_doubling));
         }
         let _e30 = share;
-        let right_7 = (((grid_14.right.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e30) + grid_14.middle.x());
+        let right_8 = (((grid_14.right.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e30) + grid_14.middle.x());
         let _e42 = share;
         let down_4 = (grid_14.middle.y() - ((grid_14.up.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e42));
-        let far_20 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
+        let far_23 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_184 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_20), far_20);
+        let at_191 = <rt::Vec3<f32>>::from_scalars(right_8, down_4, _e49).clamp((-far_23), far_23);
         let _e60 = share;
-        return <Voxel>::new((at_184 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
+        return <Voxel>::new((at_191 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
     }
     pub(crate) fn zip_goes_left(&self, zip: Zip) -> bool {
         rt::into(self.v_zip_goes_left(zip))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_zip_goes_left(&self, zip: Zip) -> rt::Scalar<bool> {
-        let mut local_137: rt::Scalar<bool>;
-        let mut local_138: rt::Scalar<bool>;
-        let mut local_139: rt::Scalar<bool>;
-        let mut local_140: rt::Scalar<bool>;
-        let mut local_141: rt::Scalar<bool>;
+        let mut local_142: rt::Scalar<bool>;
+        let mut local_143: rt::Scalar<bool>;
+        let mut local_144: rt::Scalar<bool>;
+        let mut local_145: rt::Scalar<bool>;
+        let mut local_146: rt::Scalar<bool>;
 
         let on_left = ((rt::Scalar(zip.left.count) - rt::Scalar(1i32)) - rt::Scalar(zip.i));
         let on_right = ((rt::Scalar(zip.right.count) - rt::Scalar(1i32)) - rt::Scalar(zip.j));
@@ -20433,29 +21320,29 @@ impl<'g> Resources<'g> {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.left.way).elementwise_eq(ROOF_UP)) {
-            local_137 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
+            local_142 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
         } else {
-            local_137 = rt::Scalar(false);
+            local_142 = rt::Scalar(false);
         }
-        let _e29 = local_137;
+        let _e29 = local_142;
         if rt::Scalar::into_branch_condition(_e29) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_right).elementwise_eq(rt::Scalar(1u32))) {
-            local_138 = on_right.elementwise_eq(rt::Scalar(1i32));
+            local_143 = on_right.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_138 = rt::Scalar(false);
+            local_143 = rt::Scalar(false);
         }
-        let _e39 = local_138;
+        let _e39 = local_143;
         if rt::Scalar::into_branch_condition(_e39) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_left).elementwise_eq(rt::Scalar(1u32))) {
-            local_139 = on_left.elementwise_eq(rt::Scalar(1i32));
+            local_144 = on_left.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_139 = rt::Scalar(false);
+            local_144 = rt::Scalar(false);
         }
-        let _e49 = local_139;
+        let _e49 = local_144;
         if rt::Scalar::into_branch_condition(_e49) {
             return rt::Scalar(false);
         }
@@ -20467,16 +21354,16 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0i32))) {
             if rt::Scalar::into_branch_condition((!_e58.elementwise_le(rt::Scalar(0i32)))) {
-                local_141 = _e63;
+                local_146 = _e63;
             } else {
-                local_141 = rt::Scalar(true);
+                local_146 = rt::Scalar(true);
             }
-            let _e75 = local_141;
-            local_140 = _e75;
+            let _e75 = local_146;
+            local_145 = _e75;
         } else {
-            local_140 = rt::Scalar(false);
+            local_145 = rt::Scalar(false);
         }
-        let _e77 = local_140;
+        let _e77 = local_145;
         return _e77;
     }
     pub(crate) fn zip_next(
@@ -20494,68 +21381,68 @@ impl<'g> Resources<'g> {
         zip_1: Zip,
         goes_left: rt::Scalar<bool>,
     ) -> Zip {
-        let mut next_8: Zip;
+        let mut next_10: Zip;
 
-        next_8 = zip_1;
+        next_10 = zip_1;
         if rt::Scalar::into_branch_condition(goes_left) {
-            rt::Scalar(next_8.i) = (rt::Scalar(zip_1.i) + rt::Scalar(1i32));
-            next_8.at_left = zip_1.next_left;
+            rt::Scalar(next_10.i) = (rt::Scalar(zip_1.i) + rt::Scalar(1i32));
+            next_10.at_left = zip_1.next_left;
             let _e20 = self.v_chain_point(sweep_11, zip_1.left, (rt::Scalar(zip_1.i) + rt::Scalar(2i32)).min((rt::Scalar(zip_1.left.count) - rt::Scalar(1i32))));
-            next_8.next_left = _e20;
+            next_10.next_left = _e20;
         } else {
-            rt::Scalar(next_8.j) = (rt::Scalar(zip_1.j) + rt::Scalar(1i32));
-            next_8.at_right = zip_1.next_right;
+            rt::Scalar(next_10.j) = (rt::Scalar(zip_1.j) + rt::Scalar(1i32));
+            next_10.at_right = zip_1.next_right;
             let _e37 = self.v_chain_point(sweep_11, zip_1.right, (rt::Scalar(zip_1.j) + rt::Scalar(2i32)).min((rt::Scalar(zip_1.right.count) - rt::Scalar(1i32))));
-            next_8.next_right = _e37;
+            next_10.next_right = _e37;
         }
-        let _e38 = next_8;
+        let _e38 = next_10;
         return _e38;
     }
     pub(crate) fn zip_of(
         &self,
         sweep_12: Sweep,
         column_7: SweptColumn,
-        next_9: SweptColumn,
+        next_11: SweptColumn,
         which: impl rt::Into<rt::Scalar<u32>>,
     ) -> Zip {
-        rt::into(self.v_zip_of(sweep_12, column_7, next_9, rt::into(which)))
+        rt::into(self.v_zip_of(sweep_12, column_7, next_11, rt::into(which)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_zip_of(
         &self,
         sweep_12: Sweep,
         column_7: SweptColumn,
-        next_9: SweptColumn,
+        next_11: SweptColumn,
         which: rt::Scalar<u32>,
     ) -> Zip {
         let mut left_1: SweptChain;
         let mut right: SweptChain;
-        let mut local_142: rt::Scalar<bool>;
-        let mut local_143: rt::Scalar<bool>;
-        let mut local_144: rt::Scalar<bool>;
+        let mut local_147: rt::Scalar<bool>;
+        let mut local_148: rt::Scalar<bool>;
+        let mut local_149: rt::Scalar<bool>;
 
         let _e5 = self.v_swept_chain(sweep_12, column_7, TOP_NEXT);
         left_1 = _e5;
-        let _e8 = self.v_swept_chain(sweep_12, next_9, TOP_BEFORE);
+        let _e8 = self.v_swept_chain(sweep_12, next_11, TOP_BEFORE);
         right = _e8;
         if rt::Scalar::into_branch_condition(which.elementwise_ne(rt::Scalar(1u32))) {
             let under_3 = which.elementwise_eq(rt::Scalar(0u32));
             if rt::Scalar::into_branch_condition((!rt::Scalar(column_7.top).elementwise_ne(TOP_ROOF))) {
-                local_142 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
+                local_147 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
             } else {
-                local_142 = rt::Scalar(true);
+                local_147 = rt::Scalar(true);
             }
-            let _e27 = local_142;
-            let has_none = rt::Scalar(next_9.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
+            let _e27 = local_147;
+            let has_none = rt::Scalar(next_11.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
             if rt::Scalar::into_branch_condition(under_3) {
                 let _e30 = self.v_swept_chain(sweep_12, column_7, ROOF_UP);
                 left_1 = _e30;
                 let _e32 = self.v_swept_chain(sweep_12, column_7, ROOF_DOWN);
                 right = _e32;
             } else {
-                let _e34 = self.v_swept_chain(sweep_12, next_9, ROOF_UP);
+                let _e34 = self.v_swept_chain(sweep_12, next_11, ROOF_UP);
                 left_1 = _e34;
-                let _e36 = self.v_swept_chain(sweep_12, next_9, ROOF_DOWN);
+                let _e36 = self.v_swept_chain(sweep_12, next_11, ROOF_DOWN);
                 right = _e36;
             }
             if rt::Scalar::into_branch_condition(has_none) {
@@ -20568,21 +21455,21 @@ impl<'g> Resources<'g> {
             let _e47 = left_1;
             let _e48 = right;
             let _e49 = self.v_ends_on(sweep_12, _e47, _e48);
-            local_143 = _e49;
+            local_148 = _e49;
         } else {
-            local_143 = rt::Scalar(false);
+            local_148 = rt::Scalar(false);
         }
-        let keeps_left = local_143;
+        let keeps_left = local_148;
         let _e53 = rt::Scalar(right.count);
         if rt::Scalar::into_branch_condition(_e53.elementwise_gt(rt::Scalar(1i32))) {
             let _e58 = right;
             let _e59 = left_1;
             let _e60 = self.v_ends_on(sweep_12, _e58, _e59);
-            local_144 = _e60;
+            local_149 = _e60;
         } else {
-            local_144 = rt::Scalar(false);
+            local_149 = rt::Scalar(false);
         }
-        let keeps_right = local_144;
+        let keeps_right = local_149;
         let _e63 = left_1;
         let _e64 = right;
         let _e65 = left_1;

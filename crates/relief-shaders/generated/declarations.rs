@@ -113,6 +113,13 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/material", head: r#"// Material maps: what a surface is made of, from texel to texel.
 "# },
+    Module { path: "shared/motif", head: r#"// Motifs: triangles in the space of a tile, in a tree of boxes. A texture holds both, in the slot of an object's
+// images.
+//
+// Porumbescu, Budge, Feng and Joy 2005; Szirmay-Kalos and Umenhoffer 2008, section 5.2. The walk through the tree
+// needs no stack: each node knows the one behind its children. Which rays meet a triangle is decided as by Woop,
+// Benthin and Wald 2013: seen along the ray, by the sides of its edges.
+"# },
     Module { path: "shared/normal", head: r#"// The mesostructure's normal in the finest level, in the world, and tangent space.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 2.1, equation 9: derivatives of the height by central
@@ -355,6 +362,11 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "field/heights", head: r#"// Heights: what lies below the bilinear surface of the height map is solid.
 "# },
+    Module { path: "field/motif", head: r#"// A motif: a closed mesh or a sheet in the space of a tile, which repeats with the tiles. Only rays meet its
+// triangles: a sheet has no inside, so every point is outside.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 5.2; Porumbescu, Budge, Feng and Joy 2005.
+"# },
     Module { path: "field/volume", head: r#"// A volume: what is solid is where the trilinear field between the voxels is half or more. The gap is what the
 // field lacks there, positive outside.
 //
@@ -478,6 +490,11 @@ pub const MODULES: &[Module] = &[
 // Published here first. The cones hold for rays over the texel's centre alone. Beside it the
 // horizontal direction at a peak is another, so that a ray may enter and come out again within a
 // cone: hits are passed, rarely. `params.x` caps the reads.
+"# },
+    Module { path: "search/shell_map", head: r#"// The first triangle of a motif on the path, tile by tile.
+//
+// Porumbescu, Budge, Feng and Joy 2005, "Shell maps"; Szirmay-Kalos and Umenhoffer 2008, section 5.2: a volume, here a
+// mesh, is mapped onto the surface by the shells of its triangles. `params.x` is the most boxes.
 "# },
     Module { path: "search/sphere", head: r#"// Sphere tracing: each step is as long as the distance field allows in any direction.
 //
@@ -1405,6 +1422,20 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &[],
         text: r#"const CELLS_MASK = 4u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "TREE_SHIFT",
+        sampling: None,
+        uses: &[],
+        text: r#"const TREE_SHIFT = 10u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "TREE_COLUMNS",
+        sampling: None,
+        uses: &[],
+        text: r#"const TREE_COLUMNS = 1024u;"#,
     },
     Declaration {
         module: "constants",
@@ -2596,6 +2627,21 @@ fn climb(at: Entered, direction: vec3f) -> vec3f {
     let area = metric.x * metric.z - metric.y * metric.y;
     let duv = vec2f(td * metric.z - bd * metric.y, bd * metric.x - td * metric.y) / area;
     return vec3f(duv, dot(at.normal, direction) / traced_scale_m());
+}"#,
+    },
+    Declaration {
+        module: "shared/displacement",
+        name: "covector",
+        sampling: None,
+        uses: &["Entered", "surface_settings"],
+        text: r#"// The direction in the world of a gradient along u, v and the height, times a positive number.
+fn covector(at: Entered, gradient: vec3f) -> vec3f {
+    let metric = at.metric;
+    let area = metric.x * metric.z - metric.y * metric.y;
+    let along_u = (at.tangent * metric.z - at.bitangent * metric.y) / area;
+    let along_v = (at.bitangent * metric.x - at.tangent * metric.y) / area;
+    let rise = at.normal * (gradient.z / surface_settings.scale_m);
+    return along_u * gradient.x + along_v * gradient.y + rise;
 }"#,
     },
     Declaration {
@@ -4326,6 +4372,27 @@ fn way_out(path: Path, light: Toward) -> f32 {
     },
     Declaration {
         module: "shared/light_ray",
+        name: "light_ray_from",
+        sampling: None,
+        uses: &["Entered", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "LIGHT_RAY_OPEN", "LightRay", "Path", "RAY_SHADOW", "Toward", "way_out"],
+        text: r#"// The ray from a place over the surface, along u, v and the height, whose change is known. A light below the base
+// plane lights nothing.
+fn light_ray_from(at: Entered, begin: vec3f, change: vec3f, light: Toward) -> LightRay {
+    let h = vec3f(begin.z, change.z, 0.0);
+    let way = Path(begin.xy, change.xy, h, 0.0, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0, 0.0);
+    if (!(change.z > 0.0)) {
+        return LightRay(LIGHT_RAY_DARK, way);
+    }
+    let exit = way_out(way, light);
+    if (!(exit > 0.0)) {
+        return LightRay(LIGHT_RAY_LIT, way);
+    }
+    let path = Path(begin.xy, change.xy, h, exit, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0, 0.0);
+    return LightRay(LIGHT_RAY_OPEN, path);
+}"#,
+    },
+    Declaration {
+        module: "shared/light_ray",
         name: "light_ray_over_heights",
         sampling: None,
         uses: &["Entered", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "LIGHT_RAY_OPEN", "LightRay", "Path", "ROUNDING", "Toward", "cell_leave", "cell_of", "from_hit", "gap_to", "grid_of", "height_at", "height_cell", "path_uv", "way_out"],
@@ -4571,6 +4638,410 @@ fn emission_at(uv: vec2f, footprint: f32) -> vec3f {
         return surface_settings.emission.xyz;
     }
     return surface_settings.emission.xyz * material_layer(uv, footprint, 1);
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "NODE_READ",
+        sampling: None,
+        uses: &[],
+        text: r#"// The reads of a node and of a triangle.
+const NODE_READ = vec3u(1u, 0u, 32u);"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "TRIANGLE_READ",
+        sampling: None,
+        uses: &[],
+        text: r#"const TRIANGLE_READ = vec3u(1u, 0u, 48u);"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "EDGE_SLACK",
+        sampling: None,
+        uses: &[],
+        text: r#"// The parts of an edge function's products by which a ray may lie beyond an edge: some roundings. Smaller, and rays
+// pass between triangles; larger, and outlines grow.
+const EDGE_SLACK = 0.0000005;"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "LEAST_STEP",
+        sampling: None,
+        uses: &[],
+        text: r#"// A step along an axis that is smaller, in tiles, is none: its inverse would overflow.
+const LEAST_STEP = 1.0e-30;"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "AT_HIT",
+        sampling: None,
+        uses: &[],
+        text: r#"// The distance in tiles up to which a hit is on a triangle. Smaller, and rounding far from the first tile loses
+// it; larger, and more triangles are looked at.
+const AT_HIT = 0.0001;"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "OUTSIDE_TILES",
+        sampling: None,
+        uses: &[],
+        text: r#"// Tiles by which a ray to a light begins outside of the triangle that it leaves. Smaller, and rounding throws
+// shadows; larger, and light comes through what is thin.
+const OUTSIDE_TILES = 0.0002;"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "motif_texel",
+        sampling: None,
+        uses: &["TREE_COLUMNS", "TREE_SHIFT", "object_texel"],
+        text: r#"fn motif_texel(place: u32) -> vec4f {
+    let row = place >> TREE_SHIFT;
+    return object_texel(vec2i(i32(place - row * TREE_COLUMNS), i32(row)));
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "motif_is_closed",
+        sampling: None,
+        uses: &["motif_texel"],
+        text: r#"// Whether every edge of the motif has two triangles.
+fn motif_is_closed() -> bool {
+    return motif_texel(0u).z == 1.0;
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "MotifRay",
+        sampling: None,
+        uses: &[],
+        text: r#"// A straight way in a tile, seen along its longest axis, which comes last. `shear` takes a place to the two axes
+// across the way; its third part is the parameter of one along the axis.
+struct MotifRay {
+    origin: vec3f,
+    inverse: vec3f,
+    axis: u32,
+    shear: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "with_axis_last",
+        sampling: None,
+        uses: &[],
+        text: r#"fn with_axis_last(v: vec3f, axis: u32) -> vec3f {
+    if (axis == 0u) {
+        return vec3f(v.y, v.z, v.x);
+    }
+    if (axis == 1u) {
+        return vec3f(v.z, v.x, v.y);
+    }
+    return v;
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "motif_ray",
+        sampling: None,
+        uses: &["LEAST_STEP", "MotifRay", "NEVER", "with_axis_last"],
+        text: r#"fn motif_ray(origin: vec3f, step: vec3f) -> MotifRay {
+    let size = abs(step);
+    var axis = select(2u, 1u, size.y > size.z);
+    axis = select(axis, 0u, size.x > max(size.y, size.z));
+    let way = with_axis_last(step, axis);
+    let least = vec3f(LEAST_STEP, LEAST_STEP, LEAST_STEP);
+    let inverse = select(vec3f(NEVER, NEVER, NEVER), vec3f(1.0, 1.0, 1.0) / step, size > least);
+    return MotifRay(origin, inverse, axis, vec3f(way.x / way.z, way.y / way.z, 1.0 / way.z));
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "meets_box",
+        sampling: None,
+        uses: &["MotifRay"],
+        text: r#"// Whether a way goes through a box between two parameters.
+fn meets_box(ray: MotifRay, low: vec3f, high: vec3f, near: f32, far: f32) -> bool {
+    let a = (low - ray.origin) * ray.inverse;
+    let b = (high - ray.origin) * ray.inverse;
+    let first = min(a, b);
+    let last = max(a, b);
+    let enter = max(max(first.x, first.y), max(first.z, near));
+    let leave = min(min(last.x, last.y), min(last.z, far));
+    return enter <= leave;
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "seen_beside",
+        sampling: None,
+        uses: &["MotifRay", "with_axis_last"],
+        text: r#"// A corner as the way sees it: beside the way, and along it.
+fn seen_beside(ray: MotifRay, corner: vec3f) -> vec3f {
+    let at = with_axis_last(corner - ray.origin, ray.axis);
+    return vec3f(at.x - ray.shear.x * at.z, at.y - ray.shear.y * at.z, at.z);
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "meets_triangle",
+        sampling: None,
+        uses: &["EDGE_SLACK", "MotifRay", "NEVER", "seen_beside"],
+        text: r#"// The parameter at which a way meets a triangle; NEVER if it does not.
+fn meets_triangle(ray: MotifRay, first: vec3f, second: vec3f, third: vec3f) -> f32 {
+    let a = seen_beside(ray, first);
+    let b = seen_beside(ray, second);
+    let c = seen_beside(ray, third);
+    let left = vec3f(c.x * b.y, a.x * c.y, b.x * a.y);
+    let right = vec3f(c.y * b.x, a.y * c.x, b.y * a.x);
+    let sides = left - right;
+    let slack = (abs(left) + abs(right)) * EDGE_SLACK;
+    let most = sides + slack;
+    let least = sides - slack;
+    let is_front = min(min(most.x, most.y), most.z) >= 0.0;
+    let is_back = max(max(least.x, least.y), least.z) <= 0.0;
+    let all = sides.x + sides.y + sides.z;
+    if (!(is_front || is_back) || all == 0.0) {
+        return NEVER;
+    }
+    let along = (sides.x * a.z + sides.y * b.z + sides.z * c.z) / all;
+    let least_z = min(min(a.z, b.z), c.z);
+    let most_z = max(max(a.z, b.z), c.z);
+    return clamp(along, least_z, most_z) * ray.shear.z;
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "MotifHit",
+        sampling: None,
+        uses: &[],
+        text: r#"// The first triangle on a way in a tile.
+struct MotifHit {
+    // NEVER without one.
+    t: f32,
+    cost: vec3u,
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "first_of_leaf",
+        sampling: None,
+        uses: &["MotifHit", "MotifRay", "NEVER", "NO_COST", "TRIANGLE_READ", "meets_triangle", "motif_texel"],
+        text: r#"// The first triangle of a leaf, by its first texel, that the way meets between the parameters `near` and `far`.
+fn first_of_leaf(ray: MotifRay, leaf: u32, near: f32, far: f32) -> MotifHit {
+    var found = NEVER;
+    var cost = NO_COST;
+    var triangle = leaf;
+    while (triangle != 0u) {
+        let a = motif_texel(triangle);
+        let b = motif_texel(triangle + 1u);
+        let c = motif_texel(triangle + 2u);
+        cost = cost + TRIANGLE_READ;
+        let t = meets_triangle(ray, a.xyz, b.xyz, c.xyz);
+        if (t >= near && t < min(found, far)) {
+            found = t;
+        }
+        triangle = select(triangle + 3u, 0u, a.w == 0.0);
+    }
+    return MotifHit(found, cost);
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "first_of_motif",
+        sampling: None,
+        uses: &["MotifHit", "MotifRay", "NEVER", "NODE_READ", "STEP", "first_of_leaf", "meets_box", "motif_texel"],
+        text: r#"// The first triangle of the motif between the parameters `near` and `far`. Costs are added to `before`, until they
+// are `limit` steps.
+fn first_of_motif(ray: MotifRay, near: f32, far: f32, before: vec3u, limit: u32) -> MotifHit {
+    var cost = before;
+    var found = NEVER;
+    var node = 1u;
+    while (node != 0u && cost.y < limit) {
+        let low = motif_texel(node);
+        let high = motif_texel(node + 1u);
+        cost = cost + STEP + NODE_READ;
+        let best = min(found, far);
+        var next = u32(low.w);
+        if (meets_box(ray, low.xyz, high.xyz, near, best)) {
+            if (high.w == 0.0) {
+                next = node + 2u;
+            } else {
+                let of_leaf = first_of_leaf(ray, u32(high.w), near, best);
+                found = min(found, of_leaf.t);
+                cost = cost + of_leaf.cost;
+            }
+        }
+        node = next;
+    }
+    return MotifHit(found, cost);
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "MotifPoint",
+        sampling: None,
+        uses: &[],
+        text: r#"// The motif at a place on it, along u, v and the height: the mean of the corners' normals, and the
+// triangle's own on the same side, of length 1.
+struct MotifPoint {
+    normal: vec3f,
+    facet: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "apart_from_edge",
+        sampling: None,
+        uses: &[],
+        text: r#"// The squared distance between a place and an edge.
+fn apart_from_edge(place: vec3f, a: vec3f, b: vec3f) -> f32 {
+    let way = b - a;
+    let part = clamp(dot(place - a, way) / dot(way, way), 0.0, 1.0);
+    let apart = a + way * part - place;
+    return dot(apart, apart);
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "weights_under",
+        sampling: None,
+        uses: &[],
+        text: r#"// The weights of a triangle's corners at the place in its plane below a place, times a positive number.
+fn weights_under(place: vec3f, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
+    let normal = cross(b - a, c - a);
+    return vec3f(
+        dot(cross(c - b, place - b), normal),
+        dot(cross(a - c, place - c), normal),
+        dot(cross(b - a, place - a), normal),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "apart_from_triangle",
+        sampling: None,
+        uses: &["apart_from_edge", "weights_under"],
+        text: r#"// The squared distance between a place and a triangle.
+fn apart_from_triangle(place: vec3f, a: vec3f, b: vec3f, c: vec3f) -> f32 {
+    let weights = weights_under(place, a, b, c);
+    if (min(min(weights.x, weights.y), weights.z) >= 0.0) {
+        let normal = cross(b - a, c - a);
+        let above = dot(place - a, normal);
+        return above * above / dot(normal, normal);
+    }
+    let first = min(apart_from_edge(place, a, b), apart_from_edge(place, b, c));
+    return min(first, apart_from_edge(place, c, a));
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "NearTriangle",
+        sampling: None,
+        uses: &[],
+        text: r#"// A triangle by its first texel, and the squared distance between a place and it.
+struct NearTriangle {
+    triangle: u32,
+    apart: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "nearest_of_leaf",
+        sampling: None,
+        uses: &["NearTriangle", "apart_from_triangle", "motif_texel"],
+        text: r#"// The nearest triangle of a leaf, if it is nearer than the given one.
+fn nearest_of_leaf(place: vec3f, leaf: u32, before: NearTriangle) -> NearTriangle {
+    var nearest = before;
+    var triangle = leaf;
+    while (triangle != 0u) {
+        let a = motif_texel(triangle);
+        let b = motif_texel(triangle + 1u);
+        let c = motif_texel(triangle + 2u);
+        let apart = apart_from_triangle(place, a.xyz, b.xyz, c.xyz);
+        if (apart < nearest.apart) {
+            nearest = NearTriangle(triangle, apart);
+        }
+        triangle = select(triangle + 3u, 0u, a.w == 0.0);
+    }
+    return nearest;
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "motif_at",
+        sampling: None,
+        uses: &["AT_HIT", "MotifPoint", "NearTriangle", "motif_texel", "nearest_of_leaf", "point_of_triangle"],
+        text: r#"// The motif at a place in the first tile: the nearest triangle's. Upright where there is none.
+fn motif_at(place: vec3f) -> MotifPoint {
+    let reach = vec3f(AT_HIT, AT_HIT, AT_HIT);
+    var nearest = NearTriangle(0u, AT_HIT * AT_HIT);
+    var node = 1u;
+    while (node != 0u) {
+        let low = motif_texel(node);
+        let high = motif_texel(node + 1u);
+        var next = u32(low.w);
+        let beyond = max(low.xyz - reach - place, place - high.xyz - reach);
+        if (max(max(beyond.x, beyond.y), beyond.z) <= 0.0) {
+            if (high.w == 0.0) {
+                next = node + 2u;
+            } else {
+                nearest = nearest_of_leaf(place, u32(high.w), nearest);
+            }
+        }
+        node = next;
+    }
+    if (nearest.triangle == 0u) {
+        return MotifPoint(vec3f(0.0, 0.0, 1.0), vec3f(0.0, 0.0, 1.0));
+    }
+    return point_of_triangle(nearest.triangle, place);
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "point_of_triangle",
+        sampling: None,
+        uses: &["MotifPoint", "motif_texel", "weights_under"],
+        text: r#"// The motif at a place on one of its triangles.
+fn point_of_triangle(triangle: u32, place: vec3f) -> MotifPoint {
+    let a = motif_texel(triangle).xyz;
+    let b = motif_texel(triangle + 1u).xyz;
+    let c = motif_texel(triangle + 2u).xyz;
+    let normals = triangle + u32(motif_texel(0u).x);
+    let weights = max(weights_under(place, a, b, c), vec3f(0.0, 0.0, 0.0));
+    let first = motif_texel(normals).xyz * weights.x;
+    let second = motif_texel(normals + 1u).xyz * weights.y;
+    let sum = first + second + motif_texel(normals + 2u).xyz * weights.z;
+    let flat_normal = normalize(cross(b - a, c - a));
+    let facet = flat_normal * select(1.0, -1.0, dot(flat_normal, sum) < 0.0);
+    let size = length(sum);
+    if (size > 0.0) {
+        return MotifPoint(sum / size, facet);
+    }
+    return MotifPoint(facet, facet);
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "motif_of",
+        sampling: None,
+        uses: &["Hit", "MotifPoint", "motif_at"],
+        text: r#"// The motif at a hit.
+fn motif_of(hit: Hit) -> MotifPoint {
+    return motif_at(vec3f(hit.uv - floor(hit.uv), hit.height));
+}"#,
+    },
+    Declaration {
+        module: "shared/motif",
+        name: "light_ray_out_of_motif",
+        sampling: None,
+        uses: &["Entered", "Hit", "LightRay", "OUTSIDE_TILES", "Toward", "climb", "light_ray_from", "motif_of", "near_uv"],
+        text: r#"// The ray from a hit to a light, which begins a little outside of the motif, on the light's side. A light below the
+// base plane lights nothing.
+fn light_ray_out_of_motif(at: Entered, hit: Hit, light: Toward) -> LightRay {
+    let change = climb(at, light.direction);
+    let facet = motif_of(hit).facet;
+    let aside = facet * select(0.0 - OUTSIDE_TILES, OUTSIDE_TILES, dot(facet, change) > 0.0);
+    return light_ray_from(at, vec3f(near_uv(hit.uv), hit.height) + aside, change, light);
 }"#,
     },
     Declaration {
@@ -10383,7 +10854,7 @@ fn field_slopes(place: vec3f) -> vec3f {
         module: "shared/volume",
         name: "normal_of_field",
         sampling: None,
-        uses: &["CUT_OPEN", "Entered", "Hit", "NEVER", "SURFACE_VALUE", "field_at_voxel", "field_slopes", "surface_settings", "volume_size", "voxel_place"],
+        uses: &["CUT_OPEN", "Entered", "Hit", "NEVER", "SURFACE_VALUE", "covector", "field_at_voxel", "field_slopes", "volume_size", "voxel_place"],
         text: r#"// The unit normal of the surface at a hit, in the world: the way on which the field falls fastest. Where
 // something solid is cut open by the volume's end, the base's normal.
 fn normal_of_field(at: Entered, hit: Hit) -> vec3f {
@@ -10391,13 +10862,7 @@ fn normal_of_field(at: Entered, hit: Hit) -> vec3f {
     if (field_at_voxel(place) > SURFACE_VALUE + CUT_OPEN) {
         return at.normal;
     }
-    let slopes = field_slopes(place) * volume_size();
-    let metric = at.metric;
-    let area = metric.x * metric.z - metric.y * metric.y;
-    let along_u = (at.tangent * metric.z - at.bitangent * metric.y) / area;
-    let along_v = (at.bitangent * metric.x - at.tangent * metric.y) / area;
-    let rise = at.normal * (slopes.z / surface_settings.scale_m);
-    let rising = along_u * slopes.x + along_v * slopes.y + rise;
+    let rising = covector(at, field_slopes(place) * volume_size());
     let steepness = length(rising);
     if (steepness > 0.0 && steepness < NEVER) {
         return rising * (-1.0 / steepness);
@@ -10409,7 +10874,7 @@ fn normal_of_field(at: Entered, hit: Hit) -> vec3f {
         module: "shared/volume",
         name: "light_ray_out_of_volume",
         sampling: None,
-        uses: &["Entered", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "LIGHT_RAY_OPEN", "LightRay", "OUTSIDE_VOXELS", "Path", "RAY_SHADOW", "Toward", "climb", "field_slopes", "near_uv", "volume_size", "voxel_place", "way_out"],
+        uses: &["Entered", "Hit", "LightRay", "OUTSIDE_VOXELS", "Toward", "climb", "field_slopes", "light_ray_from", "near_uv", "volume_size", "voxel_place"],
         text: r#"// The ray from a hit to a light, which begins a little outside of the surface. A light below the base plane
 // lights nothing.
 fn light_ray_out_of_volume(at: Entered, hit: Hit, light: Toward) -> LightRay {
@@ -10421,18 +10886,7 @@ fn light_ray_out_of_volume(at: Entered, hit: Hit, light: Toward) -> LightRay {
     if (steepness > 0.0) {
         outside = place - slopes * (OUTSIDE_VOXELS / steepness);
     }
-    let begin = (outside + vec3f(0.5, 0.5, 0.5)) / volume_size();
-    let h = vec3f(begin.z, change.z, 0.0);
-    let way = Path(begin.xy, change.xy, h, 0.0, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0, 0.0);
-    if (!(change.z > 0.0)) {
-        return LightRay(LIGHT_RAY_DARK, way);
-    }
-    let exit = way_out(way, light);
-    if (!(exit > 0.0)) {
-        return LightRay(LIGHT_RAY_LIT, way);
-    }
-    let path = Path(begin.xy, change.xy, h, exit, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0, 0.0);
-    return LightRay(LIGHT_RAY_OPEN, path);
+    return light_ray_from(at, (outside + vec3f(0.5, 0.5, 0.5)) / volume_size(), change, light);
 }"#,
     },
     Declaration {
@@ -12670,6 +13124,74 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
 }"#,
     },
     Declaration {
+        module: "field/motif",
+        name: "field_motif_gap",
+        sampling: None,
+        uses: &["Path"],
+        text: r#"fn field_motif_gap(path: Path, t: f32, params: vec4f) -> f32 {
+    return 1.0;
+}"#,
+    },
+    Declaration {
+        module: "field/motif",
+        name: "field_motif_cost",
+        sampling: None,
+        uses: &["NO_COST"],
+        text: r#"fn field_motif_cost(level: u32, params: vec4f) -> vec3u {
+    return NO_COST;
+}"#,
+    },
+    Declaration {
+        module: "field/motif",
+        name: "field_motif_is_ground",
+        sampling: None,
+        uses: &[],
+        text: r#"fn field_motif_is_ground(level: u32, params: vec4f) -> bool {
+    return false;
+}"#,
+    },
+    Declaration {
+        module: "field/motif",
+        name: "field_motif_height",
+        sampling: None,
+        uses: &[],
+        text: r#"fn field_motif_height(uv: vec2f, height: f32, level: u32, params: vec4f) -> f32 {
+    return height;
+}"#,
+    },
+    Declaration {
+        module: "field/motif",
+        name: "field_motif_normals",
+        sampling: None,
+        uses: &["Entered", "Hit", "SeenNormals", "covector", "motif_is_closed", "motif_of", "one_seen"],
+        text: r#"// The normal on the side of the triangle that is seen. A closed motif is seen from its outside: at its outline the
+// frame of the base would say otherwise here and there.
+fn field_motif_normals(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> SeenNormals {
+    let point = motif_of(hit);
+    let is_front = motif_is_closed() || dot(covector(at, point.facet), view) >= 0.0;
+    let side = select(-1.0, 1.0, is_front);
+    return one_seen(normalize(covector(at, point.normal)) * side);
+}"#,
+    },
+    Declaration {
+        module: "field/motif",
+        name: "field_motif_patch_normal",
+        sampling: None,
+        uses: &["Entered", "Hit", "covector", "motif_of"],
+        text: r#"fn field_motif_patch_normal(at: Entered, hit: Hit, params: vec4f) -> vec3f {
+    return normalize(covector(at, motif_of(hit).facet));
+}"#,
+    },
+    Declaration {
+        module: "field/motif",
+        name: "field_motif_light_ray",
+        sampling: None,
+        uses: &["Entered", "Hit", "LightRay", "Toward", "light_ray_out_of_motif"],
+        text: r#"fn field_motif_light_ray(at: Entered, hit: Hit, light: Toward, params: vec4f) -> LightRay {
+    return light_ray_out_of_motif(at, hit, light);
+}"#,
+    },
+    Declaration {
         module: "field/volume",
         name: "field_volume_gap",
         sampling: None,
@@ -13631,6 +14153,53 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         t = next;
     }
     return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+}"#,
+    },
+    Declaration {
+        module: "search/shell_map",
+        name: "BEYOND_TILE",
+        sampling: None,
+        uses: &[],
+        text: r#"// Tiles by which a hit may lie beyond the end of its tile. Smaller, and rounding loses hits at the edges of tiles
+// far from the first; larger, and the order of two hits that are nearer to each other may change.
+const BEYOND_TILE = 0.00002;"#,
+    },
+    Declaration {
+        module: "search/shell_map",
+        name: "search_shell_map",
+        sampling: None,
+        uses: &["BEYOND_TILE", "FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "NEVER", "NO_COST", "Path", "SearchResult", "first_of_motif", "motif_ray", "path_height", "path_uv"],
+        text: r#"fn search_shell_map(path: Path, params: vec4f) -> SearchResult {
+    let step = vec3f(path.duv, path.h.y);
+    let slack = BEYOND_TILE / max(max(abs(step.x), abs(step.y)), abs(step.z));
+    let limit = u32(params.x);
+    var cost = NO_COST;
+    var tile = floor(path.uv);
+    var t = 0.0;
+    while (cost.y < limit) {
+        let ahead = tile + select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), path.duv > vec2f(0.0, 0.0));
+        let beside = (ahead - path.uv) / path.duv;
+        let leave = select(vec2f(NEVER, NEVER), beside, abs(path.duv) > vec2f(0.0, 0.0));
+        let end = max(min(min(leave.x, leave.y), path.exit), t);
+        let ray = motif_ray(vec3f(path_uv(path, t) - tile, path_height(path, t)), step);
+        let found = first_of_motif(ray, 0.0 - slack, end - t + slack, cost, limit);
+        cost = found.cost;
+        if (found.t < NEVER) {
+            let at = clamp(t + found.t, 0.0, path.exit);
+            return SearchResult(FOUND_BRACKET, at, at, 0.0, 0.0, cost);
+        }
+        if (!(end < path.exit)) {
+            return SearchResult(FOUND_MISS, end, end, 1.0, 1.0, cost);
+        }
+        let next = select(vec2f(-1.0, -1.0), vec2f(1.0, 1.0), path.duv > vec2f(0.0, 0.0));
+        if (leave.x <= leave.y) {
+            tile.x = tile.x + next.x;
+        } else {
+            tile.y = tile.y + next.y;
+        }
+        t = end;
+    }
+    return SearchResult(FOUND_EXHAUSTED, t, t, 1.0, 1.0, cost);
 }"#,
     },
     Declaration {

@@ -168,6 +168,48 @@ lanes! { fn zero_looked_up() -> LookedUp {
 } }
 
 #[derive(Clone, Copy)]
+pub struct MotifHit {
+    pub t: F,
+    pub cost: Vec3<U>,
+}
+lanes! { fn sel_motif_hit(m: M, a: &MotifHit, b: &MotifHit) -> MotifHit {
+    MotifHit {
+        t: sel(m, a.t, b.t),
+        cost: Vec3 { x: sel_u(m, a.cost.x, b.cost.x), y: sel_u(m, a.cost.y, b.cost.y), z: sel_u(m, a.cost.z, b.cost.z) },
+    }
+} }
+lanes! { fn zero_motif_hit() -> MotifHit {
+    MotifHit {
+        t: splat(0f32),
+        cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct MotifRay {
+    pub origin: Vec3<F>,
+    pub inverse: Vec3<F>,
+    pub axis: U,
+    pub shear: Vec3<F>,
+}
+lanes! { fn sel_motif_ray(m: M, a: &MotifRay, b: &MotifRay) -> MotifRay {
+    MotifRay {
+        origin: Vec3 { x: sel(m, a.origin.x, b.origin.x), y: sel(m, a.origin.y, b.origin.y), z: sel(m, a.origin.z, b.origin.z) },
+        inverse: Vec3 { x: sel(m, a.inverse.x, b.inverse.x), y: sel(m, a.inverse.y, b.inverse.y), z: sel(m, a.inverse.z, b.inverse.z) },
+        axis: sel_u(m, a.axis, b.axis),
+        shear: Vec3 { x: sel(m, a.shear.x, b.shear.x), y: sel(m, a.shear.y, b.shear.y), z: sel(m, a.shear.z, b.shear.z) },
+    }
+} }
+lanes! { fn zero_motif_ray() -> MotifRay {
+    MotifRay {
+        origin: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        inverse: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        axis: splat_u(0u32),
+        shear: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct PathAxes {
     pub comes_in: U,
     pub turn: F,
@@ -824,6 +866,9 @@ lanes! { fn field_volume_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1:
     let e_6 = field_at(r, ex, Vec3 { x: e_3.x, y: e_3.y, z: e_4 });
     return sub(splat(0.5f32), e_6);
 } }
+lanes! { fn field_motif_gap(r: &Resources<'_>, path_a0: &Path, t_a1: F, params_a2: Vec4<f32>) -> F {
+    return splat(1.0f32);
+} }
 lanes! { fn field_gap_stage(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
@@ -832,9 +877,13 @@ lanes! { fn field_gap_stage(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: 
             let e_12 = field_heights_gap(r, ex, path_a0, t_a1, r.surface_settings.choices[4].params);
             return e_12;
         }
-        _ => {
+        1u32 => {
             let e_18 = field_volume_gap(r, ex, path_a0, t_a1, r.surface_settings.choices[4].params);
             return e_18;
+        }
+        _ => {
+            let e_24 = field_motif_gap(r, path_a0, t_a1, r.surface_settings.choices[4].params);
+            return e_24;
         }
     }
 } }
@@ -1002,6 +1051,10 @@ lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
     let e_4 = r.object_parts_stage(path_a0.level);
     let parts_5 = (e_4 as f32);
     return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, splat(size_2.x)), splat(0.5f32)), splat(parts_5)), y: mul(sub(mul(path_a0.uv.y, splat(size_2.y)), splat(0.5f32)), splat(parts_5)) }, step: Vec2 { x: mul(mul(path_a0.duv.x, splat(size_2.x)), splat(parts_5)), y: mul(mul(path_a0.duv.y, splat(size_2.y)), splat(parts_5)) }, };
+} }
+lanes! { fn object_texel(r: &Resources<'_>, place_a0: Vec2<I>) -> Vec4<F> {
+    let e_4 = map_texel(&r.object_map, place_a0.x, place_a0.y, 0i32, 0i32);
+    return e_4;
 } }
 lanes! { fn slope_of(r: &Resources<'_>, within: M, value_a0: F) -> F {
     let mut ex = within;
@@ -1188,6 +1241,11 @@ lanes! { fn falls_in_cell(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: 
     ex = b1;
     let e_13 = both_v0;
     return e_13;
+} }
+lanes! { fn motif_texel(r: &Resources<'_>, place_a0: U) -> Vec4<F> {
+    let row_2 = shr_u(place_a0, i_of_u(splat_u(10u32)));
+    let e_9 = object_texel(r, Vec2 { x: i_of_u(sub_u(place_a0, mul_u(row_2, splat_u(1024u32)))), y: i_of_u(row_2) });
+    return e_9;
 } }
 lanes! { fn miss(r: &Resources<'_>, cost_a0: Vec3<U>) -> Hit {
     return Hit { found: splat_u(0u32), exhausted: splat_u(0u32), uv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, height: splat(0.0f32), t: splat(0.0f32), cost: cost_a0, };
@@ -4565,6 +4623,243 @@ stage! { fn search_translucent(r: &Resources<'_>, within: M, path_a0: &Path, par
     let e_52 = cost_v1;
     return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_49, far: e_51, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_52, }, &ret);
 } }
+lanes! { fn with_axis_last(r: &Resources<'_>, within: M, v_a0: Vec3<F>, axis_a1: U) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let c1 = eq_u(axis_a1, splat_u(0u32));
+    ret = Vec3 { x: v_a0.y, y: v_a0.z, z: v_a0.x };
+    ex = and_not(ex, c1);
+    let c2 = eq_u(axis_a1, splat_u(1u32));
+    let y3 = Vec3 { x: v_a0.z, y: v_a0.x, z: v_a0.y };
+    ret = Vec3 { x: sel(and(ex, c2), y3.x, ret.x), y: sel(and(ex, c2), y3.y, ret.y), z: sel(and(ex, c2), y3.z, ret.z) };
+    ex = and_not(ex, c2);
+    let y4 = v_a0;
+    return Vec3 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y), z: sel(ex, y4.z, ret.z) };
+} }
+lanes! { fn motif_ray(r: &Resources<'_>, within: M, origin_a0: Vec3<F>, step_a1: Vec3<F>) -> MotifRay {
+    let mut ex = within;
+    let mut ret: MotifRay = zero_motif_ray();
+    let mut axis_v0: U = splat_u(0u32);
+    let size_2 = Vec3 { x: abs(step_a1.x), y: abs(step_a1.y), z: abs(step_a1.z) };
+    axis_v0 = sel_u(gt(size_2.y, size_2.z), splat_u(1u32), splat_u(2u32));
+    let e_10 = axis_v0;
+    axis_v0 = sel_u(gt(size_2.x, max(size_2.y, size_2.z)), splat_u(0u32), e_10);
+    let e_18 = axis_v0;
+    let way_19 = with_axis_last(r, ex, step_a1, e_18);
+    let least_23 = Vec3 { x: 1e-30f32, y: 1e-30f32, z: 1e-30f32 };
+    let inverse_34 = Vec3 { x: sel(gt(size_2.x, splat(least_23.x)), div(splat(1.0f32), step_a1.x), splat(3e38f32)), y: sel(gt(size_2.y, splat(least_23.y)), div(splat(1.0f32), step_a1.y), splat(3e38f32)), z: sel(gt(size_2.z, splat(least_23.z)), div(splat(1.0f32), step_a1.z), splat(3e38f32)) };
+    let e_35 = axis_v0;
+    return MotifRay { origin: origin_a0, inverse: inverse_34, axis: e_35, shear: Vec3 { x: div(way_19.x, way_19.z), y: div(way_19.y, way_19.z), z: div(splat(1.0f32), way_19.z) }, };
+} }
+lanes! { fn meets_box(r: &Resources<'_>, ray_a0: &MotifRay, low_a1: Vec3<F>, high_a2: Vec3<F>, near_a3: F, far_a4: F) -> M {
+    let a_8 = Vec3 { x: mul(sub(low_a1.x, ray_a0.origin.x), ray_a0.inverse.x), y: mul(sub(low_a1.y, ray_a0.origin.y), ray_a0.inverse.y), z: mul(sub(low_a1.z, ray_a0.origin.z), ray_a0.inverse.z) };
+    let b_12 = Vec3 { x: mul(sub(high_a2.x, ray_a0.origin.x), ray_a0.inverse.x), y: mul(sub(high_a2.y, ray_a0.origin.y), ray_a0.inverse.y), z: mul(sub(high_a2.z, ray_a0.origin.z), ray_a0.inverse.z) };
+    let first_13 = Vec3 { x: min(a_8.x, b_12.x), y: min(a_8.y, b_12.y), z: min(a_8.z, b_12.z) };
+    let last_14 = Vec3 { x: max(a_8.x, b_12.x), y: max(a_8.y, b_12.y), z: max(a_8.z, b_12.z) };
+    let enter_20 = max(max(first_13.x, first_13.y), max(first_13.z, near_a3));
+    let leave_26 = min(min(last_14.x, last_14.y), min(last_14.z, far_a4));
+    return le(enter_20, leave_26);
+} }
+lanes! { fn seen_beside(r: &Resources<'_>, within: M, ray_a0: &MotifRay, corner_a1: Vec3<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let at_5 = with_axis_last(r, ex, Vec3 { x: sub(corner_a1.x, ray_a0.origin.x), y: sub(corner_a1.y, ray_a0.origin.y), z: sub(corner_a1.z, ray_a0.origin.z) }, ray_a0.axis);
+    return Vec3 { x: sub(at_5.x, mul(ray_a0.shear.x, at_5.z)), y: sub(at_5.y, mul(ray_a0.shear.y, at_5.z)), z: at_5.z };
+} }
+lanes! { fn meets_triangle(r: &Resources<'_>, within: M, ray_a0: &MotifRay, first_a1: Vec3<F>, second_a2: Vec3<F>, third_a3: Vec3<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let a_4 = seen_beside(r, ex, ray_a0, first_a1);
+    let b_5 = seen_beside(r, ex, ray_a0, second_a2);
+    let c_6 = seen_beside(r, ex, ray_a0, third_a3);
+    let left_16 = Vec3 { x: mul(c_6.x, b_5.y), y: mul(a_4.x, c_6.y), z: mul(b_5.x, a_4.y) };
+    let right_26 = Vec3 { x: mul(c_6.y, b_5.x), y: mul(a_4.y, c_6.x), z: mul(b_5.y, a_4.x) };
+    let sides_27 = Vec3 { x: sub(left_16.x, right_26.x), y: sub(left_16.y, right_26.y), z: sub(left_16.z, right_26.z) };
+    let slack_32 = Vec3 { x: mul(add(abs(left_16.x), abs(right_26.x)), splat(5e-7f32)), y: mul(add(abs(left_16.y), abs(right_26.y)), splat(5e-7f32)), z: mul(add(abs(left_16.z), abs(right_26.z)), splat(5e-7f32)) };
+    let most_33 = Vec3 { x: add(sides_27.x, slack_32.x), y: add(sides_27.y, slack_32.y), z: add(sides_27.z, slack_32.z) };
+    let least_34 = Vec3 { x: sub(sides_27.x, slack_32.x), y: sub(sides_27.y, slack_32.y), z: sub(sides_27.z, slack_32.z) };
+    let is_front_41 = ge(min(min(most_33.x, most_33.y), most_33.z), splat(0.0f32));
+    let is_back_48 = le(max(max(least_34.x, least_34.y), least_34.z), splat(0.0f32));
+    let all_53 = add(add(sides_27.x, sides_27.y), sides_27.z);
+    both_v0 = or(is_front_41, is_back_48);
+    let e_58 = both_v0;
+    both_v1 = or(not(e_58), eq(all_53, splat(0.0f32)));
+    let e_66 = both_v1;
+    let c1 = e_66;
+    ret = splat(3e38f32);
+    ex = and_not(ex, c1);
+    let along_79 = div(add(add(mul(sides_27.x, a_4.z), mul(sides_27.y, b_5.z)), mul(sides_27.z, c_6.z)), all_53);
+    let least_z_84 = min(min(a_4.z, b_5.z), c_6.z);
+    let most_z_89 = max(max(a_4.z, b_5.z), c_6.z);
+    return sel(ex, mul(min(max(along_79, least_z_84), most_z_89), ray_a0.shear.z), ret);
+} }
+stage! { fn first_of_leaf(r: &Resources<'_>, within: M, ray_a0: &MotifRay, leaf_a1: U, near_a2: F, far_a3: F) -> MotifHit {
+    let mut ex = within;
+    let mut ret: MotifHit = zero_motif_hit();
+    let mut found_v0: F = splat(3e38f32);
+    let mut cost_v1: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut triangle_v2: U = splat_u(0u32);
+    let mut both_v3: M = splat_m(false);
+    triangle_v2 = leaf_a1;
+    let b2 = ex;
+    'l1: loop {
+        let e_9 = triangle_v2;
+        let c3 = ne_u(e_9, splat_u(0u32));
+        ex = and(ex, c3);
+        let e_12 = triangle_v2;
+        if none(ex) { break 'l1; }
+        let a_13 = motif_texel(r, e_12);
+        let e_14 = triangle_v2;
+        let b_17 = motif_texel(r, add_u(e_14, splat_u(1u32)));
+        let e_18 = triangle_v2;
+        let c_21 = motif_texel(r, add_u(e_18, splat_u(2u32)));
+        let e_22 = cost_v1;
+        let (m4, y5) = (ex, Vec3 { x: add_u(e_22.x, splat_u(1u32)), y: add_u(e_22.y, splat_u(0u32)), z: add_u(e_22.z, splat_u(48u32)) });
+        cost_v1 = Vec3 { x: sel_u(m4, y5.x, cost_v1.x), y: sel_u(m4, y5.y, cost_v1.y), z: sel_u(m4, y5.z, cost_v1.z) };
+        let t_28 = meets_triangle(r, ex, ray_a0, Vec3 { x: a_13.x, y: a_13.y, z: a_13.z }, Vec3 { x: b_17.x, y: b_17.y, z: b_17.z }, Vec3 { x: c_21.x, y: c_21.y, z: c_21.z });
+        let e_32 = found_v0;
+        both_v3 = and(ge(t_28, near_a2), lt(t_28, min(e_32, far_a3)));
+        let e_36 = both_v3;
+        let c6 = e_36;
+        found_v0 = sel(and(ex, c6), t_28, found_v0);
+        let e_37 = triangle_v2;
+        triangle_v2 = sel_u(eq(a_13.w, splat(0.0f32)), splat_u(0u32), add_u(e_37, splat_u(3u32)));
+    }
+    ex = b2;
+    let e_45 = found_v0;
+    let e_46 = cost_v1;
+    return MotifHit { t: e_45, cost: e_46, };
+} }
+stage! { fn first_of_motif(r: &Resources<'_>, within: M, ray_a0: &MotifRay, near_a1: F, far_a2: F, before_a3: Vec3<U>, limit_a4: u32) -> MotifHit {
+    let mut ex = within;
+    let mut ret: MotifHit = zero_motif_hit();
+    let mut cost_v0: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut found_v1: F = splat(3e38f32);
+    let mut node_v2: U = splat_u(1u32);
+    let mut both_v3: M = splat_m(false);
+    let mut next_v4: U = splat_u(0u32);
+    cost_v0 = before_a3;
+    let b2 = ex;
+    'l1: loop {
+        let e_10 = node_v2;
+        let e_16 = cost_v0.y;
+        both_v3 = and(ne_u(e_10, splat_u(0u32)), lt_u(e_16, splat_u(limit_a4)));
+        let e_19 = both_v3;
+        let c3 = e_19;
+        ex = and(ex, c3);
+        let e_20 = node_v2;
+        if none(ex) { break 'l1; }
+        let low_21 = motif_texel(r, e_20);
+        let e_22 = node_v2;
+        let high_25 = motif_texel(r, add_u(e_22, splat_u(1u32)));
+        let e_26 = cost_v0;
+        let (m4, y5) = (ex, Vec3 { x: add_u(add_u(e_26.x, splat_u(0u32)), splat_u(1u32)), y: add_u(add_u(e_26.y, splat_u(1u32)), splat_u(0u32)), z: add_u(add_u(e_26.z, splat_u(0u32)), splat_u(32u32)) });
+        cost_v0 = Vec3 { x: sel_u(m4, y5.x, cost_v0.x), y: sel_u(m4, y5.y, cost_v0.y), z: sel_u(m4, y5.z, cost_v0.z) };
+        let e_31 = found_v1;
+        let best_32 = min(e_31, far_a2);
+        next_v4 = u_of_f(low_21.w);
+        let e_38 = meets_box(r, ray_a0, Vec3 { x: low_21.x, y: low_21.y, z: low_21.z }, Vec3 { x: high_25.x, y: high_25.y, z: high_25.z }, near_a1, best_32);
+        let (b6, c7) = (ex, e_38);
+        ex = and(b6, c7);
+        if any(ex) {
+            let (b8, c9) = (ex, eq(high_25.w, splat(0.0f32)));
+            ex = and(b8, c9);
+            if any(ex) {
+                let e_42 = node_v2;
+                next_v4 = sel_u(ex, add_u(e_42, splat_u(2u32)), next_v4);
+            }
+            ex = and_not(b8, c9);
+            if any(ex) {
+                let of_leaf_47 = first_of_leaf(r, ex, ray_a0, u_of_f(high_25.w), near_a1, best_32);
+                let e_48 = found_v1;
+                found_v1 = sel(ex, min(e_48, of_leaf_47.t), found_v1);
+                let e_51 = cost_v0;
+                let (m10, y11) = (ex, Vec3 { x: add_u(e_51.x, of_leaf_47.cost.x), y: add_u(e_51.y, of_leaf_47.cost.y), z: add_u(e_51.z, of_leaf_47.cost.z) });
+                cost_v0 = Vec3 { x: sel_u(m10, y11.x, cost_v0.x), y: sel_u(m10, y11.y, cost_v0.y), z: sel_u(m10, y11.z, cost_v0.z) };
+            }
+            ex = b8;
+        }
+        ex = b6;
+        let e_54 = next_v4;
+        node_v2 = e_54;
+    }
+    ex = b2;
+    let e_55 = found_v1;
+    let e_56 = cost_v0;
+    return MotifHit { t: e_55, cost: e_56, };
+} }
+stage! { fn search_shell_map(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+    let mut ex = within;
+    let mut ret: SearchResult = zero_search_result();
+    let mut alive = ex;
+    let mut cost_v0: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut tile_v1: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut t_v2: F = splat(0.0f32);
+    let step_5 = Vec3 { x: path_a0.duv.x, y: path_a0.duv.y, z: path_a0.h.y };
+    let slack_15 = div(splat(2e-5f32), max(max(abs(step_5.x), abs(step_5.y)), abs(step_5.z)));
+    let limit_17 = (params_a1.x as u32);
+    tile_v1 = Vec2 { x: floor(path_a0.uv.x), y: floor(path_a0.uv.y) };
+    let b2 = ex;
+    'l1: loop {
+        let e_26 = cost_v0.y;
+        let c3 = lt_u(e_26, splat_u(limit_17));
+        ex = and(ex, c3);
+        let e_28 = tile_v1;
+        let ahead_41 = Vec2 { x: add(e_28.x, sel(gt(path_a0.duv.x, splat(0.0f32)), splat(1.0f32), splat(0.0f32))), y: add(e_28.y, sel(gt(path_a0.duv.y, splat(0.0f32)), splat(1.0f32), splat(0.0f32))) };
+        let beside_45 = Vec2 { x: div(sub(ahead_41.x, path_a0.uv.x), path_a0.duv.x), y: div(sub(ahead_41.y, path_a0.uv.y), path_a0.duv.y) };
+        let leave_55 = Vec2 { x: sel(gt(abs(path_a0.duv.x), splat(0.0f32)), beside_45.x, splat(3e38f32)), y: sel(gt(abs(path_a0.duv.y), splat(0.0f32)), beside_45.y, splat(3e38f32)) };
+        let e_61 = t_v2;
+        let end_62 = max(min(min(leave_55.x, leave_55.y), path_a0.exit), e_61);
+        let e_63 = t_v2;
+        if none(ex) { break 'l1; }
+        let e_64 = path_uv(r, path_a0, e_63);
+        let e_65 = tile_v1;
+        let e_67 = t_v2;
+        let e_68 = path_height(r, path_a0, e_67);
+        let ray_70 = motif_ray(r, ex, Vec3 { x: sub(e_64.x, e_65.x), y: sub(e_64.y, e_65.y), z: e_68 }, step_5);
+        let e_73 = t_v2;
+        let e_76 = cost_v0;
+        let found_77 = first_of_motif(r, ex, &ray_70, sub(splat(0.0f32), slack_15), add(sub(end_62, e_73), slack_15), e_76, limit_17);
+        let (m4, y5) = (ex, Vec3 { x: found_77.cost.x, y: found_77.cost.y, z: found_77.cost.z });
+        cost_v0 = Vec3 { x: sel_u(m4, y5.x, cost_v0.x), y: sel_u(m4, y5.y, cost_v0.y), z: sel_u(m4, y5.z, cost_v0.z) };
+        let (b6, c7) = (ex, lt(found_77.t, splat(3e38f32)));
+        ex = and(b6, c7);
+        if any(ex) {
+            let e_82 = t_v2;
+            let at_87 = min(max_with(add(e_82, found_77.t), splat(0.0f32)), path_a0.exit);
+            let e_89 = cost_v0;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(3u32), near: at_87, far: at_87, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_89, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b6, c7);
+        if none(ex) { break 'l1; }
+        let (b8, c9) = (ex, not(lt(end_62, path_a0.exit)));
+        ex = and(b8, c9);
+        if any(ex) {
+            let e_97 = cost_v0;
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: end_62, far: end_62, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_97, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b8, c9);
+        let next_112 = Vec2 { x: sel(gt(path_a0.duv.x, splat(0.0f32)), splat(1.0f32), splat((-1.0f32))), y: sel(gt(path_a0.duv.y, splat(0.0f32)), splat(1.0f32), splat((-1.0f32))) };
+        let c10 = le(leave_55.x, leave_55.y);
+        let e_118 = tile_v1.x;
+        tile_v1.x = sel(c10, add(e_118, next_112.x), tile_v1.x);
+        let e_123 = tile_v1.y;
+        tile_v1.y = sel(not(c10), add(e_123, next_112.y), tile_v1.y);
+        t_v2 = sel(ex, end_62, t_v2);
+        if none(ex) { break 'l1; }
+    }
+    ex = and(b2, alive);
+    let e_127 = t_v2;
+    let e_128 = t_v2;
+    let e_129 = cost_v0;
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_127, far: e_128, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_129, }, &ret);
+} }
 lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
@@ -4633,9 +4928,13 @@ lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Search
             let e_101 = search_view_dependent_free(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_101;
         }
-        _ => {
+        16u32 => {
             let e_107 = search_translucent(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_107;
+        }
+        _ => {
+            let e_113 = search_shell_map(r, ex, path_a0, r.surface_settings.choices[6].params);
+            return e_113;
         }
     }
 } }
@@ -4714,9 +5013,13 @@ stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0
             let e_101 = search_view_dependent_free(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_101;
         }
-        _ => {
+        16u32 => {
             let e_107 = search_translucent(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_107;
+        }
+        _ => {
+            let e_113 = search_shell_map(r, ex, path_a0, r.surface_settings.choices[10].params);
+            return e_113;
         }
     }
 } }

@@ -472,6 +472,42 @@ lanes! { fn zero_mirrored() -> Mirrored {
 } }
 
 #[derive(Clone, Copy)]
+pub struct MotifPoint {
+    pub normal: Vec3<F>,
+    pub facet: Vec3<F>,
+}
+lanes! { fn sel_motif_point(m: M, a: &MotifPoint, b: &MotifPoint) -> MotifPoint {
+    MotifPoint {
+        normal: Vec3 { x: sel(m, a.normal.x, b.normal.x), y: sel(m, a.normal.y, b.normal.y), z: sel(m, a.normal.z, b.normal.z) },
+        facet: Vec3 { x: sel(m, a.facet.x, b.facet.x), y: sel(m, a.facet.y, b.facet.y), z: sel(m, a.facet.z, b.facet.z) },
+    }
+} }
+lanes! { fn zero_motif_point() -> MotifPoint {
+    MotifPoint {
+        normal: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        facet: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct NearTriangle {
+    pub triangle: U,
+    pub apart: F,
+}
+lanes! { fn sel_near_triangle(m: M, a: &NearTriangle, b: &NearTriangle) -> NearTriangle {
+    NearTriangle {
+        triangle: sel_u(m, a.triangle, b.triangle),
+        apart: sel(m, a.apart, b.apart),
+    }
+} }
+lanes! { fn zero_near_triangle() -> NearTriangle {
+    NearTriangle {
+        triangle: splat_u(0u32),
+        apart: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct NormalLayers {
     pub first: Vec4<F>,
     pub second: Vec4<F>,
@@ -2056,6 +2092,46 @@ lanes! { fn angle_to_image(r: &Resources<'_>, within: M, image_a0: &Image, point
     let off_39 = abs(sub(place_12.z, e_37));
     return add(angle_10, sel(le(mul(mul(off_39, width_20), div(deeper_33, wider_27)), splat(2.0f32)), splat(0.0f32), splat(2.0f32)));
 } }
+lanes! { fn apart_from_edge(r: &Resources<'_>, place_a0: Vec3<F>, a_a1: Vec3<F>, b_a2: Vec3<F>) -> F {
+    let way_3 = Vec3 { x: sub(b_a2.x, a_a1.x), y: sub(b_a2.y, a_a1.y), z: sub(b_a2.z, a_a1.z) };
+    let part_10 = min_with(max_with(div(add(add(add(mul(sub(place_a0.x, a_a1.x), way_3.x), mul(sub(place_a0.y, a_a1.y), way_3.y)), mul(sub(place_a0.z, a_a1.z), way_3.z)), splat(0.0f32)), add(add(add(mul(way_3.x, way_3.x), mul(way_3.y, way_3.y)), mul(way_3.z, way_3.z)), splat(0.0f32))), splat(0.0f32)), splat(1.0f32));
+    let apart_13 = Vec3 { x: sub(add(a_a1.x, mul(way_3.x, part_10)), place_a0.x), y: sub(add(a_a1.y, mul(way_3.y, part_10)), place_a0.y), z: sub(add(a_a1.z, mul(way_3.z, part_10)), place_a0.z) };
+    return add(add(add(mul(apart_13.x, apart_13.x), mul(apart_13.y, apart_13.y)), mul(apart_13.z, apart_13.z)), splat(0.0f32));
+} }
+lanes! { fn weights_under(r: &Resources<'_>, place_a0: Vec3<F>, a_a1: Vec3<F>, b_a2: Vec3<F>, c_a3: Vec3<F>) -> Vec3<F> {
+    let e_4 = Vec3 { x: sub(b_a2.x, a_a1.x), y: sub(b_a2.y, a_a1.y), z: sub(b_a2.z, a_a1.z) };
+    let e_5 = Vec3 { x: sub(c_a3.x, a_a1.x), y: sub(c_a3.y, a_a1.y), z: sub(c_a3.z, a_a1.z) };
+    let normal_6 = Vec3 { x: sub(mul(e_4.y, e_5.z), mul(e_4.z, e_5.y)), y: sub(mul(e_4.z, e_5.x), mul(e_4.x, e_5.z)), z: sub(mul(e_4.x, e_5.y), mul(e_4.y, e_5.x)) };
+    let e_7 = Vec3 { x: sub(c_a3.x, b_a2.x), y: sub(c_a3.y, b_a2.y), z: sub(c_a3.z, b_a2.z) };
+    let e_8 = Vec3 { x: sub(place_a0.x, b_a2.x), y: sub(place_a0.y, b_a2.y), z: sub(place_a0.z, b_a2.z) };
+    let e_11 = Vec3 { x: sub(a_a1.x, c_a3.x), y: sub(a_a1.y, c_a3.y), z: sub(a_a1.z, c_a3.z) };
+    let e_12 = Vec3 { x: sub(place_a0.x, c_a3.x), y: sub(place_a0.y, c_a3.y), z: sub(place_a0.z, c_a3.z) };
+    let e_15 = Vec3 { x: sub(b_a2.x, a_a1.x), y: sub(b_a2.y, a_a1.y), z: sub(b_a2.z, a_a1.z) };
+    let e_16 = Vec3 { x: sub(place_a0.x, a_a1.x), y: sub(place_a0.y, a_a1.y), z: sub(place_a0.z, a_a1.z) };
+    return Vec3 { x: add(add(add(mul(sub(mul(e_7.y, e_8.z), mul(e_7.z, e_8.y)), normal_6.x), mul(sub(mul(e_7.z, e_8.x), mul(e_7.x, e_8.z)), normal_6.y)), mul(sub(mul(e_7.x, e_8.y), mul(e_7.y, e_8.x)), normal_6.z)), splat(0.0f32)), y: add(add(add(mul(sub(mul(e_11.y, e_12.z), mul(e_11.z, e_12.y)), normal_6.x), mul(sub(mul(e_11.z, e_12.x), mul(e_11.x, e_12.z)), normal_6.y)), mul(sub(mul(e_11.x, e_12.y), mul(e_11.y, e_12.x)), normal_6.z)), splat(0.0f32)), z: add(add(add(mul(sub(mul(e_15.y, e_16.z), mul(e_15.z, e_16.y)), normal_6.x), mul(sub(mul(e_15.z, e_16.x), mul(e_15.x, e_16.z)), normal_6.y)), mul(sub(mul(e_15.x, e_16.y), mul(e_15.y, e_16.x)), normal_6.z)), splat(0.0f32)) };
+} }
+lanes! { fn apart_from_triangle(r: &Resources<'_>, within: M, place_a0: Vec3<F>, a_a1: Vec3<F>, b_a2: Vec3<F>, c_a3: Vec3<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let weights_4 = weights_under(r, place_a0, a_a1, b_a2, c_a3);
+    let (b1, c2) = (ex, ge(min(min(weights_4.x, weights_4.y), weights_4.z), splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_12 = Vec3 { x: sub(b_a2.x, a_a1.x), y: sub(b_a2.y, a_a1.y), z: sub(b_a2.z, a_a1.z) };
+        let e_13 = Vec3 { x: sub(c_a3.x, a_a1.x), y: sub(c_a3.y, a_a1.y), z: sub(c_a3.z, a_a1.z) };
+        let normal_14 = Vec3 { x: sub(mul(e_12.y, e_13.z), mul(e_12.z, e_13.y)), y: sub(mul(e_12.z, e_13.x), mul(e_12.x, e_13.z)), z: sub(mul(e_12.x, e_13.y), mul(e_12.y, e_13.x)) };
+        let above_16 = add(add(add(mul(sub(place_a0.x, a_a1.x), normal_14.x), mul(sub(place_a0.y, a_a1.y), normal_14.y)), mul(sub(place_a0.z, a_a1.z), normal_14.z)), splat(0.0f32));
+        ret = div(mul(above_16, above_16), add(add(add(mul(normal_14.x, normal_14.x), mul(normal_14.y, normal_14.y)), mul(normal_14.z, normal_14.z)), splat(0.0f32)));
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let e_20 = apart_from_edge(r, place_a0, a_a1, b_a2);
+    let e_21 = apart_from_edge(r, place_a0, b_a2, c_a3);
+    let first_22 = min(e_20, e_21);
+    let e_23 = apart_from_edge(r, place_a0, c_a3, a_a1);
+    return sel(ex, min(first_22, e_23), ret);
+} }
 lanes! { fn near_uv(r: &Resources<'_>, uv_a0: Vec2<F>) -> Vec2<F> {
     if (r.surface_settings.wrap == 0u32) {
         return Vec2 { x: sub(uv_a0.x, floor(uv_a0.x)), y: sub(uv_a0.y, floor(uv_a0.y)) };
@@ -2274,6 +2350,9 @@ lanes! { fn field_volume_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1:
     let e_6 = field_at(r, ex, Vec3 { x: e_3.x, y: e_3.y, z: e_4 });
     return sub(splat(0.5f32), e_6);
 } }
+lanes! { fn field_motif_gap(r: &Resources<'_>, path_a0: &Path, t_a1: F, params_a2: Vec4<f32>) -> F {
+    return splat(1.0f32);
+} }
 lanes! { fn field_gap_stage(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
@@ -2282,9 +2361,13 @@ lanes! { fn field_gap_stage(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: 
             let e_12 = field_heights_gap(r, ex, path_a0, t_a1, r.surface_settings.choices[4].params);
             return e_12;
         }
-        _ => {
+        1u32 => {
             let e_18 = field_volume_gap(r, ex, path_a0, t_a1, r.surface_settings.choices[4].params);
             return e_18;
+        }
+        _ => {
+            let e_24 = field_motif_gap(r, path_a0, t_a1, r.surface_settings.choices[4].params);
+            return e_24;
         }
     }
 } }
@@ -2574,15 +2657,22 @@ lanes! { fn field_heights_is_ground(r: &Resources<'_>, level_a0: U, params_a1: V
 lanes! { fn field_volume_is_ground(r: &Resources<'_>, level_a0: U, params_a1: Vec4<f32>) -> M {
     return splat_m(false);
 } }
+lanes! { fn field_motif_is_ground(r: &Resources<'_>, level_a0: U, params_a1: Vec4<f32>) -> M {
+    return splat_m(false);
+} }
 lanes! { fn field_is_ground_stage(r: &Resources<'_>, level_a0: U) -> M {
     match r.surface_settings.choices[4].number {
         0u32 => {
             let e_11 = field_heights_is_ground(r, level_a0, r.surface_settings.choices[4].params);
             return e_11;
         }
-        _ => {
+        1u32 => {
             let e_17 = field_volume_is_ground(r, level_a0, r.surface_settings.choices[4].params);
             return e_17;
+        }
+        _ => {
+            let e_23 = field_motif_is_ground(r, level_a0, r.surface_settings.choices[4].params);
+            return e_23;
         }
     }
 } }
@@ -3179,6 +3269,14 @@ lanes! { fn color_or_white(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, footpri
 } }
 lanes! { fn comes_before(r: &Resources<'_>, a_a0: Vec2<F>, b_a1: Vec2<F>) -> U {
     return sel_u(le(a_a0.x, b_a1.x), splat_u(1u32), splat_u(0u32));
+} }
+lanes! { fn covector(r: &Resources<'_>, at_a0: &Entered, gradient_a1: Vec3<F>) -> Vec3<F> {
+    let area_9 = sub(mul(at_a0.metric.x, at_a0.metric.z), mul(at_a0.metric.y, at_a0.metric.y));
+    let along_u_18 = Vec3 { x: div(sub(mul(at_a0.tangent.x, at_a0.metric.z), mul(at_a0.bitangent.x, at_a0.metric.y)), area_9), y: div(sub(mul(at_a0.tangent.y, at_a0.metric.z), mul(at_a0.bitangent.y, at_a0.metric.y)), area_9), z: div(sub(mul(at_a0.tangent.z, at_a0.metric.z), mul(at_a0.bitangent.z, at_a0.metric.y)), area_9) };
+    let along_v_27 = Vec3 { x: div(sub(mul(at_a0.bitangent.x, at_a0.metric.x), mul(at_a0.tangent.x, at_a0.metric.y)), area_9), y: div(sub(mul(at_a0.bitangent.y, at_a0.metric.x), mul(at_a0.tangent.y, at_a0.metric.y)), area_9), z: div(sub(mul(at_a0.bitangent.z, at_a0.metric.x), mul(at_a0.tangent.z, at_a0.metric.y)), area_9) };
+    let e_33 = div(gradient_a1.z, splat(r.surface_settings.scale_m));
+    let rise_34 = Vec3 { x: mul(at_a0.normal.x, e_33), y: mul(at_a0.normal.y, e_33), z: mul(at_a0.normal.z, e_33) };
+    return Vec3 { x: add(add(mul(along_u_18.x, gradient_a1.x), mul(along_v_27.x, gradient_a1.y)), rise_34.x), y: add(add(mul(along_u_18.y, gradient_a1.x), mul(along_v_27.y, gradient_a1.y)), rise_34.y), z: add(add(mul(along_u_18.z, gradient_a1.x), mul(along_v_27.z, gradient_a1.y)), rise_34.z) };
 } }
 lanes! { fn plane_distance(r: &Resources<'_>, pixel_a0: &PixelIn, normal_a1: Vec3<F>) -> F {
     return div(add(add(add(mul(normal_a1.x, sub(splat(pixel_a0.a.position.x), pixel_a0.origin.x)), mul(normal_a1.y, sub(splat(pixel_a0.a.position.y), pixel_a0.origin.y))), mul(normal_a1.z, sub(splat(pixel_a0.a.position.z), pixel_a0.origin.z))), splat(0.0f32)), add(add(add(mul(normal_a1.x, pixel_a0.direction.x), mul(normal_a1.y, pixel_a0.direction.y)), mul(normal_a1.z, pixel_a0.direction.z)), splat(0.0f32)));
@@ -4045,6 +4143,9 @@ lanes! { fn field_heights_height(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, h
 lanes! { fn field_volume_height(r: &Resources<'_>, uv_a0: Vec2<F>, height_a1: F, level_a2: U, params_a3: Vec4<f32>) -> F {
     return height_a1;
 } }
+lanes! { fn field_motif_height(r: &Resources<'_>, uv_a0: Vec2<F>, height_a1: F, level_a2: U, params_a3: Vec4<f32>) -> F {
+    return height_a1;
+} }
 lanes! { fn field_height_stage(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, height_a1: F, level_a2: U) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
@@ -4053,9 +4154,13 @@ lanes! { fn field_height_stage(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, hei
             let e_13 = field_heights_height(r, ex, uv_a0, height_a1, level_a2, r.surface_settings.choices[4].params);
             return e_13;
         }
-        _ => {
+        1u32 => {
             let e_19 = field_volume_height(r, uv_a0, height_a1, level_a2, r.surface_settings.choices[4].params);
             return e_19;
+        }
+        _ => {
+            let e_25 = field_motif_height(r, uv_a0, height_a1, level_a2, r.surface_settings.choices[4].params);
+            return e_25;
         }
     }
 } }
@@ -4584,6 +4689,30 @@ lanes! { fn field_slopes(r: &Resources<'_>, within: M, place_a0: Vec3<F>) -> Vec
     let along_k_27 = sub(e_24, e_26);
     return Vec3 { x: div(along_i_17, splat(1.0f32)), y: div(along_j_22, splat(1.0f32)), z: div(along_k_27, splat(1.0f32)) };
 } }
+lanes! { fn light_ray_from(r: &Resources<'_>, within: M, at_a0: &Entered, begin_a1: Vec3<F>, change_a2: Vec3<F>, light_a3: &Toward) -> LightRay {
+    let mut ex = within;
+    let mut ret: LightRay = zero_light_ray();
+    let h_7 = Vec3 { x: begin_a1.z, y: change_a2.z, z: splat(0.0f32) };
+    let way_18 = Path { uv: Vec2 { x: begin_a1.x, y: begin_a1.y }, duv: Vec2 { x: change_a2.x, y: change_a2.y }, h: h_7, exit: splat(0.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), bend: splat(0.0f32), };
+    let (b1, c2) = (ex, not(gt(change_a2.z, splat(0.0f32))));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = LightRay { state: splat_u(1u32), path: way_18, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let exit_25 = way_out(r, ex, &way_18, light_a3);
+    let (b3, c4) = (ex, not(gt(exit_25, splat(0.0f32))));
+    ex = and(b3, c4);
+    if any(ex) {
+        ret = sel_light_ray(ex, &LightRay { state: splat_u(0u32), path: way_18, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b3, c4);
+    let path_40 = Path { uv: Vec2 { x: begin_a1.x, y: begin_a1.y }, duv: Vec2 { x: change_a2.x, y: change_a2.y }, h: h_7, exit: exit_25, base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), bend: splat(0.0f32), };
+    return sel_light_ray(ex, &LightRay { state: splat_u(2u32), path: path_40, }, &ret);
+} }
 lanes! { fn light_ray_out_of_volume(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> LightRay {
     let mut ex = within;
     let mut ret: LightRay = zero_light_ray();
@@ -4600,32 +4729,164 @@ lanes! { fn light_ray_out_of_volume(r: &Resources<'_>, within: M, at_a0: &Entere
     outside_v0 = Vec3 { x: sel(m2, y3.x, outside_v0.x), y: sel(m2, y3.y, outside_v0.y), z: sel(m2, y3.z, outside_v0.z) };
     let e_19 = outside_v0;
     let e_25 = r.volume_size();
-    let begin_26 = Vec3 { x: div(add(e_19.x, splat(0.5f32)), splat(e_25.x)), y: div(add(e_19.y, splat(0.5f32)), splat(e_25.y)), z: div(add(e_19.z, splat(0.5f32)), splat(e_25.z)) };
-    let h_30 = Vec3 { x: begin_26.z, y: change_4.z, z: splat(0.0f32) };
-    let way_41 = Path { uv: Vec2 { x: begin_26.x, y: begin_26.y }, duv: Vec2 { x: change_4.x, y: change_4.y }, h: h_30, exit: splat(0.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), bend: splat(0.0f32), };
-    let (b4, c5) = (ex, not(gt(change_4.z, splat(0.0f32))));
-    ex = and(b4, c5);
-    if any(ex) {
-        ret = LightRay { state: splat_u(1u32), path: way_41, };
-        ex = no_lane();
-    }
-    ex = and_not(b4, c5);
-    if none(ex) { return ret; }
-    let exit_48 = way_out(r, ex, &way_41, light_a2);
-    let (b6, c7) = (ex, not(gt(exit_48, splat(0.0f32))));
-    ex = and(b6, c7);
-    if any(ex) {
-        ret = sel_light_ray(ex, &LightRay { state: splat_u(0u32), path: way_41, }, &ret);
-        ex = no_lane();
-    }
-    ex = and_not(b6, c7);
-    let path_63 = Path { uv: Vec2 { x: begin_26.x, y: begin_26.y }, duv: Vec2 { x: change_4.x, y: change_4.y }, h: h_30, exit: exit_48, base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), bend: splat(0.0f32), };
-    return sel_light_ray(ex, &LightRay { state: splat_u(2u32), path: path_63, }, &ret);
+    let e_27 = light_ray_from(r, ex, at_a0, Vec3 { x: div(add(e_19.x, splat(0.5f32)), splat(e_25.x)), y: div(add(e_19.y, splat(0.5f32)), splat(e_25.y)), z: div(add(e_19.z, splat(0.5f32)), splat(e_25.z)) }, change_4, light_a2);
+    return e_27;
 } }
 lanes! { fn field_volume_light_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> LightRay {
     let mut ex = within;
     let mut ret: LightRay = zero_light_ray();
     let e_4 = light_ray_out_of_volume(r, ex, at_a0, hit_a1, light_a2);
+    return e_4;
+} }
+lanes! { fn motif_texel_l(r: &Resources<'_>, place_a0: U) -> Vec4<F> {
+    let row_2 = shr_u(place_a0, i_of_u(splat_u(10u32)));
+    let e_9 = object_texel_l(r, Vec2 { x: i_of_u(sub_u(place_a0, mul_u(row_2, splat_u(1024u32)))), y: i_of_u(row_2) });
+    return e_9;
+} }
+lanes! { fn motif_texel_s(r: &Resources<'_>, place_a0: u32) -> Vec4<F> {
+    let row_2 = place_a0.unbounded_shr(10u32);
+    let e_9 = object_texel_s(r, Vec2 { x: (place_a0.wrapping_sub(row_2.wrapping_mul(1024u32)) as i32), y: (row_2 as i32) });
+    return e_9;
+} }
+stage! { fn nearest_of_leaf(r: &Resources<'_>, within: M, place_a0: Vec3<F>, leaf_a1: U, before_a2: &NearTriangle) -> NearTriangle {
+    let mut ex = within;
+    let mut ret: NearTriangle = zero_near_triangle();
+    let mut nearest_v0: NearTriangle = zero_near_triangle();
+    let mut triangle_v1: U = splat_u(0u32);
+    nearest_v0 = *before_a2;
+    triangle_v1 = leaf_a1;
+    let b2 = ex;
+    'l1: loop {
+        let e_5 = triangle_v1;
+        let c3 = ne_u(e_5, splat_u(0u32));
+        ex = and(ex, c3);
+        let e_8 = triangle_v1;
+        if none(ex) { break 'l1; }
+        let a_9 = motif_texel_l(r, e_8);
+        let e_10 = triangle_v1;
+        let b_13 = motif_texel_l(r, add_u(e_10, splat_u(1u32)));
+        let e_14 = triangle_v1;
+        let c_17 = motif_texel_l(r, add_u(e_14, splat_u(2u32)));
+        let apart_21 = apart_from_triangle(r, ex, place_a0, Vec3 { x: a_9.x, y: a_9.y, z: a_9.z }, Vec3 { x: b_13.x, y: b_13.y, z: b_13.z }, Vec3 { x: c_17.x, y: c_17.y, z: c_17.z });
+        let e_23 = nearest_v0.apart;
+        let c4 = lt(apart_21, e_23);
+        let e_25 = triangle_v1;
+        nearest_v0 = sel_near_triangle(and(ex, c4), &NearTriangle { triangle: e_25, apart: apart_21, }, &nearest_v0);
+        let e_27 = triangle_v1;
+        triangle_v1 = sel_u(eq(a_9.w, splat(0.0f32)), splat_u(0u32), add_u(e_27, splat_u(3u32)));
+    }
+    ex = b2;
+    let e_35 = nearest_v0;
+    return e_35;
+} }
+lanes! { fn point_of_triangle(r: &Resources<'_>, within: M, triangle_a0: U, place_a1: Vec3<F>) -> MotifPoint {
+    let mut ex = within;
+    let mut ret: MotifPoint = zero_motif_point();
+    let e_2 = motif_texel_l(r, triangle_a0);
+    let e_6 = motif_texel_l(r, add_u(triangle_a0, splat_u(1u32)));
+    let e_10 = motif_texel_l(r, add_u(triangle_a0, splat_u(2u32)));
+    let e_13 = motif_texel_s(r, 0u32);
+    let normals_16 = add_u(triangle_a0, u_of_f(e_13.x));
+    let e_17 = weights_under(r, place_a1, Vec3 { x: e_2.x, y: e_2.y, z: e_2.z }, Vec3 { x: e_6.x, y: e_6.y, z: e_6.z }, Vec3 { x: e_10.x, y: e_10.y, z: e_10.z });
+    let weights_22 = Vec3 { x: max_with(e_17.x, splat(0.0f32)), y: max_with(e_17.y, splat(0.0f32)), z: max_with(e_17.z, splat(0.0f32)) };
+    let e_23 = motif_texel_l(r, normals_16);
+    let first_26 = Vec3 { x: mul(e_23.x, weights_22.x), y: mul(e_23.y, weights_22.x), z: mul(e_23.z, weights_22.x) };
+    let e_29 = motif_texel_l(r, add_u(normals_16, splat_u(1u32)));
+    let second_32 = Vec3 { x: mul(e_29.x, weights_22.y), y: mul(e_29.y, weights_22.y), z: mul(e_29.z, weights_22.y) };
+    let e_36 = motif_texel_l(r, add_u(normals_16, splat_u(2u32)));
+    let sum_40 = Vec3 { x: add(add(first_26.x, second_32.x), mul(e_36.x, weights_22.z)), y: add(add(first_26.y, second_32.y), mul(e_36.y, weights_22.z)), z: add(add(first_26.z, second_32.z), mul(e_36.z, weights_22.z)) };
+    let e_41 = Vec3 { x: sub(e_6.x, e_2.x), y: sub(e_6.y, e_2.y), z: sub(e_6.z, e_2.z) };
+    let e_42 = Vec3 { x: sub(e_10.x, e_2.x), y: sub(e_10.y, e_2.y), z: sub(e_10.z, e_2.z) };
+    let e_43 = Vec3 { x: sub(mul(e_41.y, e_42.z), mul(e_41.z, e_42.y)), y: sub(mul(e_41.z, e_42.x), mul(e_41.x, e_42.z)), z: sub(mul(e_41.x, e_42.y), mul(e_41.y, e_42.x)) };
+    let length1 = sqrt(add(add(mul(e_43.x, e_43.x), mul(e_43.y, e_43.y)), mul(e_43.z, e_43.z)));
+    let flat_normal_44 = Vec3 { x: div(e_43.x, length1), y: div(e_43.y, length1), z: div(e_43.z, length1) };
+    let e_50 = sel(lt(add(add(add(mul(flat_normal_44.x, sum_40.x), mul(flat_normal_44.y, sum_40.y)), mul(flat_normal_44.z, sum_40.z)), splat(0.0f32)), splat(0.0f32)), splat((-1.0f32)), splat(1.0f32));
+    let facet_51 = Vec3 { x: mul(flat_normal_44.x, e_50), y: mul(flat_normal_44.y, e_50), z: mul(flat_normal_44.z, e_50) };
+    let size_52 = sqrt(add(add(mul(sum_40.x, sum_40.x), mul(sum_40.y, sum_40.y)), mul(sum_40.z, sum_40.z)));
+    let (b2, c3) = (ex, gt(size_52, splat(0.0f32)));
+    ex = and(b2, c3);
+    if any(ex) {
+        ret = MotifPoint { normal: Vec3 { x: div(sum_40.x, size_52), y: div(sum_40.y, size_52), z: div(sum_40.z, size_52) }, facet: facet_51, };
+        ex = no_lane();
+    }
+    ex = and_not(b2, c3);
+    return sel_motif_point(ex, &MotifPoint { normal: facet_51, facet: facet_51, }, &ret);
+} }
+stage! { fn motif_at(r: &Resources<'_>, within: M, place_a0: Vec3<F>) -> MotifPoint {
+    let mut ex = within;
+    let mut ret: MotifPoint = zero_motif_point();
+    let mut nearest_v0: NearTriangle = NearTriangle { triangle: splat_u(0u32), apart: splat(1e-8f32), };
+    let mut node_v1: U = splat_u(1u32);
+    let mut next_v2: U = splat_u(0u32);
+    let reach_4 = Vec3 { x: 0.0001f32, y: 0.0001f32, z: 0.0001f32 };
+    let b2 = ex;
+    'l1: loop {
+        let e_11 = node_v1;
+        let c3 = ne_u(e_11, splat_u(0u32));
+        ex = and(ex, c3);
+        let e_14 = node_v1;
+        if none(ex) { break 'l1; }
+        let low_15 = motif_texel_l(r, e_14);
+        let e_16 = node_v1;
+        let high_19 = motif_texel_l(r, add_u(e_16, splat_u(1u32)));
+        next_v2 = u_of_f(low_15.w);
+        let beyond_29 = Vec3 { x: max(sub(sub(low_15.x, splat(reach_4.x)), place_a0.x), sub(sub(place_a0.x, high_19.x), splat(reach_4.x))), y: max(sub(sub(low_15.y, splat(reach_4.y)), place_a0.y), sub(sub(place_a0.y, high_19.y), splat(reach_4.y))), z: max(sub(sub(low_15.z, splat(reach_4.z)), place_a0.z), sub(sub(place_a0.z, high_19.z), splat(reach_4.z))) };
+        let (b4, c5) = (ex, le(max(max(beyond_29.x, beyond_29.y), beyond_29.z), splat(0.0f32)));
+        ex = and(b4, c5);
+        if any(ex) {
+            let (b6, c7) = (ex, eq(high_19.w, splat(0.0f32)));
+            ex = and(b6, c7);
+            if any(ex) {
+                let e_40 = node_v1;
+                next_v2 = sel_u(ex, add_u(e_40, splat_u(2u32)), next_v2);
+            }
+            ex = and_not(b6, c7);
+            if any(ex) {
+                let e_45 = nearest_v0;
+                let e_46 = nearest_of_leaf(r, ex, place_a0, u_of_f(high_19.w), &e_45);
+                nearest_v0 = sel_near_triangle(ex, &e_46, &nearest_v0);
+            }
+            ex = b6;
+        }
+        ex = b4;
+        let e_47 = next_v2;
+        node_v1 = e_47;
+    }
+    ex = b2;
+    let e_49 = nearest_v0.triangle;
+    let (b8, c9) = (ex, eq_u(e_49, splat_u(0u32)));
+    ex = and(b8, c9);
+    if any(ex) {
+        ret = MotifPoint { normal: Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(1.0f32) }, facet: Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(1.0f32) }, };
+        ex = no_lane();
+    }
+    ex = and_not(b8, c9);
+    let e_62 = nearest_v0.triangle;
+    if none(ex) { return ret; }
+    let e_63 = point_of_triangle(r, ex, e_62, place_a0);
+    return sel_motif_point(ex, &e_63, &ret);
+} }
+lanes! { fn motif_of(r: &Resources<'_>, within: M, hit_a0: &Hit) -> MotifPoint {
+    let mut ex = within;
+    let mut ret: MotifPoint = zero_motif_point();
+    let e_7 = motif_at(r, ex, Vec3 { x: sub(hit_a0.uv.x, floor(hit_a0.uv.x)), y: sub(hit_a0.uv.y, floor(hit_a0.uv.y)), z: hit_a0.height });
+    return e_7;
+} }
+lanes! { fn light_ray_out_of_motif(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> LightRay {
+    let mut ex = within;
+    let mut ret: LightRay = zero_light_ray();
+    let change_4 = climb(r, at_a0, Vec3 { x: light_a2.direction.x, y: light_a2.direction.y, z: light_a2.direction.z });
+    let e_5 = motif_of(r, ex, hit_a1);
+    let e_12 = sel(gt(add(add(add(mul(e_5.facet.x, change_4.x), mul(e_5.facet.y, change_4.y)), mul(e_5.facet.z, change_4.z)), splat(0.0f32)), splat(0.0f32)), splat(0.0002f32), splat((-0.0002f32)));
+    let aside_13 = Vec3 { x: mul(e_5.facet.x, e_12), y: mul(e_5.facet.y, e_12), z: mul(e_5.facet.z, e_12) };
+    let e_15 = near_uv(r, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y });
+    let e_19 = light_ray_from(r, ex, at_a0, Vec3 { x: add(e_15.x, aside_13.x), y: add(e_15.y, aside_13.y), z: add(hit_a1.height, aside_13.z) }, change_4, light_a2);
+    return e_19;
+} }
+lanes! { fn field_motif_light_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> LightRay {
+    let mut ex = within;
+    let mut ret: LightRay = zero_light_ray();
+    let e_4 = light_ray_out_of_motif(r, ex, at_a0, hit_a1, light_a2);
     return e_4;
 } }
 lanes! { fn field_light_ray_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> LightRay {
@@ -4636,11 +4897,44 @@ lanes! { fn field_light_ray_stage(r: &Resources<'_>, within: M, at_a0: &Entered,
             let e_13 = field_heights_light_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[4].params);
             return e_13;
         }
-        _ => {
+        1u32 => {
             let e_19 = field_volume_light_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[4].params);
             return e_19;
         }
+        _ => {
+            let e_25 = field_motif_light_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[4].params);
+            return e_25;
+        }
     }
+} }
+lanes! { fn motif_is_closed(r: &Resources<'_>) -> M {
+    let e_1 = motif_texel_s(r, 0u32);
+    return eq(e_1.z, splat(1.0f32));
+} }
+lanes! { fn field_motif_normals(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> SeenNormals {
+    let mut ex = within;
+    let mut ret: SeenNormals = zero_seen_normals();
+    let mut both_v0: M = splat_m(false);
+    let point_4 = motif_of(r, ex, hit_a1);
+    let e_5 = motif_is_closed(r);
+    let (b1, c2) = (ex, not(e_5));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_10 = covector(r, at_a0, Vec3 { x: point_4.facet.x, y: point_4.facet.y, z: point_4.facet.z });
+        both_v0 = sel_m(ex, ge(add(add(add(mul(e_10.x, view_a2.x), mul(e_10.y, view_a2.y)), mul(e_10.z, view_a2.z)), splat(0.0f32)), splat(0.0f32)), both_v0);
+    }
+    ex = and_not(b1, c2);
+    if any(ex) {
+        both_v0 = sel_m(ex, splat_m(true), both_v0);
+    }
+    ex = b1;
+    let is_front_15 = both_v0;
+    let side_18 = sel(is_front_15, splat(1.0f32), splat((-1.0f32)));
+    let e_20 = covector(r, at_a0, Vec3 { x: point_4.normal.x, y: point_4.normal.y, z: point_4.normal.z });
+    let length3 = sqrt(add(add(mul(e_20.x, e_20.x), mul(e_20.y, e_20.y)), mul(e_20.z, e_20.z)));
+    let e_21 = Vec3 { x: div(e_20.x, length3), y: div(e_20.y, length3), z: div(e_20.z, length3) };
+    let e_23 = one_seen(r, Vec3 { x: mul(e_21.x, side_18), y: mul(e_21.y, side_18), z: mul(e_21.z, side_18) });
+    return e_23;
 } }
 lanes! { fn normal_of_field(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit) -> Vec3<F> {
     let mut ex = within;
@@ -4654,19 +4948,13 @@ lanes! { fn normal_of_field(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a
     if none(ex) { return ret; }
     let e_10 = field_slopes(r, ex, place_5);
     let e_11 = r.volume_size();
-    let slopes_12 = Vec3 { x: mul(e_10.x, splat(e_11.x)), y: mul(e_10.y, splat(e_11.y)), z: mul(e_10.z, splat(e_11.z)) };
-    let area_20 = sub(mul(at_a0.metric.x, at_a0.metric.z), mul(at_a0.metric.y, at_a0.metric.y));
-    let along_u_29 = Vec3 { x: div(sub(mul(at_a0.tangent.x, at_a0.metric.z), mul(at_a0.bitangent.x, at_a0.metric.y)), area_20), y: div(sub(mul(at_a0.tangent.y, at_a0.metric.z), mul(at_a0.bitangent.y, at_a0.metric.y)), area_20), z: div(sub(mul(at_a0.tangent.z, at_a0.metric.z), mul(at_a0.bitangent.z, at_a0.metric.y)), area_20) };
-    let along_v_38 = Vec3 { x: div(sub(mul(at_a0.bitangent.x, at_a0.metric.x), mul(at_a0.tangent.x, at_a0.metric.y)), area_20), y: div(sub(mul(at_a0.bitangent.y, at_a0.metric.x), mul(at_a0.tangent.y, at_a0.metric.y)), area_20), z: div(sub(mul(at_a0.bitangent.z, at_a0.metric.x), mul(at_a0.tangent.z, at_a0.metric.y)), area_20) };
-    let e_44 = div(slopes_12.z, splat(r.surface_settings.scale_m));
-    let rise_45 = Vec3 { x: mul(at_a0.normal.x, e_44), y: mul(at_a0.normal.y, e_44), z: mul(at_a0.normal.z, e_44) };
-    let rising_51 = Vec3 { x: add(add(mul(along_u_29.x, slopes_12.x), mul(along_v_38.x, slopes_12.y)), rise_45.x), y: add(add(mul(along_u_29.y, slopes_12.x), mul(along_v_38.y, slopes_12.y)), rise_45.y), z: add(add(mul(along_u_29.z, slopes_12.x), mul(along_v_38.z, slopes_12.y)), rise_45.z) };
-    let steepness_52 = sqrt(add(add(mul(rising_51.x, rising_51.x), mul(rising_51.y, rising_51.y)), mul(rising_51.z, rising_51.z)));
-    both_v0 = and(gt(steepness_52, splat(0.0f32)), lt(steepness_52, splat(3e38f32)));
-    let e_60 = both_v0;
-    let c2 = e_60;
-    let e_62 = div(splat((-1.0f32)), steepness_52);
-    let y3 = Vec3 { x: mul(rising_51.x, e_62), y: mul(rising_51.y, e_62), z: mul(rising_51.z, e_62) };
+    let rising_13 = covector(r, at_a0, Vec3 { x: mul(e_10.x, splat(e_11.x)), y: mul(e_10.y, splat(e_11.y)), z: mul(e_10.z, splat(e_11.z)) });
+    let steepness_14 = sqrt(add(add(mul(rising_13.x, rising_13.x), mul(rising_13.y, rising_13.y)), mul(rising_13.z, rising_13.z)));
+    both_v0 = and(gt(steepness_14, splat(0.0f32)), lt(steepness_14, splat(3e38f32)));
+    let e_22 = both_v0;
+    let c2 = e_22;
+    let e_24 = div(splat((-1.0f32)), steepness_14);
+    let y3 = Vec3 { x: mul(rising_13.x, e_24), y: mul(rising_13.y, e_24), z: mul(rising_13.z, e_24) };
     ret = Vec3 { x: sel(and(ex, c2), y3.x, ret.x), y: sel(and(ex, c2), y3.y, ret.y), z: sel(and(ex, c2), y3.z, ret.z) };
     ex = and_not(ex, c2);
     let y4 = Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z };
@@ -4687,9 +4975,13 @@ lanes! { fn field_normals_stage(r: &Resources<'_>, within: M, at_a0: &Entered, h
             let e_13 = field_heights_normals(r, ex, at_a0, hit_a1, view_a2, r.surface_settings.choices[4].params);
             return e_13;
         }
-        _ => {
+        1u32 => {
             let e_19 = field_volume_normals(r, ex, at_a0, hit_a1, view_a2, r.surface_settings.choices[4].params);
             return e_19;
+        }
+        _ => {
+            let e_25 = field_motif_normals(r, ex, at_a0, hit_a1, view_a2, r.surface_settings.choices[4].params);
+            return e_25;
         }
     }
 } }

@@ -56,8 +56,8 @@ pub enum Role {
     NearSurface,
     /// An object: the solid that its images show.
     Object(ObjectRole),
-    /// A field that is a volume, and no heights.
-    Volume,
+    /// A field that shows other solids than heights.
+    Field(Solids),
     /// A level of detail in which relief is flatter with distance.
     Flattened,
     /// A search or a refinement: the paths that it serves.
@@ -191,9 +191,12 @@ impl Entry {
         }
     }
 
-    /// Whether it is a volume as a field.
-    pub const fn is_volume(&self) -> bool {
-        matches!(self.role, Role::Volume)
+    /// Returns what it shows as a field: heights for all other variants.
+    pub const fn field(&self) -> Solids {
+        match self.role {
+            Role::Field(solids) => solids,
+            _ => Solids::Heights,
+        }
     }
 
     /// Whether it is a level of detail in which relief is flatter with distance.
@@ -205,7 +208,7 @@ impl Entry {
     pub const fn tracing(&self) -> TracingRole {
         match self.role {
             Role::Tracing(tracing) => tracing,
-            Role::Idle => TracingRole { solids: Solids::Both, ..TracingRole::PLAIN },
+            Role::Idle => TracingRole { solids: Solids::All, ..TracingRole::PLAIN },
             _ => TracingRole::PLAIN,
         }
     }

@@ -3,6 +3,7 @@
 
 use relief_core::registry::{Publication, UnknownName};
 
+use crate::field::Solids;
 use crate::object::BLENDED_COLORS;
 use crate::slice::SliceDirection;
 use crate::stages::{GEOMETRY, SEARCH, STAGES, entry_place};
@@ -39,6 +40,8 @@ pub enum Family {
     Object,
     /// Rays into a volume on a base.
     Volume,
+    /// Rays into a motif that a base repeats.
+    Motif,
 }
 
 impl Family {
@@ -49,12 +52,13 @@ impl Family {
             Family::Slices => "slices",
             Family::Object => "object",
             Family::Volume => "volume",
+            Family::Motif => "motif",
         }
     }
 }
 
 impl Method {
-    /// Whether it shows height maps on meshes, and neither objects of images nor volumes.
+    /// Whether it shows height maps on meshes, and and no objects of images, volumes or motifs.
     pub fn is_of_reliefs(&self) -> bool {
         matches!(self.family(), Family::Ray | Family::Slices)
     }
@@ -62,8 +66,10 @@ impl Method {
     /// Returns the family that it belongs to.
     pub fn family(&self) -> Family {
         let search = STAGES[SEARCH].first(|entry| entry.name == self.search);
-        if search.is_some_and(|(_, entry)| !entry.tracing().solids.has_heights()) {
-            return Family::Volume;
+        match search.map(|(_, entry)| entry.tracing().solids) {
+            Some(Solids::Volumes) => return Family::Volume,
+            Some(Solids::Motifs) => return Family::Motif,
+            _ => {}
         }
         let geometry = STAGES[GEOMETRY].first(|entry| entry.name == self.geometry);
         geometry.map_or(Family::Ray, |(_, entry)| entry.geometry().family)
@@ -247,6 +253,14 @@ pub static METHODS: &[Method] = &[
         DEFAULTS,
         "5.2",
         "volumes that light shines through: absorption, scattering and shadows on themselves",
+    ),
+    survey(
+        "shell-map",
+        "shell-map",
+        "none",
+        DEFAULTS,
+        "5.2",
+        "shell maps: the triangles of a motif, such as links of mail, in the shells of a mesh",
     ),
     survey(
         "generalised",

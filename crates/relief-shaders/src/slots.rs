@@ -17,7 +17,7 @@ pub enum MapSlot {
     Environment,
     /// The shadow maps.
     Lights,
-    /// The images of an object.
+    /// The images of an object, or the tree of a motif.
     Object,
 }
 
@@ -72,7 +72,7 @@ impl MapSlot {
             MapSlot::Ambient => "the baked map of ambient light",
             MapSlot::Environment => "the environment map, the faces of a cube as layers",
             MapSlot::Lights => "shadow maps, a layer for each: near / (near + depth)",
-            MapSlot::Object => "the views of an object's images, a row for each",
+            MapSlot::Object => "the views of an object's images, a row for each; or the tree of a motif",
         }
     }
 

@@ -1,7 +1,7 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
 //! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `loaders`, `look`,
 //! `looks`, `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`,
-//! `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace`, `units`, `view-dependent` and
+//! `shell-map`, `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace`, `units`, `view-dependent` and
 //! `volumes`. Results are kept
 //! in `docs/measurements/`.
 
@@ -83,6 +83,8 @@ enum Command {
     Detail(detail::Arguments),
     /// Memory, preparation and rays a second of shells, beside Embree over as many triangles as they show
     Embree(embree::Arguments),
+    /// Rays to a motif in shells beside Embree over the same motif as triangles: memory, preparation, rays a second
+    ShellMap(embree::links::Arguments),
     /// Time of a second frame beside a whole rendering, and what it uploads and compiles
     Frame(frame::Arguments),
     /// Readers, bakes and the mesher over seeded changes of valid inputs: fails where one panics
@@ -152,6 +154,7 @@ fn main() -> ExitCode {
         Command::Cracks(arguments) => cracks::run(&arguments),
         Command::Detail(arguments) => detail::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Embree(arguments) => embree::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::ShellMap(arguments) => embree::links::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Ground(arguments) => ground::run(&arguments),

@@ -11,6 +11,7 @@ use relief_core::rng::Rng;
 use relief_core::{Lanes, Path, Volume, Wrap};
 use relief_mesh::motif::MotifKind;
 use relief_shaders::Selection;
+use relief_shaders::field::Solids;
 use relief_testing::volumes;
 use relief_tests::volume_rays::{baked, hits_over, motif_volume, parts_off, paths, ray_from_above, wrong};
 
@@ -138,7 +139,7 @@ fn methods(rays: usize) -> Result<(), String> {
 /// A method's row over a motif. Bakes use all cores, rays one.
 fn row_of(volume: &Volume, paths: &[Path], search: &str, refine: &str) -> Result<Vec<String>, String> {
     let pair = Selection::pair(search, refine).map_err(|error| error.to_string())?;
-    let selection = pair.with_volume(true).with_volume_size(volume.size());
+    let selection = pair.with_solids(Solids::Volumes).with_volume_size(volume.size());
     let started = Instant::now();
     let maps = baked(volume, &selection);
     let bake_s = started.elapsed().as_secs_f64();

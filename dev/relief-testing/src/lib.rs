@@ -6,6 +6,7 @@ pub mod displaced;
 pub mod judge;
 pub mod maps;
 pub mod mesh_distance;
+pub mod motifs;
 pub mod outline;
 pub mod probes;
 pub mod rays;

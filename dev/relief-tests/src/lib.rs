@@ -11,6 +11,7 @@ pub mod curved;
 pub mod detail;
 pub mod exported;
 pub mod glb;
+pub mod motif_rays;
 pub mod object_pictures;
 pub mod objects;
 pub mod one_source;

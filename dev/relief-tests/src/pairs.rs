@@ -3,6 +3,7 @@
 
 use relief_core::Path;
 use relief_core::registry::{Guarantee, RayClass};
+use relief_shaders::field::Solids;
 use relief_shaders::{Selection, refine, search};
 
 /// Every pair that makes sense over heights, with default parameters.
@@ -14,7 +15,7 @@ pub fn all() -> impl Iterator<Item = Selection> {
     let names = search::ENTRIES.iter().flat_map(|a| refine::ENTRIES.iter().map(move |b| (a.name, b.name)));
     names
         .map(|(search, refine)| Selection::pair(search, refine).unwrap_or_else(|error| panic!("{error}")))
-        .filter(|pair| pair.check_pair().is_ok() && !pair.has_volume())
+        .filter(|pair| pair.check_pair().is_ok() && pair.solids() == Solids::Heights)
 }
 
 /// The pairs that promise the exact answer for a class of rays.

@@ -10,6 +10,7 @@ use relief_maps::Maps;
 use relief_mesh::motif::{MotifKind, MotifSettings, motif};
 use relief_shaders::Selection;
 use relief_shaders::cpu::MethodTracer;
+use relief_shaders::field::Solids;
 
 /// The volume of a motif with its default settings.
 pub fn motif_volume(kind: MotifKind, size: [u32; 3]) -> Volume {
@@ -82,7 +83,7 @@ pub fn wrong(volume: &Volume, paths: &[Path], hits: &[Hit]) -> usize {
 
 /// The maps that a method reads over a volume.
 pub fn baked(volume: &Volume, selection: &Selection) -> Vec<Arc<BakedMap>> {
-    let selection = selection.with_volume(true).with_volume_size(volume.size());
+    let selection = selection.with_solids(Solids::Volumes).with_volume_size(volume.size());
     let provided = Maps::in_memory().provide(&selection, volume.atlas(), Metric::UNIT, &Watch::none());
     provided.expect("maps").into_parts().0.into_iter().map(|(_, map)| map).collect()
 }

@@ -10,6 +10,7 @@ use relief_core::Watch;
 use relief_io::{PngColour, write_png8};
 use relief_scene::{Look, SceneSpec, Surface};
 use relief_shaders::cpu::{Mark, MethodTracer};
+use relief_shaders::field::Solids;
 use relief_shaders::{DETAIL, Entry, GEOMETRY, METHODS, REFINE, SEARCH, STAGES, Selection};
 use serde_json::{Value, json};
 
@@ -242,8 +243,9 @@ impl Arguments {
         if surface.object().is_some() {
             return Err(Failure::usage("a depth object: only methods over height maps are drawn"));
         }
-        if surface.volume().is_some() {
-            return Err(Failure::usage("a volume: only methods over height maps are drawn"));
+        if surface.solids() != Solids::Heights {
+            let shown = surface.solids().in_words();
+            return Err(Failure::Usage(format!("{shown}: only methods over height maps are drawn")));
         }
         let selection = surface.selection();
         if selection.geometry().is_some() {

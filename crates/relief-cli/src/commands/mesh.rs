@@ -10,7 +10,6 @@ mod refused;
 mod report;
 mod settings;
 mod texture_set;
-mod vectors;
 mod write;
 
 use std::path::{Path, PathBuf};
@@ -26,14 +25,15 @@ use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, Mesher, Seams, Shading,
     Side, View,
 };
+use relief_scene::motif::VectorAxes;
 use relief_scene::{MeshChoice, NO_MAP, Scene, SceneSpec, Surface, SurfaceSpec, read_scene};
+use relief_shaders::field::Solids;
 
 use self::accuracy::Tolerance;
 use self::baked_maps::MeshMap;
 use self::ground::Metres;
 use self::level_filter::LevelFilter;
 use self::refused::COARSER;
-use self::vectors::Axes;
 use self::write::Source;
 use super::lengths;
 use super::maps::{self, By, HeightArguments};
@@ -85,8 +85,8 @@ pub struct Arguments {
     /// What R, G and B of a vector displacement map are: tnb, tangent, normal, bitangent, as Mudbox
     /// and Blender's node take them; or tbn, tangent, bitangent, normal, as in Blender's brushes.
     /// Bitangents point up in the map [default: tnb]
-    #[arg(long, value_enum, value_name = "tnb|tbn", help_heading = "Maps and mesh")]
-    axes: Option<Axes>,
+    #[arg(long, value_name = "tnb|tbn", help_heading = "Maps and mesh")]
+    axes: Option<VectorAxes>,
     /// Mesh to write: GLB, PLY and OBJ in metres with y up, STL in millimetres with z up; - for
     /// standard output
     #[arg(short, long, value_name = "FILE.glb|ply|obj|stl")]
@@ -444,8 +444,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             "the surface is a depth object, which has no height map on a mesh: give a height map",
         ));
     }
-    if surface.volume().is_some() {
-        return Err(Failure::usage("the surface is a volume, which is no height map: give a height map"));
+    if surface.solids() != Solids::Heights {
+        let shown = surface.solids().in_words();
+        return Err(Failure::Usage(format!(
+            "the surface is {shown}, which is no height map: give a height map"
+        )));
     }
     drop(scene);
     let surface = metres.applied(arguments, surface)?;

@@ -297,10 +297,10 @@ fn shadows(spec: &mut SceneSpec) -> Result<Vec<Choice>, Failure> {
 
 /// Adds the sample map to a description without a map.
 pub fn sample(spec: &mut SceneSpec) -> Result<Option<TempDir>, Failure> {
-    let has_map = spec
-        .each_surface()
-        .iter()
-        .any(|surface| surface.height.is_some() || surface.volume.is_some() || surface.textures.is_some());
+    let has_map = spec.each_surface().iter().any(|surface| {
+        let SurfaceSpec { height, volume, motif, textures, .. } = surface;
+        [height, volume, motif, textures].into_iter().any(Option::is_some)
+    });
     if has_map || !spec.surfaces.is_empty() {
         return Ok(None);
     }

@@ -7,17 +7,14 @@ use std::time::Instant;
 
 use clap::Args;
 use relief_core::mesh::MeshBlock;
-use relief_io::{GlbLayout, GlbNode, MeshCounts, MeshFormat, MeshSink, read_node_extras, write_glb};
+use relief_io::{GlbLayout, GlbNode, MOTIF_EXTRAS, MeshCounts, MeshFormat, MeshSink, write_glb};
 use relief_mesh::motif::{Motif, MotifKind, MotifSettings, motif};
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::streams::{Files, Written, tell_written};
 use crate::{interrupt, values};
-
-/// Name of the entry in a GLB's extras that says that its mesh lies in the space of a tile.
-const EXTRAS: &str = "motif";
 
 /// Most triangles of a motif: they take 1 GiB of memory.
 const MOST_TRIANGLES: u64 = 1 << 23;
@@ -78,20 +75,6 @@ const AFTER_HELP: &str = "Examples:\n  relief motif mail -o mail.glb\n  \
     closed: each edge has two triangles. The extras of its node say that it is a motif, and how deep it is in tiles; \
     `relief volume` reads them.";
 
-/// Returns the depth of a motif's heights in tiles, as its file says; none for other meshes.
-pub fn depth_in(path: &Path, max_bytes: u64) -> Result<Option<f64>, Failure> {
-    let found = read_node_extras(path, EXTRAS, max_bytes);
-    let Some(text) = found.map_err(Failure::of_mesh)? else { return Ok(None) };
-    let value: Option<Value> = serde_json::from_str(&text).ok();
-    let depth = value.and_then(|value| value.get("depth")?.as_f64());
-    let depth = depth.filter(|depth| *depth > 0.0 && *depth <= 1e6);
-    let wrong = || {
-        let name = path.display();
-        Failure::Work(format!("{name}: extras.{EXTRAS} of its node is {text}: it needs a depth above 0"))
-    };
-    depth.map(Some).ok_or_else(wrong)
-}
-
 /// Makes the motif and writes it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
@@ -108,7 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     MeshFormat::Gltf.check(counts).map_err(Failure::work)?;
     let extras = json!({ "kind": settings.kind.name(), "depth": depth });
     let layout = GlbLayout {
-        node: GlbNode { extras: BTreeMap::from([(EXTRAS, extras.to_string())]), ..GlbNode::default() },
+        node: GlbNode { extras: BTreeMap::from([(MOTIF_EXTRAS, extras.to_string())]), ..GlbNode::default() },
         ..GlbLayout::of(counts)
     };
     let cancel = interrupt::catch()?;

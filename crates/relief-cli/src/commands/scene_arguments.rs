@@ -8,6 +8,7 @@ use relief_core::ByteSize;
 use relief_io::{GreenSign, decode_text};
 use relief_scene::background::Background;
 use relief_scene::depth_buffer::Clip;
+use relief_scene::motif::VectorAxes;
 use relief_scene::tone::Tone;
 use relief_scene::{
     BackendChoice, BaseThickness, LightDirection, LightSpec, Look, MeshChoice, PictureSize, ProjectionChoice,
@@ -18,6 +19,7 @@ use relief_shaders::METHODS;
 
 use super::maps::HeightArguments;
 use super::material_arguments::MaterialArguments;
+use super::motif::missing_motif;
 use super::placement::PlacementArguments;
 use super::stages::StageArguments;
 use crate::failure::Failure;
@@ -95,6 +97,26 @@ pub struct SceneArguments {
     /// Volume to render instead of a height map: a KTX2 file of `relief volume`
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", conflicts_with_all = ["height", "object"])]
     volume: Option<PathBuf>,
+    /// Motif to render instead of a height map: a mesh of `relief motif`, or another closed mesh in a tile, which
+    /// repeats on --mesh. x and z are 0 to 1 along the tile, y is the height from 0 to 1. Or a vector displacement
+    /// map (EXR, PNG or TIFF with R, G and B), whose vectors of length 1 are as long as --scale, or as a tile
+    #[arg(
+        long,
+        value_name = "FILE",
+        help_heading = "Maps and mesh",
+        conflicts_with_all = ["height", "volume", "object"]
+    )]
+    motif: Option<PathBuf>,
+    /// What R, G and B of a vector displacement map are: tnb, tangent, normal, bitangent; or tbn,
+    /// tangent, bitangent, normal, as in Blender's brushes [default: tnb]
+    #[arg(
+        long,
+        value_name = "tnb|tbn",
+        help_heading = "Maps and mesh",
+        requires = "motif",
+        hide_short_help = true
+    )]
+    axes: Option<VectorAxes>,
     /// Depth object to render instead of a height map on a mesh: an object.toml of `relief capture`
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", conflicts_with = "height")]
     object: Option<PathBuf>,
@@ -317,6 +339,7 @@ impl SceneArguments {
                  -o NAME.ktx2`, and give that"
             )));
         }
+        self.check_motif()?;
         let Some(path) = &self.scene else { return Ok(self.flags()) };
         let kind = FileKind::of(path)?;
         let named = match kind {
@@ -325,16 +348,20 @@ impl SceneArguments {
                 return Ok(scene.map_err(of_scene)?.overridden_by(self.flags()));
             }
             FileKind::Object | FileKind::HeightMap | FileKind::Volume => {
-                self.object.is_some() || self.height.is_some() || self.volume.is_some()
+                [&self.object, &self.height, &self.volume, &self.motif].into_iter().any(Option::is_some)
             }
             FileKind::Mesh => self.object.is_some() || self.placement.mesh.is_some(),
             FileKind::Textures => self.object.is_some() || self.material.names_textures(),
         };
         if named {
-            let flag = kind.flag();
+            let (flag, file) = (kind.flag(), path.display());
+            let motif = if kind == FileKind::Mesh {
+                format!("; a mesh that repeats on another is given with --motif {file}")
+            } else {
+                String::new()
+            };
             return Err(Failure::Usage(format!(
-                "{} is read as {flag}, and another flag names the surface, too: leave one of them out",
-                path.display()
+                "{file} is read as {flag}, and another flag names the surface, too: leave one of them out{motif}"
             )));
         }
         let mut spec = self.flags();
@@ -350,13 +377,32 @@ impl SceneArguments {
 
     /// Returns the files that may be standard input.
     pub fn files(&mut self) -> Vec<&mut PathBuf> {
-        let Self { scene, height, volume, color, ramp, normal, material, environment, .. } = self;
-        let files = [scene, height, volume, color, normal, environment].into_iter().flatten();
+        let Self { scene, height, volume, motif, color, ramp, normal, material, environment, .. } = self;
+        let files = [scene, height, volume, motif, color, normal, environment].into_iter().flatten();
         let ramp = ramp.iter_mut().filter_map(|ramp| match ramp {
             RampChoice::File(path) => Some(path),
             RampChoice::Builtin(_) => None,
         });
         files.chain(ramp).chain(material.files()).collect()
+    }
+
+    /// Refuses what is no motif's file.
+    fn check_motif(&self) -> Result<(), Failure> {
+        let Some(motif) = &self.motif else { return Ok(()) };
+        if let Some(missing) = missing_motif(motif) {
+            return Err(missing);
+        }
+        let file = motif.display();
+        match FileKind::of(motif)? {
+            FileKind::Mesh | FileKind::HeightMap => Ok(()),
+            FileKind::Volume => {
+                Err(Failure::Usage(format!("--motif: {file} is a volume: give it with --volume")))
+            }
+            _ => Err(Failure::Usage(format!(
+                "--motif: {file} is neither a mesh nor a vector displacement map: give a GLB, OBJ, PLY or STL file, or an \
+                 EXR; `relief motif` makes meshes"
+            ))),
+        }
     }
 
     /// Returns the scene file, if the file that is shown is one.
@@ -375,9 +421,10 @@ impl SceneArguments {
             (Some(scene), ..) => scene.display().to_string(),
             (None, Some(height), _) => format!("--height {}", height.display()),
             (None, None, Some(object)) => format!("--object {}", object.display()),
-            (None, None, None) => match &self.volume {
-                Some(volume) => format!("--volume {}", volume.display()),
-                None => "--height MAP".to_owned(),
+            (None, None, None) => match (&self.volume, &self.motif) {
+                (Some(volume), _) => format!("--volume {}", volume.display()),
+                (None, Some(motif)) => format!("--motif {}", motif.display()),
+                (None, None) => "--height MAP".to_owned(),
             },
         }
     }
@@ -399,6 +446,8 @@ impl SceneArguments {
         let surface = SurfaceSpec {
             height: self.height.clone(),
             volume: self.volume.clone(),
+            motif: self.motif.clone(),
+            axes: self.axes,
             object: self.object.clone(),
             holes: given(self.holes),
             creases: given(self.creases),

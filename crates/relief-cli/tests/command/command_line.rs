@@ -211,15 +211,17 @@ fn every_listed_name_renders() {
         json_of(&folder.relief(&format!("render {of} {SMALL} --json {flags}")).fine())
     };
     folder.relief("volume sponge --size 16x16x16 -q -o sponge.ktx2").fine();
+    folder.relief("motif mail --detail 4 -q -o mail.glb").fine();
     for method in listed["methods"].as_array().expect("a list") {
         let name = method["name"].as_str().expect("a name");
         let (of, other) = match method["family"].as_str() {
             Some("object") => ("--object cube/object.toml", "--height map.png"),
             Some("volume") => ("--volume sponge.ktx2", "--height map.png"),
+            Some("motif") => ("--motif mail.glb", "--height map.png"),
             _ => ("--height map.png", "--object cube/object.toml"),
         };
         let about = render_of(of, &format!("--method {name}"));
-        // An object or a volume is no relief, nor a relief an object.
+        // An object, a volume or a motif is no relief, nor a relief an object.
         let refused = folder.relief(&format!("render {other} {SMALL} --method {name}"));
         assert!(refused.code == Some(2) && refused.stderr.contains("method"), "{refused:?}");
         let surface = &about["surfaces"][0];
@@ -231,8 +233,11 @@ fn every_listed_name_renders() {
         let [search, refine] = ["search", "refine"].map(|key| pair[key].as_str().expect("a name"));
         let flags = format!("--search {search} --refine {refine}");
         let Some(reason) = pair["refused"].as_str() else {
-            let is_of_volumes = ["voxels", "generalised", "translucent"].contains(&search);
-            let of = if is_of_volumes { "--volume sponge.ktx2" } else { "--height map.png" };
+            let of = match search {
+                "voxels" | "generalised" | "translucent" => "--volume sponge.ktx2",
+                "shell-map" => "--motif mail.glb",
+                _ => "--height map.png",
+            };
             let about = render_of(of, &flags);
             assert!(about["covered"].as_u64() > Some(50), "{about}");
             continue;

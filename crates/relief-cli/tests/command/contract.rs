@@ -253,8 +253,10 @@ fn every_method_shows_points_of_the_surface() {
     let methods: serde_json::Value = serde_json::from_str(&methods).expect("JSON");
     let methods = methods["methods"].as_array().expect("a list of methods");
     assert!(methods.len() >= 11);
-    // Objects of images and volumes have no height map.
-    let has_none = |method: &&serde_json::Value| method["family"] == "object" || method["family"] == "volume";
+    // Objects of images, volumes and motifs have no height map.
+    let has_none = |method: &&serde_json::Value| {
+        ["object", "volume", "motif"].into_iter().any(|family| method["family"] == family)
+    };
     for method in methods.iter().filter(|method| !has_none(method)) {
         let name = method["name"].as_str().expect("a name");
         let aov = render(&folder, &view, &relief, &format!("--method {name}"));

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::common::aov::Aov;
 use crate::common::command::json_of;
 use crate::common::files::exr;
 use crate::common::refused::{assert_refused, with_out};
@@ -112,6 +113,35 @@ fn a_vector_displacement_map_is_a_motif() {
 }
 
 #[test]
+fn a_motif_is_rendered_as_its_triangles_are() {
+    let folder = with_out();
+    folder.relief("motif mail --links 1 --detail 4 -o mail.glb").fine();
+    // Not so deep that shells fold.
+    let place = "--motif mail.glb --mesh torus --tile 12,4 --scale 0.05";
+    folder.relief(&format!("mesh {place} -o forward.glb"));
+    let look = "--eye 0.9,1.2,1.3 --target 0,0,0 --size 96x72 --samples 1 --backend cpu -q";
+    folder.relief(&format!("render {place} {look} -o a.png --aov a.exr")).fine();
+    folder.relief(&format!("render --mesh forward.glb {look} -o b.png --aov b.exr"));
+    let [rays, triangles] = ["a.exr", "b.exr"].map(|name| Aov::read(&folder.path(name)));
+    let [rays, triangles] = [&rays, &triangles].map(|aov| aov.plane("hit"));
+    let seen = rays.iter().filter(|hit| **hit > 0.0).count();
+    let other = rays.iter().zip(triangles).filter(|(a, b)| (**a > 0.0) != (**b > 0.0)).count();
+    assert!(seen > 1_000 && other * 200 < rays.len(), "{seen} seen, {other} otherwise");
+    // A scene file says the same.
+    folder.write("a.toml", "motif = \"mail.glb\"\nmesh = \"torus\"\ntile = [12, 4]\nscale = 0.05\n");
+    folder.relief(&format!("render a.toml {look} -o c.png")).fine();
+    let [a, c] = ["a.png", "c.png"].map(|name| std::fs::read(folder.path(name)).expect("a picture"));
+    assert!(a == c);
+    // Vectors move a sheet, and are as long as a tile where no scale says more.
+    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/mushrooms.exr");
+    let line = format!("render --motif {data} --mesh torus --tile 12,4 {look}");
+    folder.relief(&format!("{line} -o d.png")).fine();
+    folder.relief(&format!("{line} --axes tbn --scale 5cm -o e.png")).fine();
+    let [d, e] = ["d.png", "e.png"].map(|name| std::fs::read(folder.path(name)).expect("a picture"));
+    assert!(d != e);
+}
+
+#[test]
 fn what_is_unusual_is_said() {
     let folder = with_out();
     folder.relief("motif grass --blades 4 -o grass.glb").fine();
@@ -131,6 +161,7 @@ fn what_cannot_be_a_motif_is_refused() {
     let folder = with_out();
     folder.relief("motif mail --detail 4 -o mail.glb").fine();
     folder.write("h.pgm", "P2 2 1 255 51 255");
+    folder.relief("volume sponge --size 8x8x8 -o sponge.ktx2").fine();
     folder.write("cut.glb", &std::fs::read(folder.path("mail.glb")).expect("a file")[..300]);
     folder.write("v.exr", exr([2, 1], &[("R", vec![0.0; 2]), ("G", vec![0.0, 5.0]), ("B", vec![0.0; 2])]));
     folder.write("grey.exr", exr([2, 1], &["R", "G", "B"].map(|name| (name, vec![0.25, 0.5]))));
@@ -153,6 +184,32 @@ fn what_cannot_be_a_motif_is_refused() {
         ("mesh --motif normals.exr -o out/a.glb", 1, &["normals.exr", "normal map"]),
         ("mesh --motif out -o out/a.glb", 2, &["--motif", "folder"]),
         ("render --volume mail.glb -o out/a.png", 2, &["--volume", "relief volume"]),
+        ("render --motif mail -o out/a.png", 2, &["relief motif mail"]),
+        ("render --motif no.glb -o out/a.png", 1, &["no.glb"]),
+        ("render --motif cut.glb -o out/a.png", 1, &["cut.glb"]),
+        ("render --motif sponge.ktx2 -o out/a.png", 2, &["--motif", "--volume"]),
+        ("render --motif far.obj -o out/a.png", 1, &["far.obj", "16 tiles"]),
+        ("render --motif above.obj -o out/a.png", 1, &["above.obj", "heights"]),
+        ("render --motif grey.exr -o out/a.png", 1, &["grey.exr", "height map", "--motif"]),
+        ("render --motif h.pgm -o out/a.png", 1, &["h.pgm", "--motif"]),
+        ("render --motif normals.exr -o out/a.png", 1, &["normals.exr", "normal map"]),
+        ("render --motif v.exr --scale 9 -o out/a.png", 1, &["v.exr", "(1, 0)", "--scale"]),
+        ("render --motif mail.glb --axes tbn -o out/a.png", 1, &["mail.glb", "--axes"]),
+        ("render h.pgm --axes tbn -o out/a.png", 2, &["--motif"]),
+        ("render h.pgm --motif mail.glb -o out/a.png", 2, &["h.pgm"]),
+        ("render --height h.pgm --motif mail.glb -o out/a.png", 2, &["--motif"]),
+        ("render --motif mail.glb --wrap clamp -o out/a.png", 2, &["wrap", "repeats"]),
+        ("render --motif mail.glb --scale 0 -o out/a.png", 2, &["scale"]),
+        ("render --motif mail.glb --normal h.pgm -o out/a.png", 2, &["normal"]),
+        ("render --motif mail.glb --method relief -o out/a.png", 2, &["'shell-map'"]),
+        ("render --motif mail.glb --method voxels -o out/a.png", 2, &["'shell-map'"]),
+        ("render h.pgm --method shell-map -o out/a.png", 2, &["give a motif"]),
+        ("render --motif mail.glb --surface prism -o out/a.png", 2, &["prism", "tetrahedra"]),
+        ("render --motif mail.glb --refine binary -o out/a.png", 2, &["search"]),
+        ("render --motif mail.glb --shadow horizon -o out/a.png", 2, &["horizon", "a motif"]),
+        ("render --motif mail.glb --max-memory 1MiB -o out/a.png", 1, &["--max-memory"]),
+        ("compare --motif mail.glb -o out/a.html", 1, &["a motif"]),
+        ("explain --motif mail.glb -o out/a.svg", 2, &["a motif"]),
         ("mesh --motif v.exr --axes xyz -o out/a.glb", 2, &["--axes", "tnb"]),
         ("mesh --motif v.exr --scale 9 -o out/a.glb", 1, &["v.exr", "(1, 0)", "--scale"]),
         ("mesh --motif wide.exr --max-memory 1200KiB -o out/a.glb", 1, &["wide.exr", "--max-memory"]),

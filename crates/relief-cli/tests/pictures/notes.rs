@@ -137,6 +137,23 @@ const FEEDS: &[Feed] = &[
         painted(folder, "", "", "");
         "render --mesh a.gltf --tile 2,2 --backend cpu --size 32x24 -o out.png"
     }),
+    ("beyond-motif", |folder| {
+        folder.write("a.obj", "v 0 0.5 0\nv 1 0.5 0\nv 0 1.5 1\nf 1 2 3\n");
+        "render --motif a.obj --backend cpu --size 32x24 -o out.png"
+    }),
+    ("folded-shells", |folder| {
+        folder.write("a.obj", "v 0 0.5 0\nv 1 0.5 0\nv 0 0.6 1\nf 1 2 3\n");
+        "render --motif a.obj --mesh sphere --bias -1 --scale 3 --backend cpu --size 32x24 -o out.png"
+    }),
+    ("open-motif", |folder| {
+        folder.write("a.obj", "v 0 0.5 0\nv 1 0.5 0\nv 0 0.6 1\nf 1 2 3\n");
+        "render --motif a.obj --backend cpu --size 32x24 -o out.png"
+    }),
+    ("coarse-vectors", |folder| {
+        let path = folder.path("v.png");
+        relief_io::write_png8(&path, 1, 1, relief_io::PngColour::Rgb, &[128, 200, 128]).expect("written");
+        "render --motif v.png --backend cpu --size 32x24 -o out.png"
+    }),
     ("unwritten-materials", |folder| {
         painted(folder, "", "", "");
         "mesh map.png --mesh a.gltf -o out.stl"

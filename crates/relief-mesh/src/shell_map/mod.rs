@@ -19,16 +19,18 @@ mod lattice;
 mod output;
 mod predicates;
 mod shell;
+mod tree;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 use relief_core::mesh::{Mesh, MeshError, RawMesh};
-use relief_core::{Cancelled, Watch};
+use relief_core::{Cancelled, MotifTreeError, Watch};
 
 use self::lattice::Lattice;
 use self::output::Output;
 use self::shell::Shell;
+pub use self::tree::{MotifForRays, motif_for_rays};
 
 /// Most tiles that one base triangle may span along `u` or `v`.
 pub const MAX_TILES_OF_A_TRIANGLE: u32 = 128;
@@ -99,6 +101,9 @@ pub enum ShellMapError {
         /// Tiles that it spans.
         tiles: u64,
     },
+    /// The motif makes no tree for rays.
+    #[error(transparent)]
+    Tree(#[from] MotifTreeError),
     /// The result is no mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -175,6 +180,22 @@ pub fn map_shells(
         }
     }
     Err(ShellMapError::Aligned)
+}
+
+/// Returns the triangles of a mesh whose shells fold between two lengths above it, in metres: they are deeper than
+/// the mesh is curved, so that a tetrahedron of theirs is turned inside out.
+///
+/// Triangles without an area in texture coordinates, and those that span too many tiles, are left out.
+pub fn folded_shells(base: &Mesh, lengths_m: [f64; 2]) -> Vec<u32> {
+    let welded = base.welded();
+    let folds = |triangle: &usize| {
+        let corners = base.triangles()[*triangle];
+        let vertices = corners.map(|corner| &base.vertices()[corner as usize]);
+        let numbers = corners.map(|corner| welded[corner as usize]);
+        let shell = Shell::new(*triangle, vertices, numbers, lengths_m);
+        matches!(shell, Ok(Some(shell)) if shell.is_folded())
+    };
+    (0..base.triangles().len()).filter(folds).map(|triangle| triangle as u32).collect()
 }
 
 /// Ways to move a motif that are tried.

@@ -98,6 +98,9 @@ impl JobBuilder<'_> {
         if let Some(object) = surface.object() {
             maps.push((MapSlot::Object, Arc::clone(object.images())));
         }
+        if let Some(motif) = surface.motif() {
+            maps.push((MapSlot::Object, Arc::clone(motif.map())));
+        }
         let slots = maps.iter().map(|(slot, map)| (*slot, &**map)).collect();
         let settings = {
             let pictures = [&color, &normal_map, &material_maps].map(Option::as_deref);

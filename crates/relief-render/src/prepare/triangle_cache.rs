@@ -6,6 +6,7 @@ use glam::Vec3;
 use relief_core::HeightMap;
 use relief_core::mesh::QuadricCoefficients;
 use relief_shaders::cpu::{Corner, Shell};
+use relief_shaders::field::Solids;
 use relief_shaders::surface::{Proposal, Shown};
 
 use super::displaced::corner;
@@ -41,8 +42,8 @@ struct ShellSource {
     levels: u32,
     /// Whether both sides of the mesh are visible.
     both: bool,
-    /// Whether the map holds the slices of a volume.
-    is_volume: bool,
+    /// Whether a volume or a motif is shown, and no heights.
+    is_solid: bool,
 }
 
 impl ShellSource {
@@ -51,7 +52,7 @@ impl ShellSource {
             && Arc::ptr_eq(&self.map, &other.map)
             && self.shell_m == other.shell_m
             && (self.lifted, self.levels, self.both) == (other.lifted, other.levels, other.both)
-            && self.is_volume == other.is_volume
+            && self.is_solid == other.is_solid
     }
 }
 
@@ -132,8 +133,8 @@ impl TriangleCache {
         }
         let (mesh, map) = (Arc::clone(mesh), Arc::clone(surface.height_map()));
         let (lifted, levels) = (selection.has_smooth_base(), selection.levels_of(&map));
-        let (both, is_volume) = (surface.two_sided(), selection.has_volume());
-        let of = ShellSource { mesh, map, shell_m, lifted, levels, both, is_volume };
+        let (both, is_solid) = (surface.two_sided(), selection.solids() != Solids::Heights);
+        let of = ShellSource { mesh, map, shell_m, lifted, levels, both, is_solid };
         let mut known = self.shells.iter().chain(&before.shells);
         let made = known.find(|(known, _)| known.is(&of)).map(|(_, made)| Arc::clone(made));
         let made = made.unwrap_or_else(|| shells(&of));
@@ -171,10 +172,10 @@ fn boxed(mesh: &Mesh, [bottom, top]: [f32; 2]) -> Arc<Triangles> {
 
 /// Returns the triangles of a mesh with their shells.
 fn shells(of: &ShellSource) -> Arc<Triangles> {
-    let ShellSource { mesh, map, shell_m, lifted, levels, both, is_volume } = of;
+    let ShellSource { mesh, map, shell_m, lifted, levels, both, is_solid } = of;
     let (welded, lifts) = (mesh.welded(), lifted.then(|| mesh.lifts()));
-    // A volume may be solid at any height.
-    let heights = (!is_volume).then(|| HeightsUnder::new(map, *levels));
+    // A volume or a motif may be solid at any height.
+    let heights = (!is_solid).then(|| HeightsUnder::new(map, *levels));
     let numbered = (0u32..).zip(mesh.triangles());
     let shells = numbered.map(|(number, corners)| {
         let places = Shell::places_of(corners.map(|corner| welded[corner as usize]));

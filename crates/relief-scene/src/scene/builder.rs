@@ -14,6 +14,7 @@ use crate::tone::Tone;
 use glam::{DVec3, Vec3};
 use relief_core::ByteSize;
 use relief_core::camera::{Camera, CameraError};
+use relief_shaders::field::Solids;
 use relief_shaders::{AMBIENT, STAGES, SelectionError};
 use std::sync::{Arc, LazyLock};
 
@@ -31,6 +32,9 @@ pub(super) const DEFAULT_METHOD_OF_OBJECTS: &str = "depth-object";
 
 /// Default method of volumes.
 pub(super) const DEFAULT_METHOD_OF_VOLUMES: &str = "voxels";
+
+/// Default method of motifs.
+pub(super) const DEFAULT_METHOD_OF_MOTIFS: &str = "shell-map";
 /// Default width and height in pixels.
 pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
 
@@ -360,10 +364,15 @@ impl SceneBuilder {
                     .map_err(|error| ValueProblem::from(error).of("object"))?,
                 (None, None) => {}
             }
-            match (surface.volume(), surface.selection().has_volume()) {
-                (None, true) => return Err(ValueProblem::NoVolume.of("method")),
-                (Some(_), false) => return Err(ValueProblem::Volume.of("method")),
-                _ => {}
+            match (surface.solids(), surface.selection().solids()) {
+                (has, shown) if has == shown => {}
+                (Solids::Volumes, _) => return Err(ValueProblem::Volume.of("method")),
+                (Solids::Motifs, _) => return Err(ValueProblem::Motif.of("method")),
+                (_, Solids::Motifs) => return Err(ValueProblem::NoMotif.of("method")),
+                _ => return Err(ValueProblem::NoVolume.of("method")),
+            }
+            if surface.motif().is_some() && surface.normal_map().is_some() {
+                return Err(ValueProblem::NormalsOfMotif.of("normal"));
             }
             if surface.volume().is_some() && surface.normal_map().is_some() {
                 return Err(ValueProblem::NormalsOfVolume.of("normal"));

@@ -6,11 +6,13 @@ use crate::environment::EnvironmentError;
 use crate::light::LightError;
 use crate::material::MaterialError;
 use crate::material_maps::MaterialMapError;
+use crate::motif::MotifFileError;
 use relief_core::camera::CameraError;
 use relief_core::mesh::MeshError;
-use relief_core::{ByteSize, HeightMapError, VolumeError};
+use relief_core::{ByteSize, HeightMapError, MotifTreeError, VolumeError, Wrap};
 use relief_io::{ReadError, TextureSetError};
 use relief_maps::MapsError;
+use relief_mesh::shell_map::ShellMapError;
 use relief_object::ObjectFileError;
 use relief_shaders::shadow::of_light_views;
 use relief_shaders::surface::Proposal;
@@ -104,6 +106,17 @@ pub enum SceneError {
     /// A volume cannot be read.
     #[error(transparent)]
     Volume(ReadError),
+    /// A motif cannot be read.
+    #[error(transparent)]
+    Motif(#[from] MotifFileError),
+    /// A motif cannot be shown.
+    #[error("{}: {source}", path.display())]
+    NoMotif {
+        /// Path of the motif.
+        path: PathBuf,
+        /// Description of the problem.
+        source: ShellMapError,
+    },
     /// An object cannot be read.
     #[error(transparent)]
     Object(#[from] ObjectFileError),
@@ -295,12 +308,28 @@ pub enum ValueProblem {
     NotTranslucent,
     /// A method for volumes is chosen for a height map.
     #[error(
-        "the method shows volumes, and the surface has a height map: give a volume (a KTX2 file), or choose another method"
+        "the method shows volumes, and the surface has none: give a volume (a KTX2 file), or choose another method"
     )]
     NoVolume,
-    /// A method for height maps is chosen for a volume.
-    #[error("the method shows height maps, and the surface has a volume: choose 'voxels'")]
+    /// A method for other surfaces is chosen for a volume.
+    #[error("the method shows no volumes, and the surface has one: choose 'voxels'")]
     Volume,
+    /// A method for motifs is chosen for another surface.
+    #[error(
+        "the method shows motifs, and the surface has none: give a motif (a mesh), or choose another method"
+    )]
+    NoMotif,
+    /// A method for other surfaces is chosen for a motif.
+    #[error("the method shows no motifs, and the surface has one: choose 'shell-map'")]
+    Motif,
+    /// A motif repeats, and nothing else.
+    #[error("is '{0}', and a motif repeats: leave it out")]
+    WrapOfMotif(Wrap),
+    /// A normal map is given for a motif.
+    #[error(
+        "is for height maps, and the surface has a motif, whose triangles give the normals: leave it out"
+    )]
+    NormalsOfMotif,
     /// A normal map is given for a volume.
     #[error("is for height maps, and the surface has a volume, whose field gives the normals: leave it out")]
     NormalsOfVolume,
@@ -322,6 +351,9 @@ pub enum ValueProblem {
     /// The displacement is invalid.
     #[error(transparent)]
     HeightMap(#[from] HeightMapError),
+    /// The motif is invalid.
+    #[error(transparent)]
+    MotifTriangles(#[from] MotifTreeError),
     /// The volume is invalid.
     #[error(transparent)]
     VolumeValues(#[from] VolumeError),

@@ -4,6 +4,7 @@ use glam::DVec3;
 use relief_core::mesh::Vertex;
 use relief_core::object::{EMPTY_HEIGHT, ImageObject};
 use relief_shaders::Selection;
+use relief_shaders::field::Solids;
 use relief_shaders::object::Solid;
 use relief_shaders::surface::Proposal;
 
@@ -175,8 +176,8 @@ fn points_of_surface(surface: &Surface) -> Vec<DVec3> {
     } else {
         !paths.shown.is_of_images() && selection.geometry().is_some()
     };
-    if lies_beside && surface.volume().is_some() {
-        // A volume may be solid at any height.
+    if lies_beside && surface.solids() != Solids::Heights {
+        // A volume or a motif may be solid at any height.
         let map = surface.height_map();
         let heights = [map.bias_m(), map.bias_m() + map.scale_m()];
         let vertices = mesh.vertices().iter();

@@ -1,6 +1,7 @@
 //! Table of all keys of scene files: type, default and meaning. It generates commented scene files
 //! and schemas for editors.
 
+use crate::motif::VectorAxes;
 use std::fmt::Write;
 
 use relief_core::Wrap;
@@ -95,6 +96,18 @@ pub fn keys() -> Vec<Key> {
             "file of the height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or raw",
         ),
         surface("volume", Form::Text, "", "file of a volume, KTX2, in place of a height map"),
+        surface(
+            "motif",
+            Form::Text,
+            "",
+            "file of a motif, in place of a height map: a mesh in a tile, or a vector displacement map",
+        ),
+        surface(
+            "axes",
+            Form::Name(VectorAxes::ALL.map(VectorAxes::name).to_vec()),
+            "",
+            "what red, green and blue of a vector displacement map are: tnb, tangent, normal, bitangent (default), or tbn",
+        ),
         surface("textures", Form::Text, "", "folder of a material's maps, recognised by their names"),
         surface("udim", Form::Whole, "", "UDIM tile whose maps are taken, from 1001 on"),
         surface("object", Form::Text, "", "file of a depth object, object.toml, in place of height and mesh"),
@@ -396,6 +409,8 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
     match key {
         "height" => path(&spec.height),
         "volume" => path(&spec.volume),
+        "motif" => path(&spec.motif),
+        "axes" => spec.axes.map(|axes| quoted(axes.name())),
         "object" => path(&spec.object),
         "textures" => path(&spec.textures),
         "udim" => spec.udim.map(|tile| tile.to_string()),

@@ -1,12 +1,13 @@
 //! Loading of surfaces: defaults, checks and files.
 
 use super::builder::{
-    AMBIENT_ENVIRONMENT, DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, DEFAULT_METHOD_OF_VOLUMES, of_selection,
+    AMBIENT_ENVIRONMENT, DEFAULT_METHOD, DEFAULT_METHOD_OF_MOTIFS, DEFAULT_METHOD_OF_OBJECTS,
+    DEFAULT_METHOD_OF_VOLUMES, of_selection,
 };
 use super::depth::depth_remark;
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::file_material::FileMaterials;
-use super::maps::{LoadedMesh, Maps};
+use super::maps::{LoadedMesh, LoadedMotif, Maps};
 use super::material_spec::{metallic_roughness, reads_materials};
 use super::metres::{MAX_METRES, check_metres};
 use super::normal_green::green_remark;
@@ -15,14 +16,17 @@ use super::surface_spec::environment;
 use super::walls::{triangles_of_walls, walls};
 use super::{BaseThickness, Look, MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
 use crate::material::{Material, ShadingModel};
-use glam::{Vec2, Vec3};
+use crate::motif::MotifOptions;
+use glam::{DVec3, Vec2, Vec3};
 use relief_core::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use relief_core::object::ImageObject;
-use relief_core::{HeightMap, Volume, Wrap};
+use relief_core::{HeightMap, MotifTree, TileTriangle, Volume, Wrap};
 use relief_io::{
     Convention, Fill, HeightOptions, HeightRange, MeshColors, MeshMaterial, Remark, VolumeFile, omissions,
 };
+use relief_mesh::shell_map::folded_shells;
 use relief_object::{ObjectFile, ObjectOptions};
+use relief_shaders::field::Solids;
 use relief_shaders::surface::{Proposal, Shown};
 use relief_shaders::{
     AMBIENT, DETAIL, Entry, GEOMETRY, REFINE, SEARCH, SHADE, SHADOW, SHADOW_SEARCH, STAGES, SURFACE,
@@ -118,6 +122,22 @@ impl SurfaceSpec {
         }
         if let Some(key) = self.key_of_heights().filter(|_| self.volume.is_some()) {
             return Err(ValueProblem::Excludes("volume").of(key));
+        }
+        if self.motif.is_some() {
+            if self.volume.is_some() {
+                return Err(ValueProblem::Excludes("motif").of("volume"));
+            }
+            if let Some(key) = self.key_of_heights() {
+                return Err(ValueProblem::Excludes("motif").of(key));
+            }
+            if let Some(wrap) = self.wrap.filter(|wrap| *wrap != Wrap::Repeat) {
+                return Err(ValueProblem::WrapOfMotif(wrap).of("wrap"));
+            }
+            if self.scale == Some(0.0) {
+                return Err(ValueProblem::Number { value: 0.0, must: "above 0" }.of("scale"));
+            }
+        } else if self.axes.is_some() {
+            return Err(ValueProblem::Needs("motif").of("axes"));
         }
         self.scale.map_or(Ok(()), check_scale)?;
         check_metres("bias", self.bias.as_slice())?;
@@ -254,6 +274,14 @@ impl SurfaceSpec {
             let problem = |problem: relief_core::HeightMapError| ValueProblem::from(problem).of("height");
             let flat = HeightMap::new(1, 1, vec![0.0], self.wrap.unwrap_or_default()).map_err(problem)?;
             let surface = self.with_heights(parts, flat)?;
+            if self.motif.is_some() {
+                let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
+                let triangle = TileTriangle { corners, normals: [Vec3::Z; 3] };
+                let motif =
+                    MotifTree::new(&[triangle]).map_err(|error| ValueProblem::from(error).of("motif"))?;
+                let (scale_m, bias_m) = (surface.height_map().scale_m(), surface.height_map().bias_m());
+                return surface.with_motif(motif, scale_m, bias_m).map_err(problem);
+            }
             if self.volume.is_none() {
                 return Ok(surface);
             }
@@ -315,9 +343,10 @@ impl SurfaceSpec {
             _ => parts.mesh,
         };
         let stated_m = map.stated_displacement_m();
-        // A volume keeps its proportions: in larger tiles it is as much deeper.
-        let stated_m = match (&self.volume, map.stated_tile_m()) {
-            (Some(_), Some([u, v])) => {
+        // A volume or a motif keeps its proportions: in larger tiles it is as much deeper.
+        let is_solid = self.volume.is_some() || self.motif.is_some();
+        let stated_m = match map.stated_tile_m() {
+            Some([u, v]) if is_solid => {
                 let [tile_u, tile_v] = mesh.tile_m();
                 let larger = (tile_u * tile_v / (u * v)).sqrt();
                 stated_m.map(|[low, high]| [larger * low, larger * high])
@@ -325,8 +354,9 @@ impl SurfaceSpec {
             _ => stated_m,
         };
         // The part of the scale that a volume lies above the surface. Heights of a given scale are carved.
-        let low = stated_m.filter(|[low, high]| self.volume.is_some() && high > low);
-        let low = low.map_or(-1.0, |[low, high]| low / (high - low));
+        let low = stated_m.filter(|[low, high]| is_solid && high > low);
+        let carved = if self.motif.is_some() { 0.0 } else { -1.0 };
+        let low = low.map_or(carved, |[low, high]| low / (high - low));
         let stated_m = stated_m.filter(|_| parts.scale_m.is_none());
         let of_mesh_alone = self.is_mesh_alone().then_some(0.0);
         let scale_m =
@@ -365,7 +395,8 @@ impl SurfaceSpec {
                 error => error,
             });
         }
-        if self.height.is_none() && self.volume.is_none() && !self.is_mesh_alone() {
+        let has_solid = self.volume.is_some() || self.motif.is_some();
+        if self.height.is_none() && !has_solid && !self.is_mesh_alone() {
             return Err(SceneError::NoHeightMap(number));
         }
         let of_number = |error: ValueError| error.of_surface(number);
@@ -416,10 +447,23 @@ impl SurfaceSpec {
             Some(path) => Some(maps.volume(path, self.wrap, &parts.selection)?),
             None => None,
         };
+        let motif = match &self.motif {
+            Some(path) => {
+                let (axes, tile_m, scale_m) = (self.axes, parts.mesh.tile_m(), parts.scale_m.take());
+                let motif =
+                    maps.motif(path, MotifOptions { axes, tile_m, scale_m, max_bytes: maps.left() })?;
+                parts.bias_m = parts.bias_m.map(|bias_m| bias_m + parts.exaggerate * motif.heights_m[0]);
+                Some(motif)
+            }
+            None => None,
+        };
         let map = match (&self.height, &volume) {
             (Some(path), _) => maps.height(path, options)?,
             (None, Some(volume)) => ground_of(volume).map_err(of_number)?,
-            (None, None) => level_map(of_file.as_ref().and_then(|(_, colors, _)| wrap_of_normals(colors)))?,
+            (None, None) => match &motif {
+                Some(motif) => ground_of_motif(motif.heights_m, parts.mesh.tile_m()).map_err(of_number)?,
+                None => level_map(of_file.as_ref().and_then(|(_, colors, _)| wrap_of_normals(colors)))?,
+            },
         };
         let splits = parts.selection.geometry().is_none();
         let has_own_color = self.has_own_color();
@@ -471,12 +515,20 @@ impl SurfaceSpec {
         if let Some(path) = &self.height {
             maps.remark(path, depth_remark(surface.height_map(), surface.metric()).into_iter().collect());
         }
+        if let Some(LoadedMotif { tree, .. }) = motif {
+            let (scale_m, bias_m) = (surface.height_map().scale_m(), surface.height_map().bias_m());
+            let shown = surface.with_motif(tree, scale_m, bias_m);
+            surface = shown.map_err(|error| of_number(ValueProblem::from(error).of("scale")))?;
+        }
         if let Some(VolumeFile { volume, .. }) = volume {
             let (scale_m, bias_m) = (surface.height_map().scale_m(), surface.height_map().bias_m());
             let volume = volume.with_displacement(scale_m, bias_m);
             let volume = volume.map_err(|error| of_number(ValueProblem::from(error).of("scale")))?;
             surface = surface.with_volume(volume);
             surface = self.with_extinction(surface, scale_m).map_err(of_number)?;
+        }
+        if let Some(path) = self.motif.as_ref().or(self.volume.as_ref()) {
+            maps.remark(path, folded_remark(&surface).into_iter().collect());
         }
         if let Some(path) = &self.color {
             surface = surface.with_color(maps.color(path)?);
@@ -513,7 +565,8 @@ impl SurfaceSpec {
 
     /// Returns whether the mesh of a file is shown without a height map.
     pub(super) fn is_mesh_alone(&self) -> bool {
-        let has_relief = self.height.is_some() || self.volume.is_some() || self.object.is_some();
+        let has_relief =
+            self.height.is_some() || self.volume.is_some() || self.motif.is_some() || self.object.is_some();
         !has_relief && matches!(self.mesh, Some(MeshChoice::File(_)))
     }
 
@@ -572,7 +625,7 @@ impl SurfaceSpec {
     fn selection(&self, samples: u32, context: &SceneContext) -> Result<Selection, ValueError> {
         if samples > 1 && !self.stages.contains_key(STAGES[DETAIL].key) {
             let selection = self.selection_in(Some(FOOTPRINT), context)?;
-            let has_levels = selection.object_cells().is_none() && !selection.has_volume();
+            let has_levels = selection.object_cells().is_none() && selection.solids() == Solids::Heights;
             if has_levels && selection.check_levels().is_ok() {
                 return Ok(selection);
             }
@@ -591,6 +644,7 @@ impl SurfaceSpec {
                 let default = match self.object {
                     Some(_) => DEFAULT_METHOD_OF_OBJECTS,
                     None if self.volume.is_some() => DEFAULT_METHOD_OF_VOLUMES,
+                    None if self.motif.is_some() => DEFAULT_METHOD_OF_MOTIFS,
                     None if self.is_mesh_alone() => METHOD_OF_MESHES,
                     None => DEFAULT_METHOD,
                 };
@@ -603,7 +657,10 @@ impl SurfaceSpec {
         };
         let mut selection = selection.map_err(of_selection)?;
         if self.volume.is_some() {
-            selection = selection.with_volume(true);
+            selection = selection.with_solids(Solids::Volumes);
+        }
+        if self.motif.is_some() {
+            selection = selection.with_solids(Solids::Motifs);
         }
         if self.extinction.is_some() && !selection.is_translucent() {
             return Err(ValueProblem::NotTranslucent.of("extinction"));
@@ -700,6 +757,28 @@ pub(super) fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
     let (tile, span) = map.stated_lengths()?;
     let [u, v] = mesh.tile_m();
     Some(span * (u / tile[0] * (v / tile[1])).sqrt())
+}
+
+/// Returns a remark on shells that fold, where a motif or a volume is shown in shells.
+fn folded_remark(surface: &Surface) -> Option<Remark> {
+    if surface.selection().paths().proposal != Proposal::Shells {
+        return None;
+    }
+    let map = surface.height_map();
+    let folded = folded_shells(surface.mesh(), [map.bias_m(), map.bias_m() + map.scale_m()]).len();
+    let what = format!(
+        "the shells of {folded} triangles of the mesh fold, as they are deeper than its curvature allows"
+    );
+    (folded > 0).then(|| Remark::new(&omissions::FOLDED_SHELLS, what))
+}
+
+/// Returns a level map of one texel for a motif between those heights above the base, on such tiles.
+fn ground_of_motif(heights_m: [f64; 2], tile_m: [f64; 2]) -> Result<HeightMap, ValueError> {
+    let ground = || {
+        let map = HeightMap::new(1, 1, vec![0.0], Wrap::Repeat)?;
+        map.with_texel_size_m(tile_m)?.with_stated_displacement_m(heights_m)
+    };
+    ground().map_err(|error: relief_core::HeightMapError| ValueProblem::from(error).of("motif"))
 }
 
 /// Returns a level map that has the columns, rows, wrap, tile and displacement of a volume.

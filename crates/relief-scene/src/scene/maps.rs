@@ -5,13 +5,15 @@ use super::ramp::{outside_remark, tinted};
 use super::{MeshChoice, RampChoice, SceneError, SurfaceSpec};
 use crate::environment::Environment;
 use crate::material_maps::{MaterialMap, MaterialMapError, MaterialMaps, MaterialPictures};
+use crate::motif::{MotifFile, MotifOptions, read_motif};
 use relief_core::mesh::{Mesh, UvProjection};
-use relief_core::{ByteSize, HeightMap, Wrap};
+use relief_core::{BYTES_PER_TILE_TRIANGLE, ByteSize, HeightMap, MotifTree, Wrap};
 use relief_io::{
     ColorTable, Curve, GreenSign, HeightFile, HeightOptions, MaterialTextures, MeshColors, MeshMaterial,
     MeshOptions, NormalMap, Picture, ReadError, ReadNote, ReadProblem, Remark, Up, VolumeFile, VolumeOptions,
     omissions, read_color_table,
 };
+use relief_mesh::shell_map::{MotifForRays, motif_for_rays};
 use relief_shaders::Selection;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -45,6 +47,14 @@ pub(super) struct LoadedMesh {
     pub colors: Option<Arc<MeshColors>>,
 }
 
+/// Motif of a file.
+#[derive(Clone)]
+pub(super) struct LoadedMotif {
+    pub tree: MotifTree,
+    /// Metres of the heights 0 and 1 above the base, without a bias.
+    pub heights_m: [f64; 2],
+}
+
 /// Reads maps, each file once, within the memory limit.
 pub struct Maps {
     limit: ByteSize,
@@ -54,6 +64,7 @@ pub struct Maps {
     /// Colours by height, with the texels that they belong to.
     tints: Vec<(RampChoice, HeightMap, Arc<Picture>)>,
     meshes: Vec<(PathBuf, MeshOptions, LoadedMesh)>,
+    motifs: Vec<(PathBuf, MotifOptions, LoadedMotif)>,
     materials: Vec<([Option<PathBuf>; MaterialMap::ALL.len()], Wrap, Arc<MaterialMaps>)>,
     /// Notes of the file readers.
     notes: Vec<ReadNote>,
@@ -69,6 +80,7 @@ impl Maps {
             colors: Vec::new(),
             tints: Vec::new(),
             meshes: Vec::new(),
+            motifs: Vec::new(),
             materials: Vec::new(),
             notes: Vec::new(),
         }
@@ -109,6 +121,42 @@ impl Maps {
         let file = relief_io::read_volume(path, &options).map_err(SceneError::Volume)?;
         self.take(path, file.volume.atlas(), selection)?;
         Ok(file)
+    }
+
+    /// Reads the motif of a file, and counts its memory.
+    pub(super) fn motif(&mut self, path: &Path, options: MotifOptions) -> Result<LoadedMotif, SceneError> {
+        let is_same = |(known, with, _): &&(PathBuf, MotifOptions, _)| {
+            known == path && MotifOptions { max_bytes: options.max_bytes, ..*with } == options
+        };
+        if let Some((_, _, loaded)) = self.motifs.iter().find(is_same) {
+            return Ok(loaded.clone());
+        }
+        let MotifFile { mesh, scale_m, low_m, is_coarse, axes, .. } = read_motif(path, &options)?;
+        let of_motif = |source| SceneError::NoMotif { path: path.to_owned(), source };
+        let MotifForRays { tree, beyond } = motif_for_rays(&mesh).map_err(of_motif)?;
+        let needed = BYTES_PER_TILE_TRIANGLE * u64::from(tree.triangles());
+        self.left = self.left.checked_sub(needed).ok_or_else(|| {
+            let problem = ReadProblem::MeshMemory { limit: self.limit.0 };
+            SceneError::Motif(ReadError { path: path.to_owned(), problem }.into())
+        })?;
+        if beyond > 0.0 {
+            let percent = (1000.0 * beyond).round() / 10.0;
+            let what = format!(
+                "{percent} % of its vertices lie below height 0 or above height 1, where it is cut off"
+            );
+            self.remark(path, vec![Remark::new(&omissions::MOTIF_BEYOND, what)]);
+        }
+        if axes.is_none() && !tree.is_closed() {
+            let what = "it is not closed: its inside is seen where it is open";
+            self.remark(path, vec![Remark::new(&omissions::OPEN_MOTIF, what)]);
+        }
+        if is_coarse {
+            let what = "it has 8 bits a channel, whose steps show as terraces: export floats or 16 bits";
+            self.remark(path, vec![Remark::new(&omissions::COARSE_VECTORS, what)]);
+        }
+        let loaded = LoadedMotif { tree, heights_m: [low_m, low_m + scale_m] };
+        self.motifs.push((path.to_owned(), options, loaded.clone()));
+        Ok(loaded)
     }
 
     /// Reads the colour picture of a file.

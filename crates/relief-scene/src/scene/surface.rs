@@ -7,9 +7,10 @@ use super::surface_colors::{DrawnMaterial, SurfaceColors};
 use crate::material::Material;
 use crate::material_maps::MaterialMaps;
 use relief_core::mesh::Mesh;
-use relief_core::{HeightMap, Metric, Volume};
+use relief_core::{HeightMap, HeightMapError, Metric, MotifTree, Volume, Wrap};
 use relief_io::{MaterialValues, MeshColors, MeshMaterial, NormalMap, Picture};
 use relief_shaders::Selection;
+use relief_shaders::field::Solids;
 use std::sync::Arc;
 
 /// Surface: a base mesh with a height map, colours, a material, and the method that finds its
@@ -33,6 +34,7 @@ pub struct Surface {
     has_creases: bool,
     object: Option<SceneObject>,
     volume: Option<Arc<Volume>>,
+    motif: Option<MotifTree>,
     color_place: ColorPlace,
     cutoff: f32,
     colors: Option<Arc<SurfaceColors>>,
@@ -59,6 +61,7 @@ impl Surface {
             has_creases: false,
             object: None,
             volume: None,
+            motif: None,
             color_place: ColorPlace::default(),
             cutoff: 0.0,
             colors: None,
@@ -169,10 +172,10 @@ impl Surface {
         }
     }
 
-    /// Replaces the height map. The object or the volume is dropped.
+    /// Replaces the height map. The object, the volume or the motif is dropped.
     #[must_use]
     pub fn with_height_map(self, height_map: impl Into<Arc<HeightMap>>) -> Self {
-        Self { height_map: height_map.into(), object: None, volume: None, ..self }
+        Self { height_map: height_map.into(), object: None, volume: None, motif: None, ..self }
     }
 
     /// Replaces the height map by a volume, with the volume's scale and bias. [`Self::height_map`] then holds
@@ -183,8 +186,23 @@ impl Surface {
     pub fn with_volume(self, volume: impl Into<Arc<Volume>>) -> Self {
         let volume = volume.into();
         let height_map = Arc::new(volume.atlas().clone());
-        let selection = self.selection.with_volume(true).with_volume_size(volume.size());
-        Self { height_map, volume: Some(volume), object: None, selection, ..self }
+        let selection = self.selection.with_solids(Solids::Volumes).with_volume_size(volume.size());
+        Self { height_map, volume: Some(volume), motif: None, object: None, selection, ..self }
+    }
+
+    /// Replaces the height map by a motif, which repeats with the tiles. [`Self::height_map`] then says its scale and
+    /// bias: it is level, has one texel, and repeats. The object is dropped.
+    ///
+    /// The method must find motifs: `shell-map`.
+    ///
+    /// # Errors
+    ///
+    /// When the scale or the bias is not finite.
+    pub fn with_motif(self, motif: MotifTree, scale_m: f64, bias_m: f64) -> Result<Self, HeightMapError> {
+        let level = HeightMap::new(1, 1, vec![0.0], Wrap::Repeat)?.with_displacement(scale_m, bias_m)?;
+        let selection = self.selection.with_solids(Solids::Motifs).with_volume_size([0; 3]);
+        let height_map = Arc::new(level);
+        Ok(Self { height_map, motif: Some(motif), volume: None, object: None, selection, ..self })
     }
 
     /// Sets a colour picture, which multiplies the material's diffuse colour. It has the height
@@ -311,6 +329,21 @@ impl Surface {
     /// Returns the volume that the surface shows, if any.
     pub fn volume(&self) -> Option<&Arc<Volume>> {
         self.volume.as_ref()
+    }
+
+    /// Returns the motif that the surface shows, if any.
+    pub fn motif(&self) -> Option<&MotifTree> {
+        self.motif.as_ref()
+    }
+
+    /// Returns what the surface shows, whichever method is chosen: heights, a volume or a motif. Objects are
+    /// images of heights.
+    pub fn solids(&self) -> Solids {
+        match (&self.volume, &self.motif) {
+            (Some(_), _) => Solids::Volumes,
+            (None, Some(_)) => Solids::Motifs,
+            (None, None) => Solids::Heights,
+        }
     }
 
     /// Returns the base mesh in world space, with its tiles.

@@ -4,6 +4,7 @@ use super::keys::{base, length, lengths, numbers, parsed, range};
 use super::settings::settings;
 use super::texture_set::is_no_map;
 use super::{BaseThickness, MaterialSpec, MeshChoice, RampChoice};
+use crate::motif::VectorAxes;
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
 use relief_io::{GivenUnits, GreenSign, HeightRange, RawLayout, Up};
@@ -21,11 +22,18 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct SurfaceSpec {
-    /// File of the height map. Required, unless `volume`, `object` or the file of a mesh is given.
+    /// File of the height map. Required, unless `volume`, `motif`, `object` or the file of a mesh is given.
     pub height: Option<PathBuf>,
     /// File of a volume, in place of a height map: grass, mail or cloth on the mesh. Scale, bias, tile and wrap
     /// mean the same as for heights.
     pub volume: Option<PathBuf>,
+    /// File of a motif, in place of a height map: a closed mesh in the space of a tile, which repeats on the mesh.
+    /// `x` and `z` are `u` and `v`, `y` is the height, all from 0 to 1. Or a vector displacement map.
+    pub motif: Option<PathBuf>,
+    /// What the channels of a vector displacement map are that is given as `motif`. Default: `tnb`, tangent, normal
+    /// and bitangent.
+    #[serde(deserialize_with = "parsed")]
+    pub axes: Option<VectorAxes>,
     /// Folder of textures: the maps of a material, recognised by their names (see
     /// [`find_textures`](relief_io::find_textures)). Maps that are given go before them. A map of
     /// colour, normals or material that is given as [`NO_MAP`](crate::NO_MAP), `none`, is dropped.
@@ -213,8 +221,8 @@ impl SurfaceSpec {
     ///
     /// Values that belong to a replaced value are dropped:
     ///
-    /// * `height` and `volume` replace each other. Another one drops `channel`, `depth`, `range`,
-    ///   `elevation`, `nodata`, `unit`, `raw` and `fill`.
+    /// * `height`, `volume` and `motif` replace each other. Another one drops `channel`, `depth`, `range`,
+    ///   `elevation`, `nodata`, `unit`, `raw`, `fill` and `axes`.
     /// * `color` and `ramp` replace each other.
     /// * Another `normal` drops `green`; another `mesh` drops `project` and `mesh-up`.
     /// * Another method or stage drops its settings; another shadow drops its search; another method drops
@@ -224,15 +232,16 @@ impl SurfaceSpec {
     /// * `scale` without `bias` drops the old bias.
     #[must_use]
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
-        if over.height.is_some() || over.volume.is_some() {
+        let has_relief = over.height.is_some() || over.volume.is_some() || over.motif.is_some();
+        if has_relief {
             (self.channel, self.depth, self.raw, self.fill) = (None, None, None, None);
             (self.range, self.nodata, self.unit) = (None, None, None);
             self.elevation = None;
-            (self.height, self.volume) = (None, None);
+            (self.height, self.volume, self.motif, self.axes) = (None, None, None, None);
         }
         if over.object.is_some() {
             self.forget_relief();
-        } else if over.height.is_some() || over.volume.is_some() || over.mesh.is_some() {
+        } else if has_relief || over.mesh.is_some() {
             self.object = None;
         }
         if over.normal.is_some() {
@@ -262,6 +271,8 @@ impl SurfaceSpec {
         SurfaceSpec {
             height: over.height.or(self.height),
             volume: over.volume.or(self.volume),
+            motif: over.motif.or(self.motif),
+            axes: over.axes.or(self.axes),
             object: over.object.or(self.object),
             channel: over.channel.or(self.channel),
             depth: over.depth.or(self.depth),
@@ -328,6 +339,7 @@ impl SurfaceSpec {
         [
             self.height.as_ref(),
             self.volume.as_ref(),
+            self.motif.as_ref(),
             self.object.as_ref(),
             self.color.as_ref(),
             ramp,
@@ -361,6 +373,7 @@ impl SurfaceSpec {
         [
             self.height.as_mut(),
             self.volume.as_mut(),
+            self.motif.as_mut(),
             self.object.as_mut(),
             self.color.as_mut(),
             ramp,
@@ -397,7 +410,7 @@ impl SurfaceSpec {
         };
     }
 
-    /// Returns the first given key that only heights can have, and no volume.
+    /// Returns the first given key that only heights can have, and neither volumes nor motifs.
     pub(super) fn key_of_heights(&self) -> Option<&'static str> {
         let given = [
             ("height", self.height.is_some()),
@@ -427,6 +440,8 @@ impl SurfaceSpec {
         let given = [
             ("height", self.height.is_some()),
             ("volume", self.volume.is_some()),
+            ("motif", self.motif.is_some()),
+            ("axes", self.axes.is_some()),
             ("channel", self.channel.is_some()),
             ("depth", self.depth.is_some()),
             ("range", self.range.is_some()),

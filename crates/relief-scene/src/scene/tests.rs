@@ -138,6 +138,8 @@ fn every_key_is_read() {
     let surface = SurfaceSpec {
         object: None,
         volume: None,
+        motif: None,
+        axes: None,
         ramp: None,
         walls: None,
         base: None,

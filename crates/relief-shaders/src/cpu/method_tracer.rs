@@ -1,10 +1,11 @@
 //! Rays through a method.
 
-use relief_core::{BakedMap, HeightMap, Hit, Lanes, Metric, Path, Volume};
+use relief_core::{BakedMap, HeightMap, Hit, Lanes, Metric, MotifTree, Path, Volume};
 
 use super::{BLOCK, Explanation, HitBlock, PathBlock};
 use super::{Bound, ColorTexture, Frame, HeightTexture, HoleTexture, Program, SurfaceSettings};
-use crate::{MapError, Selection, SlotMaps};
+use crate::field::Solids;
+use crate::{MapError, MapSlot, Selection, SlotMaps};
 
 /// A method that traces rays through a height map: the hits of its shader, without a picture.
 ///
@@ -63,11 +64,18 @@ impl<'a> MethodTracer<'a> {
         selection: &Selection,
         maps: impl IntoIterator<Item = &'a BakedMap> + Clone,
     ) -> Result<Self, MapError> {
-        let selection = selection.with_volume(true).with_volume_size(volume.size());
+        let selection = selection.with_solids(Solids::Volumes).with_volume_size(volume.size());
         let atlas = volume.atlas();
         let maps = selection.slot_maps(maps, atlas, Metric::UNIT)?;
         let settings = SurfaceSettings::tracing(atlas, &selection, &maps).with_volume(volume.layout());
         Ok(Self::with_settings(atlas, &selection, settings, maps))
+    }
+
+    /// Creates a tracer of a method for a motif, on a level map of one texel that repeats. The selection's field
+    /// becomes a motif.
+    pub fn of_motif(ground: &'a HeightMap, motif: &'a MotifTree, selection: &Selection) -> Self {
+        let maps: SlotMaps<'a> = [(MapSlot::Object, &**motif.map())].into_iter().collect();
+        Self::over(ground, &selection.with_solids(Solids::Motifs), maps)
     }
 
     fn with_settings(

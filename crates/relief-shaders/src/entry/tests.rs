@@ -76,7 +76,7 @@ fn fits(entry: &Entry, place: usize) -> bool {
         Role::Surface(_) => place == SURFACE,
         Role::NearSurface => place == SLICES,
         Role::Object(_) => place == OBJECT,
-        Role::Volume => place == FIELD,
+        Role::Field(_) => place == FIELD,
         Role::Flattened => place == DETAIL,
         Role::Tracing(_) => [SEARCH, REFINE, SHADOW_SEARCH].contains(&place),
         Role::Shadow(_) => place == SHADOW,

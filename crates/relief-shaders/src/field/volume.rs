@@ -2,6 +2,7 @@
 
 use relief_core::registry::{Guarantee, Guarantees, Publication};
 
+use super::Solids;
 use crate::entry::{Entry, Role};
 
 /// A volume on the surface.
@@ -15,5 +16,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
     argument: "The solid is by definition where the trilinear field is half or more.",
-    role: Role::Volume,
+    role: Role::Field(Solids::Volumes),
 };

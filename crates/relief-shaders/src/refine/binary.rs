@@ -25,5 +25,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Converges to a crossing in the interval, which is the first when the interval holds one.",
-    role: Role::Tracing(TracingRole { solids: Solids::Both, ..TracingRole::PLAIN }),
+    role: Role::Tracing(TracingRole { solids: Solids::Points, ..TracingRole::PLAIN }),
 };

@@ -25,5 +25,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Keeps a crossing enclosed; exact after one step where the gap is linear.",
-    role: Role::Tracing(TracingRole { joins_slices: true, solids: Solids::Both, ..TracingRole::PLAIN }),
+    role: Role::Tracing(TracingRole { joins_slices: true, solids: Solids::Points, ..TracingRole::PLAIN }),
 };

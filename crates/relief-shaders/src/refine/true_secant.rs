@@ -26,5 +26,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "Converges faster than false position near a simple crossing and may leave the bracket; \
         guesses are kept in the search's interval.",
-    role: Role::Tracing(TracingRole { solids: Solids::Both, ..TracingRole::PLAIN }),
+    role: Role::Tracing(TracingRole { solids: Solids::Points, ..TracingRole::PLAIN }),
 };

@@ -39,5 +39,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "A bracket encloses a crossing, since the gap is read at both ends; a bump thinner than a step \
         is passed over.",
-    role: Role::Tracing(TracingRole { only_samples: true, solids: Solids::Both, ..TracingRole::PLAIN }),
+    role: Role::Tracing(TracingRole { only_samples: true, solids: Solids::Points, ..TracingRole::PLAIN }),
 };

@@ -20,6 +20,7 @@ mod pyramid;
 mod pyramid_texels;
 mod relaxed_cone;
 mod relaxed_cone_resting;
+mod shell_map;
 mod sphere;
 mod translucent;
 mod view_dependent;
@@ -45,6 +46,7 @@ pub static ENTRIES: &[Entry] = &[
     view_dependent::ENTRY,
     view_dependent_free::ENTRY,
     translucent::ENTRY,
+    shell_map::ENTRY,
 ];
 
 /// The parameter of searches that end by themselves.

@@ -7,6 +7,7 @@ use super::companions::gathers_on;
 use super::{Selection, SelectionError};
 use crate::Variants;
 use crate::entry::Entry;
+use crate::field::Solids;
 use crate::object::Solid;
 use crate::shadow::ShadowRole;
 use crate::stages::{
@@ -44,7 +45,7 @@ impl Selection {
             }
         }
         self.check_pair()?;
-        self.check_volume()?;
+        self.check_field()?;
         self.check_levels()?;
         self.check_surface()?;
         if self.uses(SHADOW_SEARCH) {
@@ -189,9 +190,8 @@ impl Selection {
     fn check_solids(&self, places: &[usize]) -> Result<(), SelectionError> {
         for &place in places {
             let finds = |entry: &Entry| {
-                let solids = entry.tracing().solids;
-                let is_missing = place != REFINE && entry.is_idle();
-                if self.has_volume() { solids.has_volumes() && !is_missing } else { solids.has_heights() }
+                let is_missing = place != REFINE && entry.is_idle() && self.solids() != Solids::Heights;
+                entry.tracing().solids.has(self.solids()) && !is_missing
             };
             if !finds(self.choices[place].entry) {
                 return Err(self.not_in_field(place, &finds));
@@ -200,9 +200,9 @@ impl Selection {
         Ok(())
     }
 
-    /// Checks that all other stages can handle a volume, if one is shown.
-    fn check_volume(&self) -> Result<(), SelectionError> {
-        if !self.has_volume() {
+    /// Checks that all other stages can handle a volume or a motif, if one is shown.
+    fn check_field(&self) -> Result<(), SelectionError> {
+        if self.solids() == Solids::Heights {
             return Ok(());
         }
         let is_base = |entry: &Entry| entry.geometry().shown == Shown::Relief && entry.is_idle();
@@ -238,10 +238,9 @@ impl Selection {
             stage: STAGES[place].title,
             key: STAGES[place].key,
             entry: self.choices[place].entry.name,
-            shown: match (self.is_translucent(), self.has_volume()) {
-                (true, _) => "a translucent volume",
-                (false, true) => "a volume",
-                (false, false) => "heights",
+            shown: match self.solids() {
+                Solids::Volumes if self.is_translucent() => "a translucent volume",
+                solids => solids.in_words(),
             },
             others: Variants::of(place, serves),
         }

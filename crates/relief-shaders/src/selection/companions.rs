@@ -8,7 +8,7 @@ use crate::stages::{
     FIELD, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, stage,
 };
 use crate::surface::{Proposal, Shown};
-use relief_core::registry::Guarantee;
+use relief_core::registry::{Guarantee, RayClass};
 
 impl Choice {
     /// The first variant of a stage for which `holds` is true, with its default parameters; without
@@ -35,14 +35,14 @@ impl Selection {
         let promised = self.choices[SEARCH].promises().shadow;
         let is_impossible = promised == Guarantee::Impossible;
         let is_taken = || self.check_taken(SHADOW_SEARCH, SHADOW).is_ok();
-        if self.has_volume() {
-            let has_volumes = self.search().tracing().solids.has_volumes() && !self.search().is_idle();
-            if is_impossible || !has_volumes {
-                let of_volumes = |entry: &Entry| {
-                    entry.tracing().solids == Solids::Volumes
-                        && entry.guarantee.shadow != Guarantee::Impossible
+        let shown = self.solids();
+        if shown != Solids::Heights {
+            let finds = self.search().tracing().solids.has(shown) && !self.search().is_idle();
+            if is_impossible || !finds {
+                let of_shown = |entry: &Entry| {
+                    entry.tracing().solids == shown && entry.guarantee.shadow != Guarantee::Impossible
                 };
-                self.choices[SHADOW_SEARCH] = Choice::first(SHADOW_SEARCH, of_volumes);
+                self.choices[SHADOW_SEARCH] = Choice::first(SHADOW_SEARCH, of_shown);
             }
         } else if is_impossible || (self.uses(SHADOW_SEARCH) && !is_taken()) {
             self.choices[SHADOW_SEARCH] = Choice::first(SHADOW_SEARCH, |entry| entry.tracing().is_reference);
@@ -50,28 +50,33 @@ impl Selection {
         self
     }
 
-    /// Chooses the field whose solids the search finds; keeps the chosen one if it finds both.
+    /// Chooses the field whose solids the search finds; keeps the chosen one if it finds several.
     pub(super) fn with_field_of_search(mut self) -> Self {
         let solids = self.search().tracing().solids;
-        if !(solids.has_volumes() && solids.has_heights()) {
-            self.choices[FIELD] = Choice::first(FIELD, |entry| entry.is_volume() == solids.has_volumes());
+        if solids.is_one() {
+            self.choices[FIELD] = Choice::first(FIELD, |entry| entry.field() == solids);
         }
         self
     }
 
-    /// Chooses a surface on which the search's light is gathered, unless one is chosen.
+    /// Chooses shells for a search that needs them, unless they are chosen: where light is gathered, or where
+    /// motifs stand out of the base.
     pub(super) fn with_surface_of_search(mut self) -> Self {
-        if self.is_translucent() && !gathers_on(self.choices[SURFACE].entry) {
-            self.choices[SURFACE] = Choice::first(SURFACE, gathers_on);
+        let tracing = self.search().tracing();
+        let is_straight = |entry: &Entry| !entry.paths().rays.contains(&RayClass::Bent);
+        let serves = |entry: &Entry| gathers_on(entry) && (tracing.gathers || is_straight(entry));
+        let needs_shells = tracing.gathers || tracing.solids == Solids::Motifs;
+        if needs_shells && !serves(self.choices[SURFACE].entry) {
+            self.choices[SURFACE] = Choice::first(SURFACE, serves);
         }
         self
     }
 
-    /// Returns the selection for a surface with a volume, or for one with heights. Search and refinement stay:
-    /// where they do not find its solids, [`check`](Self::check) says so.
+    /// Returns the selection for a surface with heights, a volume or a motif. Search and refinement stay: where
+    /// they do not find its solids, [`check`](Self::check) says so.
     #[must_use]
-    pub fn with_volume(mut self, has_volume: bool) -> Self {
-        self.choices[FIELD] = Choice::first(FIELD, |entry| entry.is_volume() == has_volume);
+    pub fn with_solids(mut self, solids: Solids) -> Self {
+        self.choices[FIELD] = Choice::first(FIELD, |entry| entry.field() == solids);
         self.with_search_for_shadows()
     }
 
@@ -95,7 +100,7 @@ impl Selection {
         self.choices[OBJECT] = Choice::first(OBJECT, Entry::is_idle);
         if !geometry.companions.is_empty() {
             // Triangles and images are made of heights.
-            self.choices[FIELD] = Choice::first(FIELD, |entry| !entry.is_volume());
+            self.choices[FIELD] = Choice::first(FIELD, |entry| entry.field() == Solids::Heights);
             return Ok(self.with_companions(geometry.companions)?.with_search_for_shadows());
         }
         if self.paths().shown != geometry.shown {

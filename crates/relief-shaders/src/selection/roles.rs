@@ -6,6 +6,7 @@ use relief_core::registry::{Guarantee, RayClass};
 
 use super::{Choice, Selection};
 use crate::entry::Entry;
+use crate::field::Solids;
 use crate::geometry::Geometry;
 use crate::object::{ObjectCells, ObjectRole, Solid};
 use crate::shadow::ShadowRole;
@@ -109,9 +110,9 @@ impl Selection {
         self.object_cells().is_some_and(|object| object.solid == Solid::Blend)
     }
 
-    /// Whether a volume is shown, and no heights.
-    pub fn has_volume(&self) -> bool {
-        self.choices[FIELD].entry.is_volume()
+    /// Returns what the surface shows: heights, a volume or a motif.
+    pub fn solids(&self) -> Solids {
+        self.choices[FIELD].entry.field()
     }
 
     /// Whether nothing is hit: light is gathered through a translucent volume.

@@ -1,6 +1,7 @@
 use relief_core::registry::{Guarantee, RayClass};
 
 use super::*;
+use crate::field::Solids;
 use crate::geometry::Geometry;
 use crate::slice::{SliceDirection, Slices};
 use crate::{AMBIENT, METHODS, REFINE, SURFACE};
@@ -261,7 +262,7 @@ fn a_sky_goes_with_reliefs_and_a_hemisphere_with_everything() {
         let goes = |name| selection.goes_with("ambient", name).expect("an ambient light");
         let is_of_relief =
             selection.paths().has_normals_of_relief() && !selection.paths().shown.is_of_images();
-        let is_of_relief = is_of_relief && !selection.has_volume();
+        let is_of_relief = is_of_relief && selection.solids() == Solids::Heights;
         let names = ["constant", "hemisphere", "sky", "bent-normal"].map(goes);
         assert_eq!(names, [true, true, is_of_relief, is_of_relief], "{}", method.name);
         // What is shown without being asked for does not change.

@@ -1,5 +1,6 @@
 //! `embree`: shells beside Embree over the triangles that they show, two a texel.
 
+pub mod links;
 mod ours;
 mod python;
 mod tessellation;

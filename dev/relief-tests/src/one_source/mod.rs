@@ -17,6 +17,7 @@ use std::thread;
 
 use relief_core::{MapFormat, Wrap};
 use relief_render::gpu::Prober;
+use relief_shaders::field::Solids;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{Entry, Selection, detail, refine, search, shadow};
 
@@ -63,7 +64,7 @@ impl Pair {
         for (s, search) in search::ENTRIES.iter().enumerate() {
             for (r, refine) in refine::ENTRIES.iter().enumerate() {
                 let pair = Selection::pair(search.name, refine.name).expect("listed names");
-                if pair.check_pair().is_err() || pair.has_volume() {
+                if pair.check_pair().is_err() || pair.solids() != Solids::Heights {
                     continue;
                 }
                 let none = [shadow::ENTRIES.iter().find(|it| it.is_idle()).expect("no shadow"), search];

@@ -4,15 +4,18 @@ use relief_core::mesh::torus;
 use relief_core::object::GridMapping;
 use relief_core::{Volume, Watch, Wrap};
 use relief_maps::Maps;
+use relief_mesh::motif::MotifKind;
 use relief_render::Renderer;
 use relief_render::gpu::{Gpu, block_on};
 use relief_render::wgpu::{DeviceDescriptor, Features, Instance, Limits, RequestAdapterOptions};
 use relief_scene::{Scene, Surface};
+use relief_shaders::field::Solids;
 use relief_shaders::shadow::ShadowRole;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{METHODS, OBJECT, SLICES, Selection, ambient, detail, shadow, surface};
 use relief_testing::maps;
 use relief_tests::adapter::has_adapter;
+use relief_tests::motif_rays::motif_tree;
 use relief_tests::spheres::grid_of_spheres;
 
 /// A device of exactly those limits, and no feature.
@@ -78,7 +81,12 @@ fn runs_within(limits: Limits, first: usize) {
         for (_, selection) in selections().into_iter().enumerate().filter(|(number, _)| is_its_turn(*number))
         {
             let surface = match selection.object_cells() {
-                None if selection.has_volume() => {
+                None if selection.solids() == Solids::Motifs => {
+                    let weave = motif_tree(MotifKind::Weave);
+                    let torus = torus(32, 16).expect("a mesh");
+                    Surface::new(torus, map.clone()).with_motif(weave, 0.05, -0.05).expect("lengths")
+                }
+                None if selection.solids() == Solids::Volumes => {
                     let ball = |[u, v, h]: [f64; 3]| {
                         0.5 + 8.0
                             * (0.3 - [u, v, h].map(|x| (x - 0.5) * (x - 0.5)).iter().sum::<f64>().sqrt())

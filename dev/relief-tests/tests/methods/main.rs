@@ -11,6 +11,7 @@ mod explain;
 mod filter_volume;
 mod levels;
 mod limits;
+mod motifs;
 mod nearest;
 mod procedures;
 mod quadric;

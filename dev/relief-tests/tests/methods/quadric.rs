@@ -6,6 +6,7 @@ use relief_core::registry::RayClass;
 use relief_core::rng::Rng;
 use relief_core::{HeightMap, Path, Wrap};
 use relief_shaders::cpu::{Corner, PixelIn, Probe};
+use relief_shaders::field::Solids;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{Selection, refine, search};
 use relief_testing::maps;
@@ -403,7 +404,7 @@ fn what_cannot_be_used_with_quadrics_is_refused() {
             assert!(with(surface, "refine", entry.name), "{surface} {}", entry.name);
         }
     }
-    for entry in search::ENTRIES.iter().filter(|entry| entry.tracing().solids.has_heights()) {
+    for entry in search::ENTRIES.iter().filter(|entry| entry.tracing().solids.has(Solids::Heights)) {
         let bends = entry.guarantee.bent != relief_core::registry::Guarantee::Impossible;
         let pair = pairs::all().find(|pair| pair.search().name == entry.name).expect("a pair");
         for (surface, expected) in

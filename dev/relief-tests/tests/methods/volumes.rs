@@ -14,6 +14,8 @@ use relief_render::render;
 use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::{MethodTracer, PixelOut};
+use relief_shaders::field::Solids;
+use relief_testing::motifs::to_triangle;
 use relief_testing::volumes;
 use relief_tests::adapter::{Leeway, has_adapter};
 use relief_tests::volume_rays::{
@@ -63,25 +65,6 @@ fn another_volume_is_noticed() {
         let found = hits(&other, &selection, &paths, Lanes::widest());
         assert!(wrong(&volume, &paths, &found) > 10);
     }
-}
-
-/// Distance between a point and a segment.
-fn to_segment(point: DVec3, a: DVec3, b: DVec3) -> f64 {
-    let way = b - a;
-    let part = ((point - a).dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-    (a + way * part - point).length()
-}
-
-/// Distance between a point and a triangle.
-fn to_triangle(point: DVec3, corners: [DVec3; 3]) -> f64 {
-    let [a, b, c] = corners;
-    let normal = (b - a).cross(c - a).normalize_or_zero();
-    let sides = [(a, b), (b, c), (c, a)];
-    let is_above = sides.iter().all(|(from, to)| (*to - *from).cross(point - *from).dot(normal) >= 0.0);
-    if is_above && normal != DVec3::ZERO {
-        return (point - a).dot(normal).abs();
-    }
-    sides.into_iter().map(|(from, to)| to_segment(point, from, to)).fold(f64::INFINITY, f64::min)
 }
 
 #[test]
@@ -170,7 +153,8 @@ fn every_width_has_the_bits_of_one_by_one() {
     let more = [("linear", "true-secant"), ("linear", "trilinear")];
     let looked_up = [("generalised", "none"), ("generalised", "trilinear")];
     for (search, refine) in pairs.into_iter().chain(more).chain(looked_up) {
-        let mut selection = Selection::pair(search, refine).expect("listed names").with_volume(true);
+        let mut selection =
+            Selection::pair(search, refine).expect("listed names").with_solids(Solids::Volumes);
         if search == "generalised" {
             for key in ["search.azimuths", "search.elevations"] {
                 selection.set(key, 4.0).expect("a number of directions");
@@ -194,7 +178,8 @@ fn every_width_has_the_bits_of_one_by_one() {
 
 #[test]
 fn samples_of_linear_search_come_near() {
-    let mut selection = Selection::pair("linear", "binary").expect("listed names").with_volume(true);
+    let mut selection =
+        Selection::pair("linear", "binary").expect("listed names").with_solids(Solids::Volumes);
     selection.set("search.steps", 512.0).expect("a setting");
     let volume = volumes::ALL[6].build(Wrap::Repeat).expect("a volume");
     let paths: Vec<Path> = paths(8, RAYS).into_iter().filter(|path| path.h[2] == 0.0).collect();
@@ -225,10 +210,10 @@ fn what_needs_heights_is_refused() {
     // Triangles and searches of heights go back to heights.
     let mut triangles = volume;
     triangles.choose("geometry", "vertex").expect("a listed name");
-    assert!(!triangles.has_volume() && triangles.with_volume(true).check().is_err());
+    assert!(triangles.solids() == Solids::Heights && triangles.with_solids(Solids::Volumes).check().is_err());
     let mut heights = volume;
     heights.choose("search", "cells").expect("a listed name");
-    assert!(!heights.has_volume() && heights.check().is_err());
+    assert!(heights.solids() == Solids::Heights && heights.check().is_err());
     for (key, name) in [("shadow", "soft"), ("shadow", "map"), ("shadow", "none"), ("ambient", "hemisphere")]
     {
         assert_eq!(volume.goes_with(key, name), Ok(true), "{key} {name}");

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use relief_core::encoding::cone::HALF_RATIO;
 use relief_core::encoding::seen_normal;
 use relief_core::object::{EMPTY_HEIGHT, JumpCells, LEAST_COVER, LEAST_FACING};
-use relief_core::{FoundState, RayUse, SliceAxis, Wrap};
+use relief_core::{FoundState, RayUse, SliceAxis, TREE_SHIFT, Wrap};
 use relief_shaders::object::MASK_CELLS;
 use relief_shaders::{
     LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, SEARCH, SHADOW, STAGES, SURFACE, surface, wgsl,
@@ -57,6 +57,8 @@ pub fn module() -> String {
         constant(&format!("CELLS_{}", cells.name().to_uppercase()), cells as u32);
     }
     constant("CELLS_MASK", MASK_CELLS);
+    constant("TREE_SHIFT", TREE_SHIFT);
+    constant("TREE_COLUMNS", 1 << TREE_SHIFT);
     constant("STAGES", STAGES.len() as u32);
     constant("SURFACE_STAGE", SURFACE as u32);
     constant("SEARCH_STAGE", SEARCH as u32);

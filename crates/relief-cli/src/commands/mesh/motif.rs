@@ -10,23 +10,20 @@ use relief_core::Watch;
 use relief_core::mesh::{Mesh, MeshBlock, RawCorner, RawMesh};
 use relief_io::{MeshCounts, MeshFormat, MeshSink, read_raw_mesh, write_mesh};
 use relief_mesh::shell_map::{BYTES_PER_TRIANGLE, ShellMap, ShellMapError, ShellMapSettings, map_shells};
+use relief_scene::motif::{MotifFile, MotifFileError, MotifOptions, MotifProblem, VectorAxes, read_motif};
 use relief_scene::{MeshChoice, NO_MAP, SceneSpec, SurfaceSpec};
 use serde_json::json;
 
-use super::vectors::{self, Axes, Vectors};
 use super::{Arguments, FORMATS};
-use crate::commands::motif::{depth_in, missing_motif};
+use crate::commands::motif::missing_motif;
 use crate::commands::scene_arguments::of_scene;
 use crate::commands::staged::{Staged, format_of};
 use crate::failure::Failure;
-use crate::file_kind::{FileKind, is_volume};
+use crate::file_kind::is_volume;
 use crate::interrupt::{self, cancelled};
 use crate::progress::Progress;
 use crate::streams::tell_written;
-use crate::{say, units, values};
-
-/// Metres between the heights 0 and 1, where neither a flag nor the motif says more.
-const DEFAULT_SCALE_M: f64 = 0.05;
+use crate::{advice, say, units, values};
 
 /// Depth of a motif over the length of its tile beyond which a unit was probably mistaken.
 const DEEP: f64 = 10.0;
@@ -69,7 +66,12 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
     let mut staged = Staged::open(&[&arguments.output], arguments.json, cancel)?;
     let map = made(&base, &given.mesh, &settings, arguments.json, cancel)?;
     let mut notes = notes_on(motif, &map);
-    notes.extend(given.note);
+    if given.is_coarse {
+        let name = motif.display();
+        notes.push(format!(
+            "{name} has 8 bits a channel, whose steps show as terraces: export floats or 16 bits"
+        ));
+    }
     let longest_m = base.tile_m().into_iter().fold(0.0, f64::max);
     if settings.scale_m > DEEP * longest_m {
         let [deep, long] = [settings.scale_m, longest_m].map(units::in_words);
@@ -94,7 +96,7 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
         if arguments.json {
             let about = json!({
                 "output": output, "motif": motif, "triangles": triangles, "vertices": vertices,
-                "scale_m": given.unit_m, "bias_m": bias_m, "axes": given.axes.map(Axes::name),
+                "scale_m": given.unit_m, "bias_m": bias_m, "axes": given.axes.map(VectorAxes::name),
                 "open_edges": map.open_edges, "folded": map.folded,
                 "without_area": map.without_area, "beyond": map.beyond, "bytes": bytes, "notes": notes,
                 "seconds": seconds,
@@ -114,19 +116,6 @@ pub fn run(arguments: &Arguments, motif: &Path) -> Result<(), Failure> {
         writeln!(out, "  open edges  {}", map.open_edges)?;
         Ok(())
     })
-}
-
-/// A motif as it is given.
-struct Given {
-    mesh: RawMesh,
-    /// Metres between its heights 0 and 1, and of its height 0 above the base before the bias.
-    scale_m: f64,
-    low_m: f64,
-    /// Metres that --scale stands for.
-    unit_m: f64,
-    /// Of a vector displacement map.
-    axes: Option<Axes>,
-    note: Option<String>,
 }
 
 fn made(
@@ -219,31 +208,19 @@ fn notes_on(motif: &Path, map: &ShellMap) -> Vec<String> {
 
 impl Arguments {
     /// Reads the motif, for tiles of that size in metres.
-    fn given(&self, motif: &Path, tile_m: [f64; 2]) -> Result<Given, Failure> {
+    fn given(&self, motif: &Path, tile_m: [f64; 2]) -> Result<MotifFile, Failure> {
         let scale_m = self.placement.scale.map(|scale| scale.metres);
         // As everywhere in the command, though the library can grow a motif inward.
         if let Some(scale_m) = scale_m.filter(|scale_m| *scale_m <= 0.0) {
             return Err(Failure::Usage(format!("--scale: {scale_m} cannot be used: it must be above 0")));
         }
-        let tile_length_m = (tile_m[0] * tile_m[1]).sqrt();
-        if FileKind::of(motif)? == FileKind::HeightMap {
-            let unit_m = scale_m.unwrap_or(tile_length_m);
-            let axes = self.axes.unwrap_or_default();
-            let Vectors { sheet, scale_m, low_m, note } =
-                vectors::read(motif, axes, tile_m, unit_m, self.limit())?;
-            return Ok(Given { mesh: sheet.mesh, scale_m, low_m, unit_m, axes: Some(axes), note });
-        }
-        if self.axes.is_some() {
-            let file = motif.display();
-            return Err(Failure::Usage(format!(
-                "--axes: {file} is a mesh, whose axes are known; the flag is for vector displacement maps: leave it out"
-            )));
-        }
-        let mesh = read_raw_mesh(motif, self.limit()).map_err(Failure::of_mesh)?;
-        // As deep as it is long.
-        let depth = depth_in(motif, self.limit())?;
-        let unit_m = scale_m.or(depth.map(|depth| depth * tile_length_m)).unwrap_or(DEFAULT_SCALE_M);
-        Ok(Given { mesh, scale_m: unit_m, low_m: 0.0, unit_m, axes: None, note: None })
+        let options = MotifOptions { axes: self.axes, tile_m, scale_m, max_bytes: self.limit() };
+        read_motif(motif, &options).map_err(|error| match &error {
+            MotifFileError::Invalid { problem: MotifProblem::AxesOfMesh, .. } => {
+                Failure::Usage(format!("--axes: {error}: leave it out"))
+            }
+            error => Failure::Work(advice::with_flag(error, advice::of_motif(error))),
+        })
     }
 
     /// Refuses flags that are about height maps.

@@ -4,16 +4,15 @@ use std::sync::atomic::AtomicBool;
 
 use relief_bake::volumes::{Fit, MeshVolumeSettings, volume_from_mesh};
 use relief_core::Watch;
-use relief_io::read_raw_mesh;
+use relief_io::{read_motif_depth, read_raw_mesh};
 use serde_json::{Map, json};
 
 use super::{Arguments, Made, of_volumes};
-use crate::commands::motif::depth_in;
 use crate::failure::Failure;
 use crate::progress::Progress;
 
 pub(super) fn make(arguments: &Arguments, cancel: &AtomicBool) -> Result<Made, Failure> {
-    let depth = depth_in(&arguments.input, arguments.max_bytes())?;
+    let depth = read_motif_depth(&arguments.input, arguments.max_bytes()).map_err(Failure::of_mesh)?;
     let raw = {
         let _reading = Progress::spinner("reading", arguments.json);
         read_raw_mesh(&arguments.input, arguments.max_bytes()).map_err(Failure::of_mesh)?
