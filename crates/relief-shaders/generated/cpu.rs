@@ -8233,6 +8233,7 @@ impl<'g> Resources<'g> {
         params_29: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_40: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_20);
         let _e5 = self.v_plane_distance(pixel_20, _e2);
@@ -8252,13 +8253,20 @@ impl<'g> Resources<'g> {
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
         let descent_2 = (rt::Scalar(0f32) - normal_32.dot((pixel_20.direction / rt::Vec3::splat_from_scalar(pixel_20.direction.length()))));
-        if rt::Scalar::into_branch_condition(area_3.elementwise_gt(rt::Scalar(0f32))) {
-            local_40 = descent_2.elementwise_gt(rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition((!descent_2.elementwise_gt(rt::Scalar(0f32)))) {
+            let _e84 = rt::Scalar(self.surface_settings.scale_m);
+            local_40 = _e84.elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_40 = rt::Scalar(false);
+            local_40 = rt::Scalar(true);
         }
-        let _e86 = local_40;
-        let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
+        let is_entered = local_40;
+        if rt::Scalar::into_branch_condition(area_3.elementwise_gt(rt::Scalar(0f32))) {
+            local_41 = is_entered;
+        } else {
+            local_41 = rt::Scalar(false);
+        }
+        let _e96 = local_41;
+        let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e96);
         return <Entered>::new(segments, point_28, uv_39, tangent_1, bitangent, normal_32, metric_2, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
@@ -8571,17 +8579,17 @@ impl<'g> Resources<'g> {
         way_17: Way,
         offset_3: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
 
         let _e3 = self.v_quadratic(way_17.first, offset_3);
         let _e5 = self.v_quadratic(way_17.second, offset_3);
         let _e7 = self.v_quadratic(way_17.third, offset_3);
         if rt::Scalar::into_branch_condition((!_e3.min(_e5).min(_e7).elementwise_gt(rt::Scalar(0f32)))) {
-            local_41 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
+            local_42 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_41 = rt::Scalar(true);
+            local_42 = rt::Scalar(true);
         }
-        let _e20 = local_41;
+        let _e20 = local_42;
         return _e20;
     }
     pub(crate) fn way_chord(
@@ -8613,8 +8621,8 @@ impl<'g> Resources<'g> {
         let mut count_4: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut begin_3: rt::Scalar<f32>;
         let mut pieces: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_42: rt::Scalar<bool>;
         let mut local_43: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
 
         let _e8 = self.v_grown_way(way_18, beyond_2);
         begin_3 = offsets_1.x();
@@ -8623,11 +8631,11 @@ impl<'g> Resources<'g> {
                 let _e19 = pieces;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(MOST_PIECES)) {
                     let _e24 = begin_3;
-                    local_42 = _e24.elementwise_lt(offsets_1.y());
+                    local_43 = _e24.elementwise_lt(offsets_1.y());
                 } else {
-                    local_42 = rt::Scalar(false);
+                    local_43 = rt::Scalar(false);
                 }
-                let _e28 = local_42;
+                let _e28 = local_43;
                 if rt::Scalar::into_branch_condition(_e28) {
                 } else {
                     break 'naga_break;
@@ -8650,11 +8658,11 @@ impl<'g> Resources<'g> {
                         let _e54 = count_4;
                         if rt::Scalar::into_branch_condition(number_11.elementwise_ge(_e54)) {
                             let _e58 = count_4;
-                            local_43 = number_11.elementwise_lt((_e58 + _e53));
+                            local_44 = number_11.elementwise_lt((_e58 + _e53));
                         } else {
-                            local_43 = rt::Scalar(false);
+                            local_44 = rt::Scalar(false);
                         }
-                        let _e62 = local_43;
+                        let _e62 = local_44;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = begin_3;
                             let long_2 = (end_10 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
@@ -8931,7 +8939,7 @@ impl<'g> Resources<'g> {
         pixel_31: PixelIn,
         params_33: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
         let mut at_44: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_31.shell.order).elementwise_ge(SHELL_FOLDED)) {
@@ -8944,11 +8952,11 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_33);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
-            local_44 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_45 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_44 = rt::Scalar(true);
+            local_45 = rt::Scalar(true);
         }
-        let _e27 = local_44;
+        let _e27 = local_45;
         if rt::Scalar::into_branch_condition(_e27) {
             let _e28 = self.v_passed_by();
             return _e28;
@@ -9168,7 +9176,7 @@ impl<'g> Resources<'g> {
         number_12: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside_1: rt::Vec2<f32>;
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
 
         let origin_6 = (pixel_35.origin + (along_13 * middle_5));
         let is_first_2 = number_12.elementwise_eq(rt::Scalar(0u32));
@@ -9218,11 +9226,11 @@ impl<'g> Resources<'g> {
         inside_1 = _e100;
         if rt::Scalar::into_branch_condition((!(!volume_1.abs().elementwise_gt(rt::Scalar(0f32))))) {
             let _e109 = inside_1.y();
-            local_45 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_46 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_45 = rt::Scalar(true);
+            local_46 = rt::Scalar(true);
         }
-        let _e114 = local_45;
+        let _e114 = local_46;
         if rt::Scalar::into_branch_condition(_e114) {
             inside_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
         }
@@ -9273,8 +9281,8 @@ impl<'g> Resources<'g> {
         pixel_37: PixelIn,
         params_36: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_46: rt::Scalar<bool>;
         let mut local_47: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
         let mut at_47: Entered;
 
         let along_28 = pixel_37.direction.normalize();
@@ -9282,18 +9290,18 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
             let _e11 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(1u32));
-            local_46 = (!_e11);
-        } else {
-            local_46 = rt::Scalar(false);
-        }
-        let _e14 = local_46;
-        if rt::Scalar::into_branch_condition(_e14) {
-            let _e18 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(2u32));
-            local_47 = (!_e18);
+            local_47 = (!_e11);
         } else {
             local_47 = rt::Scalar(false);
         }
-        let is_passed_by = local_47;
+        let _e14 = local_47;
+        if rt::Scalar::into_branch_condition(_e14) {
+            let _e18 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(2u32));
+            local_48 = (!_e18);
+        } else {
+            local_48 = rt::Scalar(false);
+        }
+        let is_passed_by = local_48;
         if rt::Scalar::into_branch_condition(is_passed_by) {
             let _e22 = self.v_passed_by();
             return _e22;
@@ -9357,16 +9365,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_is_on_map(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
-        let mut local_48: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
 
         let beyond_4 = ((uv_16.x() - rt::Scalar(0.5f32)).abs().max((uv_16.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition((!_e14.elementwise_ne(WRAP_CLAMP))) {
-            local_48 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
+            local_49 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_48 = rt::Scalar(true);
+            local_49 = rt::Scalar(true);
         }
-        let _e23 = local_48;
+        let _e23 = local_49;
         return _e23;
     }
     pub(crate) fn surface_facets_enter(
@@ -9382,7 +9390,7 @@ impl<'g> Resources<'g> {
         pixel_40: PixelIn,
         params_37: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_49: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
@@ -9397,11 +9405,11 @@ impl<'g> Resources<'g> {
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
             let _e77 = self.v_is_on_map(uv_42);
-            local_49 = _e77;
+            local_50 = _e77;
         } else {
-            local_49 = rt::Scalar(false);
+            local_50 = rt::Scalar(false);
         }
-        let _e79 = local_49;
+        let _e79 = local_50;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
         return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_30, uv_42, tangent_3, bitangent_2, sum_13.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
@@ -9418,9 +9426,9 @@ impl<'g> Resources<'g> {
         pixel_41: PixelIn,
         params_38: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_50: rt::Scalar<bool>;
         let mut local_51: rt::Scalar<bool>;
         let mut local_52: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_41);
         let _e5 = self.v_triangle_distance(pixel_41, _e2);
@@ -9441,23 +9449,23 @@ impl<'g> Resources<'g> {
         let normal_35 = raw_.normalize();
         let _e95 = self.v_is_on_map(uv_43);
         if rt::Scalar::into_branch_condition(_e95) {
-            local_50 = ((slice_8.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
-        } else {
-            local_50 = rt::Scalar(false);
-        }
-        let is_within = local_50;
-        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            local_51 = area_5.elementwise_gt(rt::Scalar(0f32));
+            local_51 = ((slice_8.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_51 = rt::Scalar(false);
         }
-        let _e118 = local_51;
-        if rt::Scalar::into_branch_condition(_e118) {
-            local_52 = is_within;
+        let is_within = local_51;
+        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
+            local_52 = area_5.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_52 = rt::Scalar(false);
         }
-        let _e122 = local_52;
+        let _e118 = local_52;
+        if rt::Scalar::into_branch_condition(_e118) {
+            local_53 = is_within;
+        } else {
+            local_53 = rt::Scalar(false);
+        }
+        let _e122 = local_53;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
         return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_31 - (raw_ * height_m)), uv_43, tangent_4, bitangent_3, normal_35, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_35, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_8, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
@@ -9643,7 +9651,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_53: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
         near_1 = above_1;
         far_1 = below_1;
@@ -9668,11 +9676,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_12.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_53 = middle_12.elementwise_lt(_e37);
+                        local_54 = middle_12.elementwise_lt(_e37);
                     } else {
-                        local_53 = rt::Scalar(false);
+                        local_54 = rt::Scalar(false);
                     }
-                    let _e40 = local_53;
+                    let _e40 = local_54;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -9813,16 +9821,16 @@ impl<'g> Resources<'g> {
         c_11: rt::Vec3<f32>,
         span_4: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_54: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!c_11.x().elementwise_le(rt::Scalar(0f32)))) {
             let _e8 = self.v_least_at(c_11, span_4);
             let _e9 = self.v_quadratic(c_11, _e8);
-            local_54 = _e9.elementwise_le(rt::Scalar(0f32));
+            local_55 = _e9.elementwise_le(rt::Scalar(0f32));
         } else {
-            local_54 = rt::Scalar(true);
+            local_55 = rt::Scalar(true);
         }
-        let _e13 = local_54;
+        let _e13 = local_55;
         return _e13;
     }
     pub(crate) fn field_heights_cost(
@@ -10032,7 +10040,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_light_ray_over_heights(&self, at_53: Entered, hit_11: Hit, light_3: Toward) -> LightRay {
-        let mut local_55: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
 
         let _e3 = self.v_from_hit(at_53, hit_11, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -10049,11 +10057,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_55 = (_e31.y() + (_e31.z() * end_11)).elementwise_lt(rt::Scalar(0f32));
+            local_56 = (_e31.y() + (_e31.z() * end_11)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_55 = rt::Scalar(true);
+            local_56 = rt::Scalar(true);
         }
-        let _e45 = local_55;
+        let _e45 = local_56;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -11146,17 +11154,17 @@ impl<'g> Resources<'g> {
         view_20: rt::Vec3<f32>,
         params_53: rt::Vec4<f32>,
     ) -> SeenNormals {
-        let mut local_56: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
 
         let _e4 = self.v_motif_of(hit_21);
         let _e5 = self.v_motif_is_closed();
         if rt::Scalar::into_branch_condition((!_e5)) {
             let _e10 = self.v_covector(at_78, _e4.facet);
-            local_56 = _e10.dot(view_20).elementwise_ge(rt::Scalar(0f32));
+            local_57 = _e10.dot(view_20).elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_56 = rt::Scalar(true);
+            local_57 = rt::Scalar(true);
         }
-        let is_front = local_56;
+        let is_front = local_57;
         let side_9 = rt::Scalar(-1f32).select(rt::Scalar(1f32), is_front);
         let _e20 = self.v_covector(at_78, _e4.normal);
         let _e23 = self.v_one_seen((_e20.normalize() * side_9));
@@ -11187,7 +11195,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normal_of_field(&self, at_80: Entered, hit_23: Hit) -> rt::Vec3<f32> {
-        let mut local_57: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
         let _e5 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(hit_23.uv, rt::Scalar(hit_23.height)));
         let _e6 = self.v_field_at_voxel(_e5);
@@ -11199,11 +11207,11 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_covector(at_80, (_e10 * _e11));
         let steepness_1 = _e13.length();
         if rt::Scalar::into_branch_condition(steepness_1.elementwise_gt(rt::Scalar(0f32))) {
-            local_57 = steepness_1.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32));
+            local_58 = steepness_1.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32));
         } else {
-            local_57 = rt::Scalar(false);
+            local_58 = rt::Scalar(false);
         }
-        let _e22 = local_57;
+        let _e22 = local_58;
         if rt::Scalar::into_branch_condition(_e22) {
             return (_e13 * (rt::Scalar(-1f32) / steepness_1));
         }
@@ -11341,44 +11349,46 @@ impl<'g> Resources<'g> {
         let direction_8 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_32));
         let _e9 = self.v_climb(at_85, direction_8);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_85.normal.dot(direction_8));
-        let _e15 = self.v_traced_scale_m();
-        let _e16 = self.v_base_height();
-        let slope_12 = ((rt::Scalar(0f32) - descent_3) / _e15);
-        let _e20 = self.v_plane_normal(pixel_47);
-        let _e21 = self.v_plane_distance(pixel_47, _e20);
-        let distance = (_e21 * along_32);
+        let _e13 = rt::Scalar(self.surface_settings.scale_m);
+        let is_flat = _e13.elementwise_eq(rt::Scalar(0f32));
+        let descent_3 = (rt::Scalar(0f32) - at_85.normal.dot(direction_8)).max(rt::Scalar(-300000000000000000000000000000000000000f32).select(rt::Scalar(0.001f32), is_flat));
+        let _e24 = self.v_traced_scale_m();
+        let _e25 = self.v_base_height();
+        let slope_12 = ((rt::Scalar(0f32) - descent_3) / _e24);
+        let _e29 = self.v_plane_normal(pixel_47);
+        let _e30 = self.v_plane_distance(pixel_47, _e29);
+        let distance = (_e30 * along_32);
         let eye_3 = (rt::Scalar(0f32) - distance);
-        let top_8 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
+        let top_8 = (((_e25 - rt::Scalar(1f32)) * _e24) / descent_3);
         enter = top_8.max(eye_3);
-        leave_4 = ((_e16 * _e15) / descent_3);
-        let _e34 = leave_4;
-        let _e35 = leave_4;
-        leave_4 = (_e34 + ((_e35 - top_8) * rt::Scalar(0.000001f32)));
-        let _e42 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
-            let _e48 = enter;
-            let _e49 = leave_4;
-            let _e51 = self.v_inside_unit(at_85.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
-            interval_5 = _e51;
-            let _e56 = interval_5;
-            let _e57 = self.v_inside_unit(at_85.uv.y(), duv_5.y(), _e56);
-            interval_5 = _e57;
-            let _e59 = interval_5.x();
-            enter = _e59;
-            let _e61 = interval_5.y();
-            leave_4 = _e61;
+        leave_4 = ((_e25 * _e24) / descent_3);
+        let _e43 = leave_4;
+        let _e44 = leave_4;
+        leave_4 = (_e43 + ((_e44 - top_8) * rt::Scalar(0.000001f32)));
+        let _e51 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e51.elementwise_eq(WRAP_CLAMP)) {
+            let _e57 = enter;
+            let _e58 = leave_4;
+            let _e60 = self.v_inside_unit(at_85.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e57, _e58));
+            interval_5 = _e60;
+            let _e65 = interval_5;
+            let _e66 = self.v_inside_unit(at_85.uv.y(), duv_5.y(), _e65);
+            interval_5 = _e66;
+            let _e68 = interval_5.x();
+            enter = _e68;
+            let _e70 = interval_5.y();
+            leave_4 = _e70;
         }
-        let _e62 = enter;
-        let _e65 = enter;
-        let entry_height = (_e16 + (slope_12 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_8));
-        let _e69 = enter;
-        let base_2 = (rt::Scalar(0f32) - _e69).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e76 = enter;
-        let _e81 = leave_4;
-        let _e82 = enter;
-        let _e87 = enter;
-        return <Path>::new((at_85.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_12, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_85.metric, RAY_VIEW, rt::Scalar(at_85.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
+        let _e71 = enter;
+        let _e74 = enter;
+        let entry_height = (_e25 + (slope_12 * _e71)).select(rt::Scalar(1f32), _e74.elementwise_eq(top_8));
+        let _e78 = enter;
+        let base_2 = (rt::Scalar(0f32) - _e78).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e85 = enter;
+        let _e90 = leave_4;
+        let _e91 = enter;
+        let _e96 = enter;
+        return <Path>::new((at_85.uv + (duv_5 * _e85)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_12, rt::Scalar(0f32)), (_e90 - _e91), base_2, at_85.metric, RAY_VIEW, rt::Scalar(at_85.level), (distance + _e96), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn folded_segment(
         &self,
@@ -11400,7 +11410,7 @@ impl<'g> Resources<'g> {
         let mut a_17: WayPoint;
         let mut b_17: WayPoint;
         let mut path_30: Path;
-        let mut local_58: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
 
         let along_33 = pixel_48.direction.normalize();
         let _e6 = self.v_middle_of(pixel_48, along_33);
@@ -11441,11 +11451,11 @@ impl<'g> Resources<'g> {
         let _e67 = rt::Scalar(a_17.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
             let _e76 = rt::Scalar(b_17.beside);
-            local_58 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            local_59 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_58 = rt::Scalar(true);
+            local_59 = rt::Scalar(true);
         }
-        let _e82 = local_58;
+        let _e82 = local_59;
         if rt::Scalar::into_branch_condition(_e82) {
             rt::Scalar(path_30.exit) = rt::Scalar(0f32);
         }
@@ -11509,7 +11519,7 @@ impl<'g> Resources<'g> {
     ) -> Path {
         let mut begin_5: rt::Scalar<f32>;
         let mut end_3: rt::Scalar<f32>;
-        let mut local_59: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
         let mut path_31: Path;
         let mut inside_2: rt::Vec2<f32>;
 
@@ -11535,11 +11545,11 @@ impl<'g> Resources<'g> {
         end_3 = (at_88.of_surface.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_11 + rt::Scalar(1u32)).elementwise_eq(params_60.z().to_u32())) {
             let _e68 = end_3;
-            local_59 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_60 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_59 = rt::Scalar(false);
+            local_60 = rt::Scalar(false);
         }
-        let _e72 = local_59;
+        let _e72 = local_60;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_3;
             end_3 = _e73.min(rt::Scalar(-0.000001f32));
@@ -11595,13 +11605,13 @@ impl<'g> Resources<'g> {
         k_12: rt::Scalar<u32>,
         params_61: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_60: rt::Scalar<bool>;
         let mut local_61: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_6: rt::Vec2<f32>;
         let mut path_32: Path;
-        let mut local_62: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
 
         let along_36 = pixel_51.direction.length();
         let direction_9 = (pixel_51.direction / rt::Vec3::splat_from_scalar(along_36));
@@ -11620,16 +11630,16 @@ impl<'g> Resources<'g> {
         let _e35 = self.v_bent_descent(((height_23 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_23.elementwise_lt(rt::Scalar(1f32)))) {
-                local_61 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_62 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_61 = rt::Scalar(true);
+                local_62 = rt::Scalar(true);
             }
-            let _e48 = local_61;
-            local_60 = _e48;
+            let _e48 = local_62;
+            local_61 = _e48;
         } else {
-            local_60 = rt::Scalar(false);
+            local_61 = rt::Scalar(false);
         }
-        let comes_down = local_60;
+        let comes_down = local_61;
         enter_1 = _e35.max(eye_4);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -11673,11 +11683,11 @@ impl<'g> Resources<'g> {
         path_32 = <Path>::new((at_89.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_14 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_89.metric, RAY_VIEW, rt::Scalar(at_89.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e148 = rt::Scalar(path_32.exit);
-            local_62 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
+            local_63 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_62 = rt::Scalar(true);
+            local_63 = rt::Scalar(true);
         }
-        let _e153 = local_62;
+        let _e153 = local_63;
         if rt::Scalar::into_branch_condition(_e153) {
             rt::Scalar(path_32.exit) = rt::Scalar(0f32);
         }
@@ -11932,7 +11942,7 @@ impl<'g> Resources<'g> {
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
 
         let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_54.direction.dot(at_93.normal).elementwise_lt(rt::Scalar(0f32))) * at_93.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
@@ -11944,11 +11954,11 @@ impl<'g> Resources<'g> {
         let t_52 = (n_17.dot((a_41 - pixel_54.origin)) / n_17.dot(pixel_54.direction));
         let lead = (far_2 - (t_52 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_63 = t_52.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_64 = t_52.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_63 = rt::Scalar(false);
+            local_64 = rt::Scalar(false);
         }
-        let _e57 = local_63;
+        let _e57 = local_64;
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -11972,16 +11982,16 @@ impl<'g> Resources<'g> {
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_64: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
 
         let up_4 = (at_94.of_surface.x().select((rt::Scalar(1f32) - at_94.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
         let lead_1 = (at_94.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_4, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
-            local_64 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
+            local_65 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_64 = rt::Scalar(false);
+            local_65 = rt::Scalar(false);
         }
-        let _e33 = local_64;
+        let _e33 = local_65;
         if rt::Scalar::into_branch_condition((!_e33)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -12072,15 +12082,15 @@ impl<'g> Resources<'g> {
         high_1: rt::Scalar<f32>,
         interval_7: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_65: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx_2.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x_3.elementwise_lt(low_1))) {
-                local_65 = x_3.elementwise_gt(high_1);
+                local_66 = x_3.elementwise_gt(high_1);
             } else {
-                local_65 = rt::Scalar(true);
+                local_66 = rt::Scalar(true);
             }
-            let _e13 = local_65;
+            let _e13 = local_66;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(0f32));
             }
@@ -12125,7 +12135,7 @@ impl<'g> Resources<'g> {
         k_16: rt::Scalar<u32>,
     ) -> Path {
         let mut begin_6: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_66: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
         let mut interval_8: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let mut height_9: rt::Vec3<f32>;
 
@@ -12137,11 +12147,11 @@ impl<'g> Resources<'g> {
             let nearest_4 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
             begin_6 = rt::Scalar(0f32).select(rt::Scalar(300000000000000000000000000000000000000f32), _e9.elementwise_lt(nearest_4));
             if rt::Scalar::into_branch_condition(_e9.elementwise_lt(nearest_4)) {
-                local_66 = deepens.elementwise_gt(rt::Scalar(0f32));
+                local_67 = deepens.elementwise_gt(rt::Scalar(0f32));
             } else {
-                local_66 = rt::Scalar(false);
+                local_67 = rt::Scalar(false);
             }
-            let _e26 = local_66;
+            let _e26 = local_67;
             if rt::Scalar::into_branch_condition(_e26) {
                 begin_6 = ((nearest_4 - _e9) / deepens);
             }
@@ -12237,9 +12247,9 @@ impl<'g> Resources<'g> {
         image_9: Image,
         point_15: rt::Vec3<f32>,
     ) -> OnImage {
-        let mut local_67: rt::Scalar<bool>;
         let mut local_68: rt::Scalar<bool>;
         let mut local_69: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
 
         let _e2 = self.v_depth_in_image(image_9, point_15);
         let u_4 = ((image_9.u.xyz().dot(point_15) + image_9.u.w()) / _e2);
@@ -12258,23 +12268,23 @@ impl<'g> Resources<'g> {
         let bottom_5 = (_e56.z() + ((_e56.w() - _e56.z()) * part_29.x()));
         let map_5 = (top_9 + ((bottom_5 - top_9) * part_29.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
-            local_67 = beside_6.elementwise_le(rt::Scalar(0.5f32));
-        } else {
-            local_67 = rt::Scalar(false);
-        }
-        let _e82 = local_67;
-        if rt::Scalar::into_branch_condition(_e82) {
-            local_68 = h_12.elementwise_gt(rt::Scalar(0.00001f32));
+            local_68 = beside_6.elementwise_le(rt::Scalar(0.5f32));
         } else {
             local_68 = rt::Scalar(false);
         }
-        let _e88 = local_68;
-        if rt::Scalar::into_branch_condition(_e88) {
-            local_69 = h_12.elementwise_le(rt::Scalar(1f32));
+        let _e82 = local_68;
+        if rt::Scalar::into_branch_condition(_e82) {
+            local_69 = h_12.elementwise_gt(rt::Scalar(0.00001f32));
         } else {
             local_69 = rt::Scalar(false);
         }
-        let is_inside_2 = local_69;
+        let _e88 = local_69;
+        if rt::Scalar::into_branch_condition(_e88) {
+            local_70 = h_12.elementwise_le(rt::Scalar(1f32));
+        } else {
+            local_70 = rt::Scalar(false);
+        }
+        let is_inside_2 = local_70;
         let _e97 = rt::Scalar(self.surface_settings.cells);
         return <OnImage>::new(uv_45, h_12.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
     }
@@ -12284,15 +12294,15 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_is_in_image(&self, at_99: OnImage) -> rt::Scalar<bool> {
-        let mut local_70: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(at_99.is_inside)) {
             let _e7 = self.v_slices_stage(rt::Scalar(at_99.map), rt::Scalar(at_99.height), rt::Scalar(0f32));
-            local_70 = _e7;
+            local_71 = _e7;
         } else {
-            local_70 = rt::Scalar(false);
+            local_71 = rt::Scalar(false);
         }
-        let _e9 = local_70;
+        let _e9 = local_71;
         return _e9;
     }
     pub(crate) fn with_image(
@@ -12327,7 +12337,7 @@ impl<'g> Resources<'g> {
     pub(super) fn v_slice_at(&self, point_17: rt::Vec3<f32>) -> OnSlice {
         let mut slice_7: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_15: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_71: rt::Scalar<bool>;
+        let mut local_72: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -12335,11 +12345,11 @@ impl<'g> Resources<'g> {
                 let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_7.passes);
-                    local_71 = _e23;
+                    local_72 = _e23;
                 } else {
-                    local_71 = rt::Scalar(false);
+                    local_72 = rt::Scalar(false);
                 }
-                let _e25 = local_71;
+                let _e25 = local_72;
                 if rt::Scalar::into_branch_condition(_e25) {
                 } else {
                     break 'naga_break;
@@ -13099,16 +13109,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_leaves_at_exit(&self, path_51: Path) -> rt::Scalar<bool> {
-        let mut local_72: rt::Scalar<bool>;
+        let mut local_73: rt::Scalar<bool>;
 
         let _e2 = self.v_path_height(path_51, rt::Scalar(path_51.exit));
         if rt::Scalar::into_branch_condition((!_e2.elementwise_gt(rt::Scalar(0.000001f32)))) {
             let _e9 = self.v_field_is_ground_stage(rt::Scalar(path_51.level));
-            local_72 = (!_e9);
+            local_73 = (!_e9);
         } else {
-            local_72 = rt::Scalar(true);
+            local_73 = rt::Scalar(true);
         }
-        let _e12 = local_72;
+        let _e12 = local_73;
         return _e12;
     }
     pub(crate) fn hit_on_path(
@@ -13128,15 +13138,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_73: rt::Scalar<bool>;
+        let mut local_74: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_25.elementwise_gt(rt::Scalar(path_52.exit))) {
             let _e8 = self.v_leaves_at_exit(path_52);
-            local_73 = _e8;
+            local_74 = _e8;
         } else {
-            local_73 = rt::Scalar(false);
+            local_74 = rt::Scalar(false);
         }
-        let _e10 = local_73;
+        let _e10 = local_74;
         if rt::Scalar::into_branch_condition(_e10) {
             let _e11 = self.v_miss(cost_3);
             return _e11;
@@ -13151,17 +13161,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_starting_point(&self, path_53: Path, found_1: SearchResult) -> rt::Scalar<f32> {
-        let mut local_74: rt::Scalar<bool>;
+        let mut local_75: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_53.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_74 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_75 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_74 = rt::Scalar(true);
+            local_75 = rt::Scalar(true);
         }
-        let _e16 = local_74;
+        let _e16 = local_75;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -13396,28 +13406,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_has_interval(&self, found_7: SearchResult) -> rt::Scalar<bool> {
-        let mut local_75: rt::Scalar<bool>;
         let mut local_76: rt::Scalar<bool>;
         let mut local_77: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_76 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_76 = rt::Scalar(true);
-            }
-            let _e16 = local_76;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_77 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_77 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
                 local_77 = rt::Scalar(true);
             }
-            let _e24 = local_77;
-            local_75 = _e24;
+            let _e16 = local_77;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_78 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_78 = rt::Scalar(true);
+            }
+            let _e24 = local_78;
+            local_76 = _e24;
         } else {
-            local_75 = rt::Scalar(false);
+            local_76 = rt::Scalar(false);
         }
-        let _e26 = local_75;
+        let _e26 = local_76;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -13438,7 +13448,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_78: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_24: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -13453,11 +13463,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
             let _e19 = self.v_path_height(path_60, _e18);
-            local_78 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_79 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_78 = rt::Scalar(true);
+            local_79 = rt::Scalar(true);
         }
-        let _e23 = local_78;
+        let _e23 = local_79;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -13712,7 +13722,7 @@ impl<'g> Resources<'g> {
         let mut t_30: rt::Scalar<f32>;
         let mut cell_25: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_79: rt::Scalar<bool>;
+        let mut local_80: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
@@ -13769,11 +13779,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_12.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_79 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_80 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_79 = rt::Scalar(true);
+                            local_80 = rt::Scalar(true);
                         }
-                        let _e89 = local_79;
+                        let _e89 = local_80;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_63, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
@@ -13864,8 +13874,8 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_inflections(&self, q_4: Quartic) -> rt::Vec2<f32> {
-        let mut local_80: rt::Scalar<bool>;
         let mut local_81: rt::Scalar<bool>;
+        let mut local_82: rt::Scalar<bool>;
 
         let b_44 = (rt::Scalar(3f32) * rt::Scalar(q_4.d));
         let a_44 = (rt::Scalar(6f32) * rt::Scalar(q_4.e));
@@ -13878,18 +13888,18 @@ impl<'g> Resources<'g> {
         let first_24 = rt::Scalar(1f32).select((s_2 / a_44), a_44.elementwise_ne(rt::Scalar(0f32)));
         let second_11 = rt::Scalar(1f32).select((rt::Scalar(q_4.c) / s_2), s_2.elementwise_ne(rt::Scalar(0f32)));
         if rt::Scalar::into_branch_condition(first_24.elementwise_gt(rt::Scalar(0f32))) {
-            local_80 = first_24.elementwise_lt(rt::Scalar(1f32));
-        } else {
-            local_80 = rt::Scalar(false);
-        }
-        let _e46 = local_80;
-        let x_15 = rt::Scalar(1f32).select(first_24, _e46);
-        if rt::Scalar::into_branch_condition(second_11.elementwise_gt(rt::Scalar(0f32))) {
-            local_81 = second_11.elementwise_lt(rt::Scalar(1f32));
+            local_81 = first_24.elementwise_lt(rt::Scalar(1f32));
         } else {
             local_81 = rt::Scalar(false);
         }
-        let _e56 = local_81;
+        let _e46 = local_81;
+        let x_15 = rt::Scalar(1f32).select(first_24, _e46);
+        if rt::Scalar::into_branch_condition(second_11.elementwise_gt(rt::Scalar(0f32))) {
+            local_82 = second_11.elementwise_lt(rt::Scalar(1f32));
+        } else {
+            local_82 = rt::Scalar(false);
+        }
+        let _e56 = local_82;
         let y_10 = rt::Scalar(1f32).select(second_11, _e56);
         return <rt::Vec2<f32>>::from_scalars(x_15.min(y_10), x_15.max(y_10));
     }
@@ -13962,7 +13972,7 @@ impl<'g> Resources<'g> {
     pub(super) fn v_first_root_of_quartic(&self, q_7: Quartic) -> rt::Scalar<f32> {
         let mut begin_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_28: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_82: rt::Scalar<bool>;
+        let mut local_83: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(q_7.a).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
@@ -13989,11 +13999,11 @@ impl<'g> Resources<'g> {
                         let _e30 = self.v_quartic_slope(q_7, _e29);
                         let _e31 = self.v_quartic_slope(q_7, end_13);
                         if rt::Scalar::into_branch_condition(_e30.elementwise_lt(rt::Scalar(0f32))) {
-                            local_82 = _e31.elementwise_gt(rt::Scalar(0f32));
+                            local_83 = _e31.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_82 = rt::Scalar(false);
+                            local_83 = rt::Scalar(false);
                         }
-                        let _e39 = local_82;
+                        let _e39 = local_83;
                         if rt::Scalar::into_branch_condition(_e39) {
                             let _e40 = begin_7;
                             let _e41 = self.v_extremum_between(q_7, _e40, end_13);
@@ -14326,15 +14336,15 @@ impl<'g> Resources<'g> {
         first_3: rt::Scalar<bool>,
         cost_11: rt::Vec3<u32>,
     ) -> SearchResult {
-        let mut local_83: rt::Scalar<bool>;
+        let mut local_84: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_12.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_3) {
-                local_83 = c_12.x().elementwise_lt(rt::Scalar(0f32));
+                local_84 = c_12.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_83 = rt::Scalar(false);
+                local_84 = rt::Scalar(false);
             }
-            let _e14 = local_83;
+            let _e14 = local_84;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_12.x(), c_12.x(), cost_11);
             }
@@ -14424,14 +14434,14 @@ impl<'g> Resources<'g> {
         cell_30: rt::Scalar<i32>,
         n_12: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_84: rt::Scalar<bool>;
+        let mut local_85: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_30.elementwise_ge(rt::Scalar(0i32))) {
-            local_84 = cell_30.elementwise_lt(n_12);
+            local_85 = cell_30.elementwise_lt(n_12);
         } else {
-            local_84 = rt::Scalar(false);
+            local_85 = rt::Scalar(false);
         }
-        let _e8 = local_84;
+        let _e8 = local_85;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_30, rt::Scalar(0i32));
         }
@@ -14468,17 +14478,17 @@ impl<'g> Resources<'g> {
         cell_31: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_85: rt::Scalar<bool>;
+        let mut local_86: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_71.level));
         let _e7 = self.v_image_of(cell_31.x(), _e4.x());
         let _e10 = self.v_image_of(cell_31.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_85 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_86 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_85 = rt::Scalar(true);
+            local_86 = rt::Scalar(true);
         }
-        let _e21 = local_85;
+        let _e21 = local_86;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -14560,7 +14570,7 @@ impl<'g> Resources<'g> {
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_86: rt::Scalar<bool>;
+        let mut local_87: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_73);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -14604,11 +14614,11 @@ impl<'g> Resources<'g> {
                     let _e82 = self.v_least_at(above_10, span_11);
                     let _e83 = self.v_quadratic(above_10, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_86 = above_10.x().elementwise_gt(of_heights);
+                        local_87 = above_10.x().elementwise_gt(of_heights);
                     } else {
-                        local_86 = rt::Scalar(false);
+                        local_87 = rt::Scalar(false);
                     }
-                    let _e90 = local_86;
+                    let _e90 = local_87;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_16.elementwise_lt(rt::Scalar(path_73.exit))) {
                             let _e93 = cell_32;
@@ -14710,7 +14720,7 @@ impl<'g> Resources<'g> {
         t_36: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32>;
-        let mut local_87: rt::Scalar<bool>;
+        let mut local_88: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_12 = (rt::Scalar(path_74.exit) - t_36);
@@ -14735,11 +14745,11 @@ impl<'g> Resources<'g> {
         let aside_7 = (((grid_8.origin - offset_6) + (grid_8.step * t_36)) / _e85);
         let c_30 = (((slope_4 * aside_7.length()) - gap_5) * ((slope_4 * aside_7.length()) + gap_5));
         if rt::Scalar::into_branch_condition((!gap_5.elementwise_le(rt::Scalar(0f32)))) {
-            local_87 = c_30.elementwise_ge(rt::Scalar(0f32));
+            local_88 = c_30.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_87 = rt::Scalar(true);
+            local_88 = rt::Scalar(true);
         }
-        let _e102 = local_87;
+        let _e102 = local_88;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
@@ -14886,7 +14896,7 @@ impl<'g> Resources<'g> {
         n_13: rt::Scalar<i32>,
         level_51: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_88: rt::Scalar<bool>;
+        let mut local_89: rt::Scalar<bool>;
 
         let first_27 = ((image_10.x() >> level_51) << level_51);
         let side_11 = (rt::Scalar(1i32) << level_51);
@@ -14900,11 +14910,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_51.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_88 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_89 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_88 = rt::Scalar(false);
+            local_89 = rt::Scalar(false);
         }
-        let _e43 = local_88;
+        let _e43 = local_89;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_13, cell_34.elementwise_ge(n_13)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_34.elementwise_ge(n_13)));
         }
@@ -14953,9 +14963,9 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
-        let mut local_89: rt::Scalar<bool>;
         let mut local_90: rt::Scalar<bool>;
         let mut local_91: rt::Scalar<bool>;
+        let mut local_92: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_76);
         let _e4 = self.v_height_texels(rt::Scalar(path_76.level));
@@ -15004,24 +15014,24 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_3.x()))) {
                             let _e89 = parent.y();
-                            local_90 = _e89.elementwise_ne(over_3.y());
+                            local_91 = _e89.elementwise_ne(over_3.y());
                         } else {
-                            local_90 = rt::Scalar(true);
+                            local_91 = rt::Scalar(true);
                         }
-                        let _e93 = local_90;
-                        local_89 = _e93;
+                        let _e93 = local_91;
+                        local_90 = _e93;
                     } else {
-                        local_89 = rt::Scalar(false);
+                        local_90 = rt::Scalar(false);
                     }
-                    let left_6 = local_89;
+                    let left_6 = local_90;
                     if rt::Scalar::into_branch_condition(left_6) {
                         let _e98 = level_52;
                         let _e99 = top;
-                        local_91 = _e98.elementwise_lt(_e99);
+                        local_92 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_91 = rt::Scalar(false);
+                        local_92 = rt::Scalar(false);
                     }
-                    let _e102 = local_91;
+                    let _e102 = local_92;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_52 = above_level;
                     }
@@ -15129,18 +15139,18 @@ impl<'g> Resources<'g> {
         n_14: rt::Scalar<i32>,
         level_53: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_92: rt::Scalar<bool>;
+        let mut local_93: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_3, n_14);
         let first_28 = ((_e3 >> level_53) << level_53);
         let last_14 = (first_28 + (rt::Scalar(1i32) << level_53)).min(n_14);
         if rt::Scalar::into_branch_condition((!texel_3.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_92 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_93 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_92 = rt::Scalar(true);
+            local_93 = rt::Scalar(true);
         }
-        let _e20 = local_92;
+        let _e20 = local_93;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_3 - _e3) + first_28), ((texel_3 - _e3) + last_14));
         }
@@ -15341,10 +15351,10 @@ impl<'g> Resources<'g> {
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_5: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_93: rt::Scalar<bool>;
         let mut local_94: rt::Scalar<bool>;
         let mut local_95: rt::Scalar<bool>;
         let mut local_96: rt::Scalar<bool>;
+        let mut local_97: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_78);
         let _e4 = self.v_height_texels(rt::Scalar(path_78.level));
@@ -15375,11 +15385,11 @@ impl<'g> Resources<'g> {
                     let _e48 = self.v_image_of(_e45.x(), _e4.x());
                     let _e51 = self.v_image_of(_e45.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_93 = _e51.y().elementwise_eq(rt::Scalar(2i32));
+                        local_94 = _e51.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_93 = rt::Scalar(true);
+                        local_94 = rt::Scalar(true);
                     }
-                    let _e62 = local_93;
+                    let _e62 = local_94;
                     if rt::Scalar::into_branch_condition(_e62) {
                         looks = rt::Scalar(true);
                     } else {
@@ -15415,18 +15425,18 @@ impl<'g> Resources<'g> {
                         let _e125 = looks;
                         if rt::Scalar::into_branch_condition((!_e125)) {
                             let _e129 = next_5;
-                            local_94 = _e129.elementwise_lt(end_21);
-                        } else {
-                            local_94 = rt::Scalar(false);
-                        }
-                        let _e132 = local_94;
-                        if rt::Scalar::into_branch_condition(_e132) {
-                            let _e135 = self.v_path_height(path_78, end_21);
-                            local_95 = _e135.elementwise_lt(_e70.x());
+                            local_95 = _e129.elementwise_lt(end_21);
                         } else {
                             local_95 = rt::Scalar(false);
                         }
-                        let _e139 = local_95;
+                        let _e132 = local_95;
+                        if rt::Scalar::into_branch_condition(_e132) {
+                            let _e135 = self.v_path_height(path_78, end_21);
+                            local_96 = _e135.elementwise_lt(_e70.x());
+                        } else {
+                            local_96 = rt::Scalar(false);
+                        }
+                        let _e139 = local_96;
                         if rt::Scalar::into_branch_condition(_e139) {
                             let _e140 = safe_;
                             let _e141 = cost_17;
@@ -15437,11 +15447,11 @@ impl<'g> Resources<'g> {
                     let _e143 = next_5;
                     if rt::Scalar::into_branch_condition((!_e143.elementwise_lt(end_21))) {
                         let _e148 = t_40;
-                        local_96 = (!end_21.elementwise_gt(_e148));
+                        local_97 = (!end_21.elementwise_gt(_e148));
                     } else {
-                        local_96 = rt::Scalar(true);
+                        local_97 = rt::Scalar(true);
                     }
-                    let _e152 = local_96;
+                    let _e152 = local_97;
                     if rt::Scalar::into_branch_condition(_e152) {
                         let _e153 = looks;
                         if rt::Scalar::into_branch_condition(_e153) {
@@ -15499,7 +15509,7 @@ impl<'g> Resources<'g> {
         let mut t_41: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut next_6: rt::Scalar<f32>;
-        let mut local_97: rt::Scalar<bool>;
+        let mut local_98: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_79);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -15557,11 +15567,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_6;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_22))) {
                             let _e121 = t_41;
-                            local_97 = (!end_22.elementwise_gt(_e121));
+                            local_98 = (!end_22.elementwise_gt(_e121));
                         } else {
-                            local_97 = rt::Scalar(true);
+                            local_98 = rt::Scalar(true);
                         }
-                        let _e125 = local_97;
+                        let _e125 = local_98;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_18;
                             cost_18 = (_e126 + HEIGHTS_READ);
@@ -15620,7 +15630,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
         let mut k_30: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_98: rt::Scalar<bool>;
+        let mut local_99: rt::Scalar<bool>;
 
         let aside_8 = path_80.duv.length();
         'naga_break: loop {
@@ -15640,11 +15650,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_42;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_98 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_99 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_98 = rt::Scalar(false);
+                            local_99 = rt::Scalar(false);
                         }
-                        let _e35 = local_98;
+                        let _e35 = local_99;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_19;
                             return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -15720,11 +15730,11 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_99: rt::Scalar<bool>;
+        let mut local_100: rt::Scalar<bool>;
         let mut start_2: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_7: rt::Scalar<f32>;
-        let mut local_100: rt::Scalar<bool>;
+        let mut local_101: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_81);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -15764,11 +15774,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_43;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_99 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_100 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_99 = rt::Scalar(false);
+                            local_100 = rt::Scalar(false);
                         }
-                        let _e87 = local_99;
+                        let _e87 = local_100;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_7;
                             let _e89 = t_43;
@@ -15834,11 +15844,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_102.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e175 = next_7;
                         let _e176 = t_43;
-                        local_100 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_81.exit))));
+                        local_101 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_81.exit))));
                     } else {
-                        local_100 = rt::Scalar(false);
+                        local_101 = rt::Scalar(false);
                     }
-                    let _e184 = local_100;
+                    let _e184 = local_101;
                     if rt::Scalar::into_branch_condition(_e184) {
                         let _e186 = t_43;
                         let _e188 = gap;
@@ -15892,7 +15902,7 @@ impl<'g> Resources<'g> {
         let mut near_8: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_21: rt::Vec3<u32> = NO_COST;
-        let mut local_101: rt::Scalar<bool>;
+        let mut local_102: rt::Scalar<bool>;
         let mut next_8: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_82);
@@ -15928,11 +15938,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_44;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_101 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_102 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_101 = rt::Scalar(false);
+                            local_102 = rt::Scalar(false);
                         }
-                        let _e60 = local_101;
+                        let _e60 = local_102;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_8;
                             let _e62 = t_44;
@@ -16026,7 +16036,7 @@ impl<'g> Resources<'g> {
         let mut t_45: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cell_41: rt::Vec3<f32>;
         let mut cost_22: rt::Vec3<u32> = NO_COST;
-        let mut local_102: rt::Scalar<bool>;
+        let mut local_103: rt::Scalar<bool>;
 
         let _e2 = self.v_voxel_path(path_83);
         let _e3 = self.v_turning_point(_e2);
@@ -16068,11 +16078,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e61.root).elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e61.gap).elementwise_lt(rt::Scalar(0f32))) {
                                 let _e70 = t_45;
-                                local_102 = _e70.elementwise_eq(rt::Scalar(0f32));
+                                local_103 = _e70.elementwise_eq(rt::Scalar(0f32));
                             } else {
-                                local_102 = rt::Scalar(false);
+                                local_103 = rt::Scalar(false);
                             }
-                            let begins_inside = local_102;
+                            let begins_inside = local_103;
                             let status = FOUND_BRACKET.select(FOUND_STARTED_BELOW, begins_inside);
                             let _e78 = t_45;
                             let _e80 = t_45;
@@ -16297,8 +16307,8 @@ impl<'g> Resources<'g> {
         let mut start_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut fall: rt::Scalar<f32>;
         let mut way_21: rt::Scalar<f32>;
-        let mut local_103: rt::Scalar<bool>;
         let mut local_104: rt::Scalar<bool>;
+        let mut local_105: rt::Scalar<bool>;
 
         let below_9 = (path_86.h.x() - rt::Scalar(1f32));
         fall = (rt::Scalar(0f32) - path_86.h.y());
@@ -16321,18 +16331,18 @@ impl<'g> Resources<'g> {
         let whole_3 = (_e58 / _e59);
         let _e61 = fall;
         if rt::Scalar::into_branch_condition(_e61.elementwise_gt(rt::Scalar(0f32))) {
-            local_103 = whole_3.elementwise_gt(rt::Scalar(0f32));
-        } else {
-            local_103 = rt::Scalar(false);
-        }
-        let _e69 = local_103;
-        if rt::Scalar::into_branch_condition(_e69) {
-            let _e72 = start_3;
-            local_104 = _e72.elementwise_ge((whole_3 * rt::Scalar(-1.001f32)));
+            local_104 = whole_3.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_104 = rt::Scalar(false);
         }
-        let comes_in = local_104;
+        let _e69 = local_104;
+        if rt::Scalar::into_branch_condition(_e69) {
+            let _e72 = start_3;
+            local_105 = _e72.elementwise_ge((whole_3 * rt::Scalar(-1.001f32)));
+        } else {
+            local_105 = rt::Scalar(false);
+        }
+        let comes_in = local_105;
         let _e84 = start_3;
         let _e87 = self.v_upright((path_86.uv + (path_86.duv * _e84)));
         let _e89 = self.v_turn_of((path_86.duv * _e87));
@@ -16505,8 +16515,8 @@ impl<'g> Resources<'g> {
         path_90: Path,
         params_108: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut local_105: rt::Scalar<bool>;
         let mut local_106: rt::Scalar<bool>;
+        let mut local_107: rt::Scalar<bool>;
 
         let _e3 = self.v_path_axes(path_90, params_108.w());
         let texels_7 = rt::Scalar(32u32).select(rt::Scalar(16u32), params_108.z().elementwise_eq(rt::Scalar(1f32)));
@@ -16518,17 +16528,17 @@ impl<'g> Resources<'g> {
         let _e23 = self.v_looked_up(path_90, _e3, params_108);
         let t_55 = (rt::Scalar(_e3.start) + (rt::Scalar(_e23.part) * rt::Scalar(_e3.whole)));
         if rt::Scalar::into_branch_condition((!rt::Scalar(_e23.is_hit).elementwise_eq(rt::Scalar(0u32)))) {
-            local_105 = t_55.elementwise_lt(rt::Scalar(0f32));
-        } else {
-            local_105 = rt::Scalar(true);
-        }
-        let _e38 = local_105;
-        if rt::Scalar::into_branch_condition((!_e38)) {
-            local_106 = t_55.elementwise_gt(rt::Scalar(path_90.exit));
+            local_106 = t_55.elementwise_lt(rt::Scalar(0f32));
         } else {
             local_106 = rt::Scalar(true);
         }
-        let _e45 = local_106;
+        let _e38 = local_106;
+        if rt::Scalar::into_branch_condition((!_e38)) {
+            local_107 = t_55.elementwise_gt(rt::Scalar(path_90.exit));
+        } else {
+            local_107 = rt::Scalar(true);
+        }
+        let _e45 = local_107;
         if rt::Scalar::into_branch_condition(_e45) {
             return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_90.exit), rt::Scalar(path_90.exit), rt::Scalar(1f32), rt::Scalar(1f32), cost_33);
         }
@@ -16547,36 +16557,36 @@ impl<'g> Resources<'g> {
         square: rt::Vec2<f32>,
         size: rt::Vec2<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_107: rt::Scalar<bool>;
         let mut local_108: rt::Scalar<bool>;
         let mut local_109: rt::Scalar<bool>;
         let mut local_110: rt::Scalar<bool>;
+        let mut local_111: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(square.x().elementwise_ge(rt::Scalar(0f32))) {
-            local_107 = square.y().elementwise_ge(rt::Scalar(0f32));
-        } else {
-            local_107 = rt::Scalar(false);
-        }
-        let _e11 = local_107;
-        if rt::Scalar::into_branch_condition(_e11) {
-            local_108 = square.x().elementwise_lt(size.x());
+            local_108 = square.y().elementwise_ge(rt::Scalar(0f32));
         } else {
             local_108 = rt::Scalar(false);
         }
-        let _e18 = local_108;
-        if rt::Scalar::into_branch_condition(_e18) {
-            local_109 = square.y().elementwise_lt(size.y());
+        let _e11 = local_108;
+        if rt::Scalar::into_branch_condition(_e11) {
+            local_109 = square.x().elementwise_lt(size.x());
         } else {
             local_109 = rt::Scalar(false);
         }
-        let holds_square = local_109;
+        let _e18 = local_109;
+        if rt::Scalar::into_branch_condition(_e18) {
+            local_110 = square.y().elementwise_lt(size.y());
+        } else {
+            local_110 = rt::Scalar(false);
+        }
+        let holds_square = local_110;
         if rt::Scalar::into_branch_condition((!holds_square)) {
             let _e31 = rt::Scalar(self.surface_settings.wrap);
-            local_110 = _e31.elementwise_ne(WRAP_CLAMP);
+            local_111 = _e31.elementwise_ne(WRAP_CLAMP);
         } else {
-            local_110 = rt::Scalar(true);
+            local_111 = rt::Scalar(true);
         }
-        let _e35 = local_110;
+        let _e35 = local_111;
         return _e35;
     }
     pub(crate) fn step_of_axis(
@@ -16664,11 +16674,11 @@ impl<'g> Resources<'g> {
         path_92: Path,
         params_110: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut local_111: rt::Scalar<bool>;
         let mut local_112: rt::Scalar<bool>;
         let mut local_113: rt::Scalar<bool>;
         let mut local_114: rt::Scalar<bool>;
         let mut local_115: rt::Scalar<bool>;
+        let mut local_116: rt::Scalar<bool>;
 
         let _e3 = self.v_path_axes(path_92, params_110.w());
         let _e6 = self.v_height_size(rt::Scalar(path_92.level));
@@ -16680,35 +16690,35 @@ impl<'g> Resources<'g> {
         let _e31 = self.v_height_size(rt::Scalar(path_92.level));
         let _e32 = self.v_is_in_footprint(_e8, _e31);
         if rt::Scalar::into_branch_condition(path_92.h.x().elementwise_eq(rt::Scalar(1f32))) {
-            local_111 = rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(1u32));
-        } else {
-            local_111 = rt::Scalar(false);
-        }
-        let _e43 = local_111;
-        if rt::Scalar::into_branch_condition(_e43) {
-            local_112 = near_13.elementwise_gt(rounded_2);
+            local_112 = rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(1u32));
         } else {
             local_112 = rt::Scalar(false);
         }
-        let _e48 = local_112;
-        if rt::Scalar::into_branch_condition(_e48) {
-            local_113 = _e32;
+        let _e43 = local_112;
+        if rt::Scalar::into_branch_condition(_e43) {
+            local_113 = near_13.elementwise_gt(rounded_2);
         } else {
             local_113 = rt::Scalar(false);
         }
-        let is_known = local_113;
+        let _e48 = local_113;
+        if rt::Scalar::into_branch_condition(_e48) {
+            local_114 = _e32;
+        } else {
+            local_114 = rt::Scalar(false);
+        }
+        let is_known = local_114;
         if rt::Scalar::into_branch_condition((!(!is_known))) {
             if rt::Scalar::into_branch_condition(params_110.z().elementwise_eq(rt::Scalar(1f32))) {
-                local_115 = path_92.h.z().elementwise_ne(rt::Scalar(0f32));
+                local_116 = path_92.h.z().elementwise_ne(rt::Scalar(0f32));
             } else {
-                local_115 = rt::Scalar(false);
+                local_116 = rt::Scalar(false);
             }
-            let _e67 = local_115;
-            local_114 = _e67;
+            let _e67 = local_116;
+            local_115 = _e67;
         } else {
-            local_114 = rt::Scalar(true);
+            local_115 = rt::Scalar(true);
         }
-        let _e69 = local_114;
+        let _e69 = local_115;
         if rt::Scalar::into_branch_condition(_e69) {
             return <SearchResult>::new(FOUND_ABOVE, rt::Scalar(0f32), rt::Scalar(path_92.exit), rt::Scalar(0f32), rt::Scalar(1f32), STEP);
         }
@@ -16886,8 +16896,8 @@ impl<'g> Resources<'g> {
         second_1: rt::Vec3<f32>,
         third: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let mut local_116: rt::Scalar<bool>;
         let mut local_117: rt::Scalar<bool>;
+        let mut local_118: rt::Scalar<bool>;
 
         let _e4 = self.v_seen_beside(ray_10, first_5);
         let _e5 = self.v_seen_beside(ray_10, second_1);
@@ -16902,17 +16912,17 @@ impl<'g> Resources<'g> {
         let is_back = least_11.x().max(least_11.y()).max(least_11.z()).elementwise_le(rt::Scalar(0f32));
         let all_3 = ((sides_3.x() + sides_3.y()) + sides_3.z());
         if rt::Scalar::into_branch_condition((!is_front_1)) {
-            local_116 = is_back;
-        } else {
-            local_116 = rt::Scalar(true);
-        }
-        let _e58 = local_116;
-        if rt::Scalar::into_branch_condition((!(!_e58))) {
-            local_117 = all_3.elementwise_eq(rt::Scalar(0f32));
+            local_117 = is_back;
         } else {
             local_117 = rt::Scalar(true);
         }
-        let _e66 = local_117;
+        let _e58 = local_117;
+        if rt::Scalar::into_branch_condition((!(!_e58))) {
+            local_118 = all_3.elementwise_eq(rt::Scalar(0f32));
+        } else {
+            local_118 = rt::Scalar(true);
+        }
+        let _e66 = local_118;
         if rt::Scalar::into_branch_condition(_e66) {
             return rt::Scalar(300000000000000000000000000000000000000f32);
         }
@@ -16941,7 +16951,7 @@ impl<'g> Resources<'g> {
         let mut found_15: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
         let mut cost_25: rt::Vec3<u32> = NO_COST;
         let mut triangle_2: rt::Scalar<u32>;
-        let mut local_118: rt::Scalar<bool>;
+        let mut local_119: rt::Scalar<bool>;
 
         triangle_2 = leaf_1;
         'naga_break: loop {
@@ -16963,11 +16973,11 @@ impl<'g> Resources<'g> {
                     let _e28 = self.v_meets_triangle(ray_11, _e13.xyz(), _e17.xyz(), _e21.xyz());
                     if rt::Scalar::into_branch_condition(_e28.elementwise_ge(near_10)) {
                         let _e32 = found_15;
-                        local_118 = _e28.elementwise_lt(_e32.min(far_8));
+                        local_119 = _e28.elementwise_lt(_e32.min(far_8));
                     } else {
-                        local_118 = rt::Scalar(false);
+                        local_119 = rt::Scalar(false);
                     }
-                    let _e36 = local_118;
+                    let _e36 = local_119;
                     if rt::Scalar::into_branch_condition(_e36) {
                         found_15 = _e28;
                     }
@@ -17002,7 +17012,7 @@ impl<'g> Resources<'g> {
         let mut cost_26: rt::Vec3<u32>;
         let mut found_16: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
         let mut node_1: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_119: rt::Scalar<bool>;
+        let mut local_120: rt::Scalar<bool>;
         let mut next_9: rt::Scalar<u32>;
 
         cost_26 = before_4;
@@ -17011,11 +17021,11 @@ impl<'g> Resources<'g> {
                 let _e10 = node_1;
                 if rt::Scalar::into_branch_condition(_e10.elementwise_ne(rt::Scalar(0u32))) {
                     let _e16 = cost_26.y();
-                    local_119 = _e16.elementwise_lt(limit_1);
+                    local_120 = _e16.elementwise_lt(limit_1);
                 } else {
-                    local_119 = rt::Scalar(false);
+                    local_120 = rt::Scalar(false);
                 }
-                let _e19 = local_119;
+                let _e19 = local_120;
                 if rt::Scalar::into_branch_condition(_e19) {
                 } else {
                     break 'naga_break;
@@ -17251,7 +17261,7 @@ impl<'g> Resources<'g> {
         let mut cost_28: rt::Vec3<u32> = NO_COST;
         let mut first_6: FirstHit;
         let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_120: rt::Scalar<bool>;
+        let mut local_121: rt::Scalar<bool>;
 
         let _e5 = cost_28;
         let _e6 = self.v_miss(_e5);
@@ -17276,11 +17286,11 @@ impl<'g> Resources<'g> {
                             let _e34 = rt::Scalar(first_6.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
                                 let _e42 = rt::Scalar(first_6.key);
-                                local_120 = rt::Scalar(_e23.key).elementwise_gt(_e42);
+                                local_121 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_120 = rt::Scalar(true);
+                                local_121 = rt::Scalar(true);
                             }
-                            let _e45 = local_120;
+                            let _e45 = local_121;
                             if rt::Scalar::into_branch_condition(_e45) {
                                 first_6 = _e23;
                             }
@@ -17310,9 +17320,9 @@ impl<'g> Resources<'g> {
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_121: rt::Scalar<bool>;
         let mut local_122: rt::Scalar<bool>;
         let mut local_123: rt::Scalar<bool>;
+        let mut local_124: rt::Scalar<bool>;
 
         let _e4 = cost_29;
         let _e5 = self.v_miss(_e4);
@@ -17323,11 +17333,11 @@ impl<'g> Resources<'g> {
                 let _e21 = agreed;
                 if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_118.segments))) {
                     let _e26 = turns;
-                    local_121 = _e26.elementwise_lt(most_20);
+                    local_122 = _e26.elementwise_lt(most_20);
                 } else {
-                    local_121 = rt::Scalar(false);
+                    local_122 = rt::Scalar(false);
                 }
-                let _e29 = local_121;
+                let _e29 = local_122;
                 if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
@@ -17340,11 +17350,11 @@ impl<'g> Resources<'g> {
                     let ahead_4 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
                     let passed = (passed_m / ahead_4);
                     if rt::Scalar::into_branch_condition(ahead_4.elementwise_gt(rt::Scalar(0f32))) {
-                        local_122 = passed.elementwise_lt(rt::Scalar(_e31.exit));
+                        local_123 = passed.elementwise_lt(rt::Scalar(_e31.exit));
                     } else {
-                        local_122 = rt::Scalar(false);
+                        local_123 = rt::Scalar(false);
                     }
-                    let _e49 = local_122;
+                    let _e49 = local_123;
                     if rt::Scalar::into_branch_condition((!_e49)) {
                         let _e52 = cost_29;
                         let _e53 = self.v_miss(_e52);
@@ -17370,11 +17380,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
                         let _e80 = reached_1;
                         let _e81 = reached_1;
-                        local_123 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
+                        local_124 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
                     } else {
-                        local_123 = rt::Scalar(true);
+                        local_124 = rt::Scalar(true);
                     }
-                    let _e87 = local_123;
+                    let _e87 = local_124;
                     if rt::Scalar::into_branch_condition(_e87) {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
@@ -17529,7 +17539,7 @@ impl<'g> Resources<'g> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_35: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut first_8: FirstHit;
-        let mut local_124: rt::Scalar<bool>;
+        let mut local_125: rt::Scalar<bool>;
 
         let toward_11 = (-pixel_81.direction.normalize());
         let _e6 = self.v_frames_around(toward_11);
@@ -17575,11 +17585,11 @@ impl<'g> Resources<'g> {
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
-            local_124 = _e78.elementwise_lt(rt::Scalar(0f32));
+            local_125 = _e78.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_124 = rt::Scalar(true);
+            local_125 = rt::Scalar(true);
         }
-        let _e82 = local_124;
+        let _e82 = local_125;
         if rt::Scalar::into_branch_condition(_e82) {
             let _e83 = first_8;
             return _e83;
@@ -17809,15 +17819,15 @@ impl<'g> Resources<'g> {
         height_13: rt::Scalar<f32>,
         slope_5: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut local_125: rt::Scalar<bool>;
+        let mut local_126: rt::Scalar<bool>;
 
         let beyond_10 = (height_13 - height_13.clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(beyond_10.abs().elementwise_gt(rt::Scalar(0f32))) {
-            local_125 = slope_5.abs().elementwise_gt(rt::Scalar(0f32));
+            local_126 = slope_5.abs().elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_125 = rt::Scalar(false);
+            local_126 = rt::Scalar(false);
         }
-        let _e17 = local_125;
+        let _e17 = local_126;
         return rt::Scalar(0f32).select((beyond_10 / slope_5).abs(), _e17);
     }
     pub(crate) fn rest_of_segment(
@@ -18013,16 +18023,16 @@ impl<'g> Resources<'g> {
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_126: rt::Scalar<bool>;
+        let mut local_127: rt::Scalar<bool>;
 
         placed_2 = at_130;
         let _e5 = self.v_quadric_slope(at_130.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_126 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_127 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_126 = rt::Scalar(false);
+            local_127 = rt::Scalar(false);
         }
-        let _e15 = local_126;
+        let _e15 = local_127;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
@@ -18386,18 +18396,18 @@ impl<'g> Resources<'g> {
         params_125: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_127: rt::Scalar<bool>;
+        let mut local_128: rt::Scalar<bool>;
 
         let _e5 = self.v_placed_in_image(pixel_94, at_139, path_110, hit_53);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_127 = _e16.elementwise_ne(CELLS_MASK);
+            local_128 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_127 = rt::Scalar(false);
+            local_128 = rt::Scalar(false);
         }
-        let _e20 = local_127;
+        let _e20 = local_128;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
             let _e26 = self.v_frames_around((-pixel_94.direction.normalize()));
@@ -18660,9 +18670,9 @@ impl<'g> Resources<'g> {
     ) -> Gathering {
         let mut now_1: Gathering;
         let mut begin_8: rt::Scalar<f32>;
-        let mut local_128: rt::Scalar<bool>;
         let mut local_129: rt::Scalar<bool>;
         let mut local_130: rt::Scalar<bool>;
+        let mut local_131: rt::Scalar<bool>;
 
         let params_149 = self.surface_settings.choices[6usize].params;
         let _e14 = self.v_voxel_cell(part_14.cell.to_i32());
@@ -18675,11 +18685,11 @@ impl<'g> Resources<'g> {
                 if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(part_14.end))) {
                     let _e27 = now_1.seen;
                     let _e28 = self.v_goes_on(_e27);
-                    local_128 = _e28;
+                    local_129 = _e28;
                 } else {
-                    local_128 = rt::Scalar(false);
+                    local_129 = rt::Scalar(false);
                 }
-                let _e30 = local_128;
+                let _e30 = local_129;
                 if rt::Scalar::into_branch_condition(_e30) {
                 } else {
                     break 'naga_break;
@@ -18693,11 +18703,11 @@ impl<'g> Resources<'g> {
                     let depth_14 = (_e40 * params_149.x());
                     if rt::Scalar::into_branch_condition(depth_14.elementwise_gt(rt::Scalar(0f32))) {
                         let _e49 = rt::Scalar(now_1.seen.entry);
-                        local_129 = _e49.elementwise_eq(rt::Scalar(300000000000000000000000000000000000000f32));
+                        local_130 = _e49.elementwise_eq(rt::Scalar(300000000000000000000000000000000000000f32));
                     } else {
-                        local_129 = rt::Scalar(false);
+                        local_130 = rt::Scalar(false);
                     }
-                    let _e53 = local_129;
+                    let _e53 = local_130;
                     if rt::Scalar::into_branch_condition(_e53) {
                         let _e61 = begin_8;
                         let _e64 = self.v_depth_on_ray(pixel_100, path_116, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_116.uv, path_116.h.x(), _e61, NO_COST));
@@ -18729,11 +18739,11 @@ impl<'g> Resources<'g> {
         let _e106 = rt::Scalar(now_1.cells);
         if rt::Scalar::into_branch_condition(_e106.elementwise_ge(MOST_CELLS)) {
             let _e112 = rt::Scalar(now_1.part);
-            local_130 = _e112.elementwise_ge((share_1 * rt::Scalar(0.125f32)));
+            local_131 = _e112.elementwise_ge((share_1 * rt::Scalar(0.125f32)));
         } else {
-            local_130 = rt::Scalar(false);
+            local_131 = rt::Scalar(false);
         }
-        let _e117 = local_130;
+        let _e117 = local_131;
         if rt::Scalar::into_branch_condition(_e117) {
             let _e118 = now_1;
             let _e119 = self.v_looked_at(_e118, pixel_100, at_145, path_116, around_3);
@@ -18763,8 +18773,8 @@ impl<'g> Resources<'g> {
         let mut part_15: CellPart;
         let mut cells_1: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut goes_1: rt::Scalar<bool> = rt::Scalar(true);
-        let mut local_131: rt::Scalar<bool>;
         let mut local_132: rt::Scalar<bool>;
+        let mut local_133: rt::Scalar<bool>;
 
         let _e4 = self.v_segment_of(pixel_101, at_146, k_39);
         let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_7.until_m), rt::Scalar(before_7.reach_m));
@@ -18805,19 +18815,19 @@ impl<'g> Resources<'g> {
                     let _e53 = rt::Scalar(part_15.is_last);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_eq(rt::Scalar(0u32))) {
                         let _e58 = cells_1;
-                        local_131 = _e58.elementwise_lt(limit_18);
-                    } else {
-                        local_131 = rt::Scalar(false);
-                    }
-                    let _e61 = local_131;
-                    if rt::Scalar::into_branch_condition(_e61) {
-                        let _e65 = now_2.seen;
-                        let _e66 = self.v_goes_on(_e65);
-                        local_132 = _e66;
+                        local_132 = _e58.elementwise_lt(limit_18);
                     } else {
                         local_132 = rt::Scalar(false);
                     }
-                    let _e68 = local_132;
+                    let _e61 = local_132;
+                    if rt::Scalar::into_branch_condition(_e61) {
+                        let _e65 = now_2.seen;
+                        let _e66 = self.v_goes_on(_e65);
+                        local_133 = _e66;
+                    } else {
+                        local_133 = rt::Scalar(false);
+                    }
+                    let _e68 = local_133;
                     goes_1 = _e68;
                     let _e69 = goes_1;
                     if rt::Scalar::into_branch_condition(_e69) {
@@ -18958,16 +18968,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_133: rt::Scalar<bool>;
+        let mut local_134: rt::Scalar<bool>;
 
         let low_14 = (plane_1.xyz().dot((position_1 + (direction_6 * low_m))) + plane_1.w());
         let high_9 = (plane_1.xyz().dot((position_1 + (direction_6 * high_m))) + plane_1.w());
         if rt::Scalar::into_branch_condition(low_14.elementwise_gt(rt::Scalar(0f32))) {
-            local_133 = high_9.elementwise_gt(rt::Scalar(0f32));
+            local_134 = high_9.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_133 = rt::Scalar(false);
+            local_134 = rt::Scalar(false);
         }
-        let _e24 = local_133;
+        let _e24 = local_134;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -18992,8 +19002,8 @@ impl<'g> Resources<'g> {
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_134: rt::Scalar<bool>;
         let mut local_135: rt::Scalar<bool>;
+        let mut local_136: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -19010,18 +19020,18 @@ impl<'g> Resources<'g> {
                     let _e19 = self.v_is_before(plane_3, a_18.position, a_18.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_3, b_18.position, b_18.direction, low_m_1, high_m_1);
-                        local_134 = _e24;
-                    } else {
-                        local_134 = rt::Scalar(false);
-                    }
-                    let _e26 = local_134;
-                    if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_3, c_13.position, c_13.direction, low_m_1, high_m_1);
-                        local_135 = _e31;
+                        local_135 = _e24;
                     } else {
                         local_135 = rt::Scalar(false);
                     }
-                    let _e33 = local_135;
+                    let _e26 = local_135;
+                    if rt::Scalar::into_branch_condition(_e26) {
+                        let _e31 = self.v_is_before(plane_3, c_13.position, c_13.direction, low_m_1, high_m_1);
+                        local_136 = _e31;
+                    } else {
+                        local_136 = rt::Scalar(false);
+                    }
+                    let _e33 = local_136;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -19087,8 +19097,8 @@ impl<'g> Resources<'g> {
         c_15: Voxel,
         level_55: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let mut local_136: rt::Scalar<bool>;
         let mut local_137: rt::Scalar<bool>;
+        let mut local_138: rt::Scalar<bool>;
 
         let _e6 = self.v_coarser_voxel(a_21.at, level_55);
         let _e8 = self.v_coarser_voxel(b_21.at, level_55);
@@ -19098,17 +19108,17 @@ impl<'g> Resources<'g> {
         let _e17 = self.v_longest_of((_e6 - _e10));
         let longest = _e12.max(_e14).max(_e17);
         if rt::Scalar::into_branch_condition(longest.elementwise_gt(rt::Scalar(0i32))) {
-            local_136 = longest.elementwise_le(rt::Scalar(1023i32));
-        } else {
-            local_136 = rt::Scalar(false);
-        }
-        let _e26 = local_136;
-        if rt::Scalar::into_branch_condition(_e26) {
-            local_137 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
+            local_137 = longest.elementwise_le(rt::Scalar(1023i32));
         } else {
             local_137 = rt::Scalar(false);
         }
-        let _e33 = local_137;
+        let _e26 = local_137;
+        if rt::Scalar::into_branch_condition(_e26) {
+            local_138 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
+        } else {
+            local_138 = rt::Scalar(false);
+        }
+        let _e33 = local_138;
         return _e33;
     }
     pub(crate) fn light_seen(
@@ -19158,16 +19168,16 @@ impl<'g> Resources<'g> {
         start_4: rt::Vec3<i32>,
         to_1: rt::Vec3<i32>,
     ) -> rt::Scalar<u32> {
-        let mut local_138: rt::Scalar<bool>;
+        let mut local_139: rt::Scalar<bool>;
 
         let along_46 = (to_1 - start_4).abs();
         let of_last_1 = rt::Scalar(2u32).select(rt::Scalar(1u32), along_46.y().elementwise_ge(along_46.z()));
         if rt::Scalar::into_branch_condition(along_46.x().elementwise_ge(along_46.y())) {
-            local_138 = along_46.x().elementwise_ge(along_46.z());
+            local_139 = along_46.x().elementwise_ge(along_46.z());
         } else {
-            local_138 = rt::Scalar(false);
+            local_139 = rt::Scalar(false);
         }
-        let _e20 = local_138;
+        let _e20 = local_139;
         return of_last_1.select(rt::Scalar(0u32), _e20);
     }
     pub(crate) fn shadow_ray(
@@ -20045,18 +20055,18 @@ impl<'g> Resources<'g> {
         to_2: rt::Vec3<i32>,
         third_1: rt::Vec3<i32>,
     ) -> rt::Scalar<i32> {
-        let mut local_139: rt::Scalar<bool>;
+        let mut local_140: rt::Scalar<bool>;
 
         let _e3 = self.v_main_axis(start_5, to_2);
         let _e4 = self.v_axis_of(start_5, _e3);
         let _e5 = self.v_axis_of(to_2, _e3);
         let _e6 = self.v_axis_of(third_1, _e3);
         if rt::Scalar::into_branch_condition(_e4.min(_e5).elementwise_le(_e6)) {
-            local_139 = _e6.elementwise_le(_e4.max(_e5));
+            local_140 = _e6.elementwise_le(_e4.max(_e5));
         } else {
-            local_139 = rt::Scalar(false);
+            local_140 = rt::Scalar(false);
         }
-        let is_primary = local_139;
+        let is_primary = local_140;
         return ((_e5 - _e4).abs() + rt::Scalar(0i32).select(rt::Scalar(1048576i32), is_primary));
     }
     pub(crate) fn procedure_bumps(
@@ -21071,17 +21081,17 @@ impl<'g> Resources<'g> {
         b_29: rt::Vec3<i32>,
         c_20: rt::Vec3<i32>,
     ) -> Sweep {
-        let mut local_140: rt::Scalar<bool>;
+        let mut local_141: rt::Scalar<bool>;
 
         let _e3 = self.v_primary_length(a_29, b_29, c_20);
         let _e4 = self.v_primary_length(b_29, c_20, a_29);
         let _e5 = self.v_primary_length(c_20, a_29, b_29);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ge(_e4)) {
-            local_140 = _e3.elementwise_ge(_e5);
+            local_141 = _e3.elementwise_ge(_e5);
         } else {
-            local_140 = rt::Scalar(false);
+            local_141 = rt::Scalar(false);
         }
-        let _e11 = local_140;
+        let _e11 = local_141;
         if rt::Scalar::into_branch_condition(_e11) {
             let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_29, b_29, c_20);
             return _e13;
@@ -21159,7 +21169,7 @@ impl<'g> Resources<'g> {
         column_5: rt::Scalar<i32>,
         first_10: rt::Scalar<u32>,
     ) -> SweptColumn {
-        let mut local_141: rt::Scalar<bool>;
+        let mut local_142: rt::Scalar<bool>;
 
         let n_19 = sweep_8.parts.x();
         let m_8 = sweep_8.parts.y();
@@ -21170,11 +21180,11 @@ impl<'g> Resources<'g> {
         let from_top = _e7.max(rt::Scalar(1i32));
         let of_top_1 = (_e10.min((n_19 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
-            local_141 = column_5.elementwise_ge(sweep_8.end.x());
+            local_142 = column_5.elementwise_ge(sweep_8.end.x());
         } else {
-            local_141 = rt::Scalar(true);
+            local_142 = rt::Scalar(true);
         }
-        let _e34 = local_141;
+        let _e34 = local_142;
         if rt::Scalar::into_branch_condition(_e34) {
             return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_10, from_top, of_top_1, top_12);
         }
@@ -21305,11 +21315,11 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_zip_goes_left(&self, zip: Zip) -> rt::Scalar<bool> {
-        let mut local_142: rt::Scalar<bool>;
         let mut local_143: rt::Scalar<bool>;
         let mut local_144: rt::Scalar<bool>;
         let mut local_145: rt::Scalar<bool>;
         let mut local_146: rt::Scalar<bool>;
+        let mut local_147: rt::Scalar<bool>;
 
         let on_left = ((rt::Scalar(zip.left.count) - rt::Scalar(1i32)) - rt::Scalar(zip.i));
         let on_right = ((rt::Scalar(zip.right.count) - rt::Scalar(1i32)) - rt::Scalar(zip.j));
@@ -21320,29 +21330,29 @@ impl<'g> Resources<'g> {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.left.way).elementwise_eq(ROOF_UP)) {
-            local_142 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
+            local_143 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
         } else {
-            local_142 = rt::Scalar(false);
+            local_143 = rt::Scalar(false);
         }
-        let _e29 = local_142;
+        let _e29 = local_143;
         if rt::Scalar::into_branch_condition(_e29) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_right).elementwise_eq(rt::Scalar(1u32))) {
-            local_143 = on_right.elementwise_eq(rt::Scalar(1i32));
+            local_144 = on_right.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_143 = rt::Scalar(false);
+            local_144 = rt::Scalar(false);
         }
-        let _e39 = local_143;
+        let _e39 = local_144;
         if rt::Scalar::into_branch_condition(_e39) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_left).elementwise_eq(rt::Scalar(1u32))) {
-            local_144 = on_left.elementwise_eq(rt::Scalar(1i32));
+            local_145 = on_left.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_144 = rt::Scalar(false);
+            local_145 = rt::Scalar(false);
         }
-        let _e49 = local_144;
+        let _e49 = local_145;
         if rt::Scalar::into_branch_condition(_e49) {
             return rt::Scalar(false);
         }
@@ -21354,16 +21364,16 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0i32))) {
             if rt::Scalar::into_branch_condition((!_e58.elementwise_le(rt::Scalar(0i32)))) {
-                local_146 = _e63;
+                local_147 = _e63;
             } else {
-                local_146 = rt::Scalar(true);
+                local_147 = rt::Scalar(true);
             }
-            let _e75 = local_146;
-            local_145 = _e75;
+            let _e75 = local_147;
+            local_146 = _e75;
         } else {
-            local_145 = rt::Scalar(false);
+            local_146 = rt::Scalar(false);
         }
-        let _e77 = local_145;
+        let _e77 = local_146;
         return _e77;
     }
     pub(crate) fn zip_next(
@@ -21417,9 +21427,9 @@ impl<'g> Resources<'g> {
     ) -> Zip {
         let mut left_1: SweptChain;
         let mut right: SweptChain;
-        let mut local_147: rt::Scalar<bool>;
         let mut local_148: rt::Scalar<bool>;
         let mut local_149: rt::Scalar<bool>;
+        let mut local_150: rt::Scalar<bool>;
 
         let _e5 = self.v_swept_chain(sweep_12, column_7, TOP_NEXT);
         left_1 = _e5;
@@ -21428,11 +21438,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(which.elementwise_ne(rt::Scalar(1u32))) {
             let under_3 = which.elementwise_eq(rt::Scalar(0u32));
             if rt::Scalar::into_branch_condition((!rt::Scalar(column_7.top).elementwise_ne(TOP_ROOF))) {
-                local_147 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
+                local_148 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
             } else {
-                local_147 = rt::Scalar(true);
+                local_148 = rt::Scalar(true);
             }
-            let _e27 = local_147;
+            let _e27 = local_148;
             let has_none = rt::Scalar(next_11.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
             if rt::Scalar::into_branch_condition(under_3) {
                 let _e30 = self.v_swept_chain(sweep_12, column_7, ROOF_UP);
@@ -21455,21 +21465,21 @@ impl<'g> Resources<'g> {
             let _e47 = left_1;
             let _e48 = right;
             let _e49 = self.v_ends_on(sweep_12, _e47, _e48);
-            local_148 = _e49;
+            local_149 = _e49;
         } else {
-            local_148 = rt::Scalar(false);
+            local_149 = rt::Scalar(false);
         }
-        let keeps_left = local_148;
+        let keeps_left = local_149;
         let _e53 = rt::Scalar(right.count);
         if rt::Scalar::into_branch_condition(_e53.elementwise_gt(rt::Scalar(1i32))) {
             let _e58 = right;
             let _e59 = left_1;
             let _e60 = self.v_ends_on(sweep_12, _e58, _e59);
-            local_149 = _e60;
+            local_150 = _e60;
         } else {
-            local_149 = rt::Scalar(false);
+            local_150 = rt::Scalar(false);
         }
-        let keeps_right = local_149;
+        let keeps_right = local_150;
         let _e63 = left_1;
         let _e64 = right;
         let _e65 = left_1;

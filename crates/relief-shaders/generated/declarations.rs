@@ -11467,6 +11467,14 @@ fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hi
     },
     Declaration {
         module: "surface/plane",
+        name: "LEAST_DESCENT",
+        sampling: None,
+        uses: &[],
+        text: r#"// The least descent of a ray to a triangle without a relief. Smaller, and the way through its depth of nothing grows.
+const LEAST_DESCENT = 0.001;"#,
+    },
+    Declaration {
+        module: "surface/plane",
         name: "surface_plane_enter",
         sampling: None,
         uses: &["Entered", "PixelIn", "plane_distance", "plane_normal", "plane_weights", "surface_settings"],
@@ -11490,7 +11498,9 @@ fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hi
     // By the unit direction, as for the segment: a longer one may descend where the unit one does
     // not.
     let descent = 0.0 - dot(normal, pixel.direction / length(pixel.direction));
-    let segments = select(0u, 1u, area > 0.0 && descent > 0.0);
+    // A triangle without a relief is seen wherever it faces the eye, also where its normal does not.
+    let is_entered = descent > 0.0 || surface_settings.scale_m == 0.0;
+    let segments = select(0u, 1u, area > 0.0 && is_entered);
     return Entered(
         segments,
         point,
@@ -11513,13 +11523,14 @@ fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hi
         module: "surface/plane",
         name: "surface_plane_segment",
         sampling: None,
-        uses: &["BELOW_FLOOR", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "base_height", "climb", "inside_unit", "plane_distance", "plane_normal", "surface_settings", "traced_scale_m"],
+        uses: &["BELOW_FLOOR", "Entered", "LEAST_DESCENT", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "base_height", "climb", "inside_unit", "plane_distance", "plane_normal", "surface_settings", "traced_scale_m"],
         text: r#"fn surface_plane_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     // Equation 7 with the ray's unit direction: texture coordinates and height per metre.
     let along = length(pixel.direction);
     let direction = pixel.direction / along;
     let duv = climb(at, direction).xy;
-    let descent = 0.0 - dot(at.normal, direction);
+    let is_flat = surface_settings.scale_m == 0.0;
+    let descent = max(0.0 - dot(at.normal, direction), select(0.0 - NEVER, LEAST_DESCENT, is_flat));
     let scale = traced_scale_m();
     let base_height = base_height();
     let slope = (0.0 - descent) / scale;

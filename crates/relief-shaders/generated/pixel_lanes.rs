@@ -3432,6 +3432,7 @@ lanes! { fn surface_plane_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
     let mut ex = within;
     let mut ret: Entered = zero_entered();
     let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
     let n_2 = plane_normal(r, pixel_a0);
     let e_5 = plane_distance(r, pixel_a0, n_2);
     let point_7 = Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, e_5)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, e_5)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, e_5)) };
@@ -3450,10 +3451,12 @@ lanes! { fn surface_plane_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
     let metric_68 = Vec4 { x: tt_59, y: tb_60, z: bb_61, w: splat(r.surface_settings.scale_m) };
     let e_71 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
     let descent_76 = sub(splat(0.0f32), add(add(add(mul(normal_58.x, div(pixel_a0.direction.x, e_71)), mul(normal_58.y, div(pixel_a0.direction.y, e_71))), mul(normal_58.z, div(pixel_a0.direction.z, e_71))), splat(0.0f32)));
-    both_v0 = and(gt(area_64, splat(0.0f32)), gt(descent_76, splat(0.0f32)));
-    let e_86 = both_v0;
-    let segments_87 = sel_u(e_86, splat_u(1u32), splat_u(0u32));
-    return Entered { segments: segments_87, point: point_7, uv: uv_22, tangent: tangent_33, bitangent: bitangent_44, normal: normal_58, metric: metric_68, level: splat_u(0u32), facing: n_2, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+    both_v0 = or(gt(descent_76, splat(0.0f32)), splat_m((r.surface_settings.scale_m == 0.0f32)));
+    let is_entered_88 = both_v0;
+    both_v1 = and(gt(area_64, splat(0.0f32)), is_entered_88);
+    let e_96 = both_v1;
+    let segments_97 = sel_u(e_96, splat_u(1u32), splat_u(0u32));
+    return Entered { segments: segments_97, point: point_7, uv: uv_22, tangent: tangent_33, bitangent: bitangent_44, normal: normal_58, metric: metric_68, level: splat_u(0u32), facing: n_2, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
 } }
 lanes! { fn middle_of(r: &Resources<'_>, pixel_a0: &PixelIn, along_a1: Vec3<F>) -> F {
     let centre_11 = Vec3 { x: (((pixel_a0.a.position.x + pixel_a0.b.position.x) + pixel_a0.c.position.x) * 0.33333334f32), y: (((pixel_a0.a.position.y + pixel_a0.b.position.y) + pixel_a0.c.position.y) * 0.33333334f32), z: (((pixel_a0.a.position.z + pixel_a0.b.position.z) + pixel_a0.c.position.z) * 0.33333334f32) };
@@ -4994,43 +4997,44 @@ lanes! { fn surface_plane_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixel
     let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
     let direction_8 = Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) };
     let e_9 = climb(r, at_a1, direction_8);
-    let descent_14 = sub(splat(0.0f32), add(add(add(mul(at_a1.normal.x, direction_8.x), mul(at_a1.normal.y, direction_8.y)), mul(at_a1.normal.z, direction_8.z)), splat(0.0f32)));
-    let scale_15 = r.traced_scale_m();
-    let base_height_16 = r.base_height();
-    let slope_19 = div(sub(splat(0.0f32), descent_14), splat(scale_15));
-    let e_20 = plane_normal(r, pixel_a0);
-    let e_21 = plane_distance(r, pixel_a0, e_20);
-    let distance_22 = mul(e_21, along_5);
-    let eye_24 = sub(splat(0.0f32), distance_22);
-    let top_28 = div(splat(((base_height_16 - 1.0f32) * scale_15)), descent_14);
-    enter_v0 = max(top_28, eye_24);
-    leave_v1 = div(splat((base_height_16 * scale_15)), descent_14);
-    let e_34 = leave_v1;
-    let e_35 = leave_v1;
-    leave_v1 = add(e_34, mul(sub(e_35, top_28), splat(1e-6f32)));
+    let is_flat_15 = (r.surface_settings.scale_m == 0.0f32);
+    let descent_23 = max(sub(splat(0.0f32), add(add(add(mul(at_a1.normal.x, direction_8.x), mul(at_a1.normal.y, direction_8.y)), mul(at_a1.normal.z, direction_8.z)), splat(0.0f32))), splat((if is_flat_15 { 0.001f32 } else { (-3e38f32) })));
+    let scale_24 = r.traced_scale_m();
+    let base_height_25 = r.base_height();
+    let slope_28 = div(sub(splat(0.0f32), descent_23), splat(scale_24));
+    let e_29 = plane_normal(r, pixel_a0);
+    let e_30 = plane_distance(r, pixel_a0, e_29);
+    let distance_31 = mul(e_30, along_5);
+    let eye_33 = sub(splat(0.0f32), distance_31);
+    let top_37 = div(splat(((base_height_25 - 1.0f32) * scale_24)), descent_23);
+    enter_v0 = max(top_37, eye_33);
+    leave_v1 = div(splat((base_height_25 * scale_24)), descent_23);
+    let e_43 = leave_v1;
+    let e_44 = leave_v1;
+    leave_v1 = add(e_43, mul(sub(e_44, top_37), splat(1e-6f32)));
     if (r.surface_settings.wrap == 1u32) {
-        let e_48 = enter_v0;
-        let e_49 = leave_v1;
-        let e_51 = inside_unit(r, ex, at_a1.uv.x, e_9.x, Vec2 { x: e_48, y: e_49 });
-        interval_v2 = e_51;
-        let e_56 = interval_v2;
-        let e_57 = inside_unit(r, ex, at_a1.uv.y, e_9.y, e_56);
-        interval_v2 = e_57;
-        let e_59 = interval_v2.x;
-        enter_v0 = e_59;
-        let e_61 = interval_v2.y;
-        leave_v1 = e_61;
+        let e_57 = enter_v0;
+        let e_58 = leave_v1;
+        let e_60 = inside_unit(r, ex, at_a1.uv.x, e_9.x, Vec2 { x: e_57, y: e_58 });
+        interval_v2 = e_60;
+        let e_65 = interval_v2;
+        let e_66 = inside_unit(r, ex, at_a1.uv.y, e_9.y, e_65);
+        interval_v2 = e_66;
+        let e_68 = interval_v2.x;
+        enter_v0 = e_68;
+        let e_70 = interval_v2.y;
+        leave_v1 = e_70;
     }
-    let e_62 = enter_v0;
-    let e_65 = enter_v0;
-    let entry_height_68 = sel(eq(e_65, top_28), splat(1.0f32), add(splat(base_height_16), mul(slope_19, e_62)));
-    let e_69 = enter_v0;
-    let base_74 = min_with(max_with(sub(splat(0.0f32), e_69), splat((-3e38f32))), splat(3e38f32));
-    let e_76 = enter_v0;
-    let e_81 = leave_v1;
-    let e_82 = enter_v0;
-    let e_87 = enter_v0;
-    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_76)), y: add(at_a1.uv.y, mul(e_9.y, e_76)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_68, y: slope_19, z: splat(0.0f32) }, exit: sub(e_81, e_82), base: base_74, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_22, e_87), share: splat(1.0f32), bend: splat(0.0f32), };
+    let e_71 = enter_v0;
+    let e_74 = enter_v0;
+    let entry_height_77 = sel(eq(e_74, top_37), splat(1.0f32), add(splat(base_height_25), mul(slope_28, e_71)));
+    let e_78 = enter_v0;
+    let base_83 = min_with(max_with(sub(splat(0.0f32), e_78), splat((-3e38f32))), splat(3e38f32));
+    let e_85 = enter_v0;
+    let e_90 = leave_v1;
+    let e_91 = enter_v0;
+    let e_96 = enter_v0;
+    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_85)), y: add(at_a1.uv.y, mul(e_9.y, e_85)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_77, y: slope_28, z: splat(0.0f32) }, exit: sub(e_90, e_91), base: base_83, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_31, e_96), share: splat(1.0f32), bend: splat(0.0f32), };
 } }
 stage! { fn folded_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     if none(within) { return zero_path(); }
