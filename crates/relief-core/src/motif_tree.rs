@@ -13,7 +13,8 @@ use crate::encoding::code::Codes;
 use crate::hierarchy::collapsed;
 use crate::{BakedMap, MapFormat, MapIdentity, MapLayout, MapTexels};
 
-/// Triangle of a motif: places `(u, v, height)`, tiles and heights from 0 to 1, and normals along the same axes.
+/// Triangle of a motif: places `(u, v, height)`, tiles and heights from 0 to 1, and normals along the same
+/// axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TileTriangle {
     /// The corners.
@@ -57,8 +58,9 @@ pub const TREE_SHIFT: u32 = 10;
 /// Steps of places in a tile: in `f32` they stay exact when they are moved by whole tiles.
 const STEPS: f64 = (1u64 << 19) as f64;
 
-/// Tiles by which boxes are larger than what is in them, and by which triangles beside a tile still count as in it.
-/// Less, and rounding of places far from the first tile loses triangles; more, and rays visit more boxes.
+/// Tiles by which boxes are larger than what is in them, and by which triangles beside a tile still count as
+/// in it. Less, and rounding of places far from the first tile loses triangles; more, and rays visit more
+/// boxes.
 const BESIDE: f64 = 1e-4;
 
 /// Texels of a node, of the corners of a triangle, and of its normals.
@@ -67,8 +69,9 @@ const TRIANGLE_TEXELS: u32 = 3;
 
 /// Motif that repeats with the tiles of a surface, as a tree of boxes for rays in `(u, v, height)`.
 ///
-/// The tree holds one tile. Triangles that reach into other tiles are in it once for each, moved back, so that
-/// a ray that walks from tile to tile meets all of them. Places are rounded to 2⁻¹⁹ of a tile. Clones share it.
+/// The tree holds one tile. Triangles that reach into other tiles are in it once for each, moved back, so
+/// that a ray that walks from tile to tile meets all of them. Places are rounded to 2⁻¹⁹ of a tile. Clones
+/// share it.
 ///
 /// Porumbescu, Budge, Feng and Joy 2005, "Shell maps"; Szirmay-Kalos and Umenhoffer 2008, section 5.2.
 #[derive(Clone, PartialEq)]
@@ -85,8 +88,8 @@ impl fmt::Debug for MotifTree {
 }
 
 impl MotifTree {
-    /// Makes the tree of triangles in the space of a tile. Those outside of the heights 0 to 1, and those without
-    /// area, are left out.
+    /// Makes the tree of triangles in the space of a tile. Those outside of the heights 0 to 1, and those
+    /// without area, are left out.
     ///
     /// ```
     /// use glam::{DVec3, Vec3};
@@ -118,11 +121,11 @@ impl MotifTree {
 
     /// Returns the texture, four numbers a texel, in rows of 2¹⁰.
     ///
-    /// * Texel 0: the texels from a triangle's corners to its normals, the number of nodes, and 1 for a closed motif,
-    ///   whose triangles are seen from the outside alone.
-    /// * From texel 1 on the nodes, each before its children: a box's least corner and the first texel of the node
-    ///   behind all of its children, 0 for none; the greatest corner, and the first texel of a leaf's triangles, 0
-    ///   for other nodes.
+    /// * Texel 0: the texels from a triangle's corners to its normals, the number of nodes, and 1 for a
+    ///   closed motif, whose triangles are seen from the outside alone.
+    /// * From texel 1 on the nodes, each before its children: a box's least corner and the first texel of the
+    ///   node behind all of its children, 0 for none; the greatest corner, and the first texel of a leaf's
+    ///   triangles, 0 for other nodes.
     /// * Then the triangles: three corners; behind the first the number of triangles that follow in the leaf.
     /// * Then the normals of the triangles' corners, in the same order.
     pub fn map(&self) -> &Arc<BakedMap> {

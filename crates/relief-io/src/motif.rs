@@ -12,13 +12,13 @@ pub const MOTIF_EXTRAS: &str = "motif";
 /// Greatest depth of a motif, in tiles.
 const DEEPEST: f64 = 1e6;
 
-/// Returns the depth of a motif's heights in tiles, as its file says: `depth` under [`MOTIF_EXTRAS`] in the extras of
-/// its node. `None` for other meshes.
+/// Returns the depth of a motif's heights in tiles, as its file says: `depth` under [`MOTIF_EXTRAS`] in the
+/// extras of its node. `None` for other meshes.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is not a mesh, is damaged, needs more than `max_bytes`, or states another depth than
-/// a number above 0.
+/// When the file cannot be read, is not a mesh, is damaged, needs more than `max_bytes`, or states another
+/// depth than a number above 0.
 pub fn read_motif_depth<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<Option<f64>, ReadError> {
     let source = source.into();
     let Some(text) = read_node_extras(source, MOTIF_EXTRAS, max_bytes)? else { return Ok(None) };

@@ -72,8 +72,8 @@ pub struct MotifOptions {
     pub axes: Option<VectorAxes>,
     /// Size of the tiles that the motif lies on, in metres along `u` and `v`.
     pub tile_m: [f64; 2],
-    /// Metres between the heights 0 and 1 of a mesh, or the length of a vector of length 1 in a map. `None` for what
-    /// the file says, or the length of a tile.
+    /// Metres between the heights 0 and 1 of a mesh, or the length of a vector of length 1 in a map. `None`
+    /// for what the file says, or the length of a tile.
     pub scale_m: Option<f64>,
     /// Most bytes that reading may need.
     pub max_bytes: u64,

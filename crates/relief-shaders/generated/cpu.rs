@@ -887,8 +887,8 @@ impl MotifPoint {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A straight way in a tile, seen along its longest axis, which comes last. `shear` takes a place to the two axes
-/// across the way; its third part is the parameter of one along the axis.
+/// A straight way in a tile, seen along its longest axis, which comes last. `shear` takes a place to the two
+/// axes across the way; its third part is the parameter of one along the axis.
 pub struct MotifRay {
     pub origin: rt::Vec3<f32>,
     pub inverse: rt::Vec3<f32>,

@@ -113,12 +113,12 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/material", head: r#"// Material maps: what a surface is made of, from texel to texel.
 "# },
-    Module { path: "shared/motif", head: r#"// Motifs: triangles in the space of a tile, in a tree of boxes. A texture holds both, in the slot of an object's
-// images.
+    Module { path: "shared/motif", head: r#"// Motifs: triangles in the space of a tile, in a tree of boxes. A texture holds both, in the slot of an
+// object's images.
 //
-// Porumbescu, Budge, Feng and Joy 2005; Szirmay-Kalos and Umenhoffer 2008, section 5.2. The walk through the tree
-// needs no stack: each node knows the one behind its children. Which rays meet a triangle is decided as by Woop,
-// Benthin and Wald 2013: seen along the ray, by the sides of its edges.
+// Porumbescu, Budge, Feng and Joy 2005; Szirmay-Kalos and Umenhoffer 2008, section 5.2. The walk through the
+// tree needs no stack: each node knows the one behind its children. Which rays meet a triangle is decided as
+// by Woop, Benthin and Wald 2013: seen along the ray, by the sides of its edges.
 "# },
     Module { path: "shared/normal", head: r#"// The mesostructure's normal in the finest level, in the world, and tangent space.
 //
@@ -493,8 +493,9 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "search/shell_map", head: r#"// The first triangle of a motif on the path, tile by tile.
 //
-// Porumbescu, Budge, Feng and Joy 2005, "Shell maps"; Szirmay-Kalos and Umenhoffer 2008, section 5.2: a volume, here a
-// mesh, is mapped onto the surface by the shells of its triangles. `params.x` is the most boxes.
+// Porumbescu, Budge, Feng and Joy 2005, "Shell maps"; Szirmay-Kalos and Umenhoffer 2008, section 5.2: a
+// volume, here a mesh, is mapped onto the surface by the shells of its triangles. `params.x` is the most
+// boxes.
 "# },
     Module { path: "search/sphere", head: r#"// Sphere tracing: each step is as long as the distance field allows in any direction.
 //
@@ -4375,8 +4376,8 @@ fn way_out(path: Path, light: Toward) -> f32 {
         name: "light_ray_from",
         sampling: None,
         uses: &["Entered", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "LIGHT_RAY_OPEN", "LightRay", "Path", "RAY_SHADOW", "Toward", "way_out"],
-        text: r#"// The ray from a place over the surface, along u, v and the height, whose change is known. A light below the base
-// plane lights nothing.
+        text: r#"// The ray from a place over the surface, along u, v and the height, whose change is known. A light below the
+// base plane lights nothing.
 fn light_ray_from(at: Entered, begin: vec3f, change: vec3f, light: Toward) -> LightRay {
     let h = vec3f(begin.z, change.z, 0.0);
     let way = Path(begin.xy, change.xy, h, 0.0, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0, 0.0);
@@ -4660,8 +4661,8 @@ const NODE_READ = vec3u(1u, 0u, 32u);"#,
         name: "EDGE_SLACK",
         sampling: None,
         uses: &[],
-        text: r#"// The parts of an edge function's products by which a ray may lie beyond an edge: some roundings. Smaller, and rays
-// pass between triangles; larger, and outlines grow.
+        text: r#"// The parts of an edge function's products by which a ray may lie beyond an edge: some roundings. Smaller,
+// and rays pass between triangles; larger, and outlines grow.
 const EDGE_SLACK = 0.0000005;"#,
     },
     Declaration {
@@ -4677,8 +4678,8 @@ const LEAST_STEP = 1.0e-30;"#,
         name: "AT_HIT",
         sampling: None,
         uses: &[],
-        text: r#"// The distance in tiles up to which a hit is on a triangle. Smaller, and rounding far from the first tile loses
-// it; larger, and more triangles are looked at.
+        text: r#"// The distance in tiles up to which a hit is on a triangle. Smaller, and rounding far from the first tile
+// loses it; larger, and more triangles are looked at.
 const AT_HIT = 0.0001;"#,
     },
     Declaration {
@@ -4715,8 +4716,8 @@ fn motif_is_closed() -> bool {
         name: "MotifRay",
         sampling: None,
         uses: &[],
-        text: r#"// A straight way in a tile, seen along its longest axis, which comes last. `shear` takes a place to the two axes
-// across the way; its third part is the parameter of one along the axis.
+        text: r#"// A straight way in a tile, seen along its longest axis, which comes last. `shear` takes a place to the two
+// axes across the way; its third part is the parameter of one along the axis.
 struct MotifRay {
     origin: vec3f,
     inverse: vec3f,
@@ -4826,7 +4827,8 @@ struct MotifHit {
         name: "first_of_leaf",
         sampling: None,
         uses: &["MotifHit", "MotifRay", "NEVER", "NO_COST", "TRIANGLE_READ", "meets_triangle", "motif_texel"],
-        text: r#"// The first triangle of a leaf, by its first texel, that the way meets between the parameters `near` and `far`.
+        text: r#"// The first triangle of a leaf, by its first texel, that the way meets between the parameters `near` and
+// `far`.
 fn first_of_leaf(ray: MotifRay, leaf: u32, near: f32, far: f32) -> MotifHit {
     var found = NEVER;
     var cost = NO_COST;
@@ -4850,8 +4852,8 @@ fn first_of_leaf(ray: MotifRay, leaf: u32, near: f32, far: f32) -> MotifHit {
         name: "first_of_motif",
         sampling: None,
         uses: &["MotifHit", "MotifRay", "NEVER", "NODE_READ", "STEP", "first_of_leaf", "meets_box", "motif_texel"],
-        text: r#"// The first triangle of the motif between the parameters `near` and `far`. Costs are added to `before`, until they
-// are `limit` steps.
+        text: r#"// The first triangle of the motif between the parameters `near` and `far`. Costs are added to `before`, until
+// they are `limit` steps.
 fn first_of_motif(ray: MotifRay, near: f32, far: f32, before: vec3u, limit: u32) -> MotifHit {
     var cost = before;
     var found = NEVER;
@@ -5035,8 +5037,8 @@ fn motif_of(hit: Hit) -> MotifPoint {
         name: "light_ray_out_of_motif",
         sampling: None,
         uses: &["Entered", "Hit", "LightRay", "OUTSIDE_TILES", "Toward", "climb", "light_ray_from", "motif_of", "near_uv"],
-        text: r#"// The ray from a hit to a light, which begins a little outside of the motif, on the light's side. A light below the
-// base plane lights nothing.
+        text: r#"// The ray from a hit to a light, which begins a little outside of the motif, on the light's side. A light
+// below the base plane lights nothing.
 fn light_ray_out_of_motif(at: Entered, hit: Hit, light: Toward) -> LightRay {
     let change = climb(at, light.direction);
     let facet = motif_of(hit).facet;
@@ -11470,7 +11472,8 @@ fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hi
         name: "LEAST_DESCENT",
         sampling: None,
         uses: &[],
-        text: r#"// The least descent of a ray to a triangle without a relief. Smaller, and the way through its depth of nothing grows.
+        text: r#"// The least descent of a ray to a triangle without a relief. Smaller, and the way through its depth of
+// nothing grows.
 const LEAST_DESCENT = 0.001;"#,
     },
     Declaration {
@@ -13175,8 +13178,8 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
         name: "field_motif_normals",
         sampling: None,
         uses: &["Entered", "Hit", "SeenNormals", "covector", "motif_is_closed", "motif_of", "one_seen"],
-        text: r#"// The normal on the side of the triangle that is seen. A closed motif is seen from its outside: at its outline the
-// frame of the base would say otherwise here and there.
+        text: r#"// The normal on the side of the triangle that is seen. A closed motif is seen from its outside: at its
+// outline the frame of the base would say otherwise here and there.
 fn field_motif_normals(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> SeenNormals {
     let point = motif_of(hit);
     let is_front = motif_is_closed() || dot(covector(at, point.facet), view) >= 0.0;
@@ -14171,8 +14174,8 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         name: "BEYOND_TILE",
         sampling: None,
         uses: &[],
-        text: r#"// Tiles by which a hit may lie beyond the end of its tile. Smaller, and rounding loses hits at the edges of tiles
-// far from the first; larger, and the order of two hits that are nearer to each other may change.
+        text: r#"// Tiles by which a hit may lie beyond the end of its tile. Smaller, and rounding loses hits at the edges of
+// tiles far from the first; larger, and the order of two hits that are nearer to each other may change.
 const BEYOND_TILE = 0.00002;"#,
     },
     Declaration {

@@ -1,9 +1,8 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `loaders`, `look`,
-//! `looks`, `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`,
+//! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `loaders`, `look`, `looks`,
+//! `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`,
 //! `shell-map`, `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace`, `units`, `view-dependent` and
-//! `volumes`. Results are kept
-//! in `docs/measurements/`.
+//! `volumes`. Results are kept in `docs/measurements/`.
 
 use std::process::ExitCode;
 
@@ -83,7 +82,8 @@ enum Command {
     Detail(detail::Arguments),
     /// Memory, preparation and rays a second of shells, beside Embree over as many triangles as they show
     Embree(embree::Arguments),
-    /// Rays to a motif in shells beside Embree over the same motif as triangles: memory, preparation, rays a second
+    /// Rays to a motif in shells beside Embree over the same motif as triangles: memory, preparation, rays a
+    /// second
     ShellMap(embree::links::Arguments),
     /// Time of a second frame beside a whole rendering, and what it uploads and compiles
     Frame(frame::Arguments),

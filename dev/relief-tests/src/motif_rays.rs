@@ -18,8 +18,8 @@ pub fn motif_tree(kind: MotifKind) -> MotifTree {
     motif_for_rays(&motif_mesh(kind)).expect("a motif").tree
 }
 
-/// The triangles of a mesh in the space of a tile, but for the caps of threads on the tile's edges: they meet the
-/// next tile's caps, inside of the thread.
+/// The triangles of a mesh in the space of a tile, but for the caps of threads on the tile's edges: they meet
+/// the next tile's caps, inside of the thread.
 pub fn tile_triangles(mesh: &RawMesh) -> Vec<TileTriangle> {
     let triangle = |corners: &[relief_core::mesh::RawCorner; 3]| {
         let corners = corners.map(|corner| mesh.positions[corner.position as usize].as_dvec3());
@@ -55,11 +55,12 @@ pub fn straight_paths(seed: u64, count: usize) -> Vec<Path> {
 /// How far from a triangle a hit may be, in tiles.
 const BESIDE: f64 = 2e-5;
 
-/// How clear of its edges, in weights of its corners, and how steep a path must meet a triangle to be judged: others
-/// graze.
+/// How clear of its edges, in weights of its corners, and how steep a path must meet a triangle to be judged:
+/// others graze.
 const CLEAR: f64 = 1e-3;
 
-/// The paths for which an answer is wrong: past a triangle that they meet clearly, or with a hit beside all of them.
+/// The paths for which an answer is wrong: past a triangle that they meet clearly, or with a hit beside all
+/// of them.
 pub fn wrong(triangles: &Repeated, paths: &[Path], hits: &[Hit]) -> usize {
     let is_wrong = |path: &Path, hit: &Hit| {
         let end = if hit.found { hit.t } else { path.exit };

@@ -97,9 +97,10 @@ pub struct SceneArguments {
     /// Volume to render instead of a height map: a KTX2 file of `relief volume`
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", conflicts_with_all = ["height", "object"])]
     volume: Option<PathBuf>,
-    /// Motif to render instead of a height map: a mesh of `relief motif`, or another closed mesh in a tile, which
-    /// repeats on --mesh. x and z are 0 to 1 along the tile, y is the height from 0 to 1. Or a vector displacement
-    /// map (EXR, PNG or TIFF with R, G and B), whose vectors of length 1 are as long as --scale, or as a tile
+    /// Motif to render instead of a height map: a mesh of `relief motif`, or another closed mesh in a tile,
+    /// which repeats on --mesh. x and z are 0 to 1 along the tile, y is the height from 0 to 1. Or a vector
+    /// displacement map (EXR, PNG or TIFF with R, G and B), whose vectors of length 1 are as long as --scale,
+    /// or as a tile
     #[arg(
         long,
         value_name = "FILE",

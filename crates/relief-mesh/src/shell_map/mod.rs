@@ -182,8 +182,8 @@ pub fn map_shells(
     Err(ShellMapError::Aligned)
 }
 
-/// Returns the triangles of a mesh whose shells fold between two lengths above it, in metres: they are deeper than
-/// the mesh is curved, so that a tetrahedron of theirs is turned inside out.
+/// Returns the triangles of a mesh whose shells fold between two lengths above it, in metres: they are deeper
+/// than the mesh is curved, so that a tetrahedron of theirs is turned inside out.
 ///
 /// Triangles without an area in texture coordinates, and those that span too many tiles, are left out.
 pub fn folded_shells(base: &Mesh, lengths_m: [f64; 2]) -> Vec<u32> {

@@ -11,6 +11,7 @@ use super::maps::{LoadedMesh, LoadedMotif, Maps};
 use super::material_spec::{metallic_roughness, reads_materials};
 use super::metres::{MAX_METRES, check_metres};
 use super::normal_green::green_remark;
+use super::solids::{folded_remark, ground_of, ground_of_motif};
 use super::surface_colors::{DrawnColors, DrawnMaterial};
 use super::surface_spec::environment;
 use super::walls::{triangles_of_walls, walls};
@@ -24,7 +25,6 @@ use relief_core::{HeightMap, MotifTree, TileTriangle, Volume, Wrap};
 use relief_io::{
     Convention, Fill, HeightOptions, HeightRange, MeshColors, MeshMaterial, Remark, VolumeFile, omissions,
 };
-use relief_mesh::shell_map::folded_shells;
 use relief_object::{ObjectFile, ObjectOptions};
 use relief_shaders::field::Solids;
 use relief_shaders::surface::{Proposal, Shown};
@@ -757,40 +757,4 @@ pub(super) fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
     let (tile, span) = map.stated_lengths()?;
     let [u, v] = mesh.tile_m();
     Some(span * (u / tile[0] * (v / tile[1])).sqrt())
-}
-
-/// Returns a remark on shells that fold, where a motif or a volume is shown in shells.
-fn folded_remark(surface: &Surface) -> Option<Remark> {
-    if surface.selection().paths().proposal != Proposal::Shells {
-        return None;
-    }
-    let map = surface.height_map();
-    let folded = folded_shells(surface.mesh(), [map.bias_m(), map.bias_m() + map.scale_m()]).len();
-    let what = format!(
-        "the shells of {folded} triangles of the mesh fold, as they are deeper than its curvature allows"
-    );
-    (folded > 0).then(|| Remark::new(&omissions::FOLDED_SHELLS, what))
-}
-
-/// Returns a level map of one texel for a motif between those heights above the base, on such tiles.
-fn ground_of_motif(heights_m: [f64; 2], tile_m: [f64; 2]) -> Result<HeightMap, ValueError> {
-    let ground = || {
-        let map = HeightMap::new(1, 1, vec![0.0], Wrap::Repeat)?;
-        map.with_texel_size_m(tile_m)?.with_stated_displacement_m(heights_m)
-    };
-    ground().map_err(|error: relief_core::HeightMapError| ValueProblem::from(error).of("motif"))
-}
-
-/// Returns a level map that has the columns, rows, wrap, tile and displacement of a volume.
-fn ground_of(file: &VolumeFile) -> Result<HeightMap, ValueError> {
-    let VolumeFile { volume, tile_m, .. } = file;
-    let [width, height, _] = volume.size();
-    let ground = || {
-        let map = HeightMap::new(width, height, vec![0.0; width as usize * height as usize], volume.wrap())?;
-        let Some([u, v]) = tile_m else { return Ok(map) };
-        let (scale_m, bias_m) = (volume.atlas().scale_m(), volume.atlas().bias_m());
-        map.with_texel_size_m([u / f64::from(width), v / f64::from(height)])?
-            .with_stated_displacement_m([bias_m, bias_m + scale_m])
-    };
-    ground().map_err(|error: relief_core::HeightMapError| ValueProblem::from(error).of("volume"))
 }

@@ -27,6 +27,7 @@ mod object;
 mod picture_size;
 mod ramp;
 mod settings;
+mod solids;
 mod spec;
 mod surface;
 mod surface_colors;

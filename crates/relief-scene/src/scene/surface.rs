@@ -190,8 +190,8 @@ impl Surface {
         Self { height_map, volume: Some(volume), motif: None, object: None, selection, ..self }
     }
 
-    /// Replaces the height map by a motif, which repeats with the tiles. [`Self::height_map`] then says its scale and
-    /// bias: it is level, has one texel, and repeats. The object is dropped.
+    /// Replaces the height map by a motif, which repeats with the tiles. [`Self::height_map`] then says its
+    /// scale and bias: it is level, has one texel, and repeats. The object is dropped.
     ///
     /// The method must find motifs: `shell-map`.
     ///

@@ -27,11 +27,11 @@ pub struct SurfaceSpec {
     /// File of a volume, in place of a height map: grass, mail or cloth on the mesh. Scale, bias, tile and wrap
     /// mean the same as for heights.
     pub volume: Option<PathBuf>,
-    /// File of a motif, in place of a height map: a closed mesh in the space of a tile, which repeats on the mesh.
-    /// `x` and `z` are `u` and `v`, `y` is the height, all from 0 to 1. Or a vector displacement map.
+    /// File of a motif, in place of a height map: a closed mesh in the space of a tile, which repeats on the
+    /// mesh. `x` and `z` are `u` and `v`, `y` is the height, all from 0 to 1. Or a vector displacement map.
     pub motif: Option<PathBuf>,
-    /// What the channels of a vector displacement map are that is given as `motif`. Default: `tnb`, tangent, normal
-    /// and bitangent.
+    /// What the channels of a vector displacement map are that is given as `motif`. Default: `tnb`, tangent,
+    /// normal and bitangent.
     #[serde(deserialize_with = "parsed")]
     pub axes: Option<VectorAxes>,
     /// Folder of textures: the maps of a material, recognised by their names (see

@@ -71,8 +71,8 @@ impl<'a> MethodTracer<'a> {
         Ok(Self::with_settings(atlas, &selection, settings, maps))
     }
 
-    /// Creates a tracer of a method for a motif, on a level map of one texel that repeats. The selection's field
-    /// becomes a motif.
+    /// Creates a tracer of a method for a motif, on a level map of one texel that repeats. The selection's
+    /// field becomes a motif.
     pub fn of_motif(ground: &'a HeightMap, motif: &'a MotifTree, selection: &Selection) -> Self {
         let maps: SlotMaps<'a> = [(MapSlot::Object, &**motif.map())].into_iter().collect();
         Self::over(ground, &selection.with_solids(Solids::Motifs), maps)

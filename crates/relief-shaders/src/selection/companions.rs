@@ -72,8 +72,8 @@ impl Selection {
         self
     }
 
-    /// Returns the selection for a surface with heights, a volume or a motif. Search and refinement stay: where
-    /// they do not find its solids, [`check`](Self::check) says so.
+    /// Returns the selection for a surface with heights, a volume or a motif. Search and refinement stay:
+    /// where they do not find its solids, [`check`](Self::check) says so.
     #[must_use]
     pub fn with_solids(mut self, solids: Solids) -> Self {
         self.choices[FIELD] = Choice::first(FIELD, |entry| entry.field() == solids);

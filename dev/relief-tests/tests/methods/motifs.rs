@@ -1,4 +1,5 @@
-//! Motifs in shells: the search `shell-map` beside the triangles one by one, and beside the mesh that is cut and moved.
+//! Motifs in shells: the search `shell-map` beside the triangles one by one, and beside the mesh that is cut
+//! and moved.
 
 use glam::{DVec3, Vec3};
 use relief_core::camera::Camera;
