@@ -24,6 +24,10 @@ const SAME_EDGE: f64 = 1e-4;
 /// cancel out.
 const CANCELLED: f64 = 1e-3;
 
+/// Part of a mesh's area up to which triangles without a frame of their own or a neighbour's are
+/// specks that cuts and rounding leave. Nobody sees which way a relief runs on them.
+const SPECKS: f64 = 1e-6;
+
 /// Contribution of a triangle to the averages at its corners.
 struct Face {
     frame: TangentFrame,
@@ -46,7 +50,8 @@ impl RawMesh {
     ///   vector from end to end. So mirrored halves have separate frames with opposite handedness.
     ///   If a tiled texture is cut, as at the back of a cylinder, both sides share one frame. If
     ///   the sides are rotated or stretched relative to each other, they have two.
-    /// * Triangles whose texture coordinates have no area take the frames of their neighbours.
+    /// * Triangles whose texture coordinates have no area take the frames of their neighbours. Specks
+    ///   without such a neighbour, a millionth of the mesh's area in all, take any frame.
     ///
     /// These frames carry lengths, which displacement needs. They differ from the orthonormal
     /// frames of MikkTSpace, in which many tangent-space normal maps are baked. On a texture
@@ -248,7 +253,7 @@ impl Framing<'_> {
     }
 
     /// Gives corners of triangles without an area in the texture a frame: from a vertex at the same
-    /// point, or from another corner of the triangle.
+    /// point, or from another corner of the triangle. [`SPECKS`] take the first vertex' frame.
     fn fill_from_neighbours(
         &self,
         vertices: &mut Vec<Vertex>,
@@ -259,17 +264,28 @@ impl Framing<'_> {
         for (at, vertex) in vertices.iter().enumerate() {
             known.entry(bits(vertex.position)).or_insert(at);
         }
-        let (mut first, mut count) = (None, 0);
+        let corners_of = |triangle: usize| [0, 1, 2].map(|place| (3 * triangle + place) as u32);
+        let position = |corner: u32| self.raw.positions[self.corner(corner).position as usize];
+        let at_points =
+            |triangle: usize| corners_of(triangle).map(|corner| known.get(&bits(position(corner))).copied());
+        let frameless = triangles.iter().enumerate().filter(|(_, places)| places[0] == u32::MAX);
+        let alone: Vec<usize> = frameless
+            .map(|(triangle, _)| triangle)
+            .filter(|&triangle| at_points(triangle).iter().all(Option::is_none))
+            .collect();
+        if let Some(&first) = alone.first() {
+            let area = |triangle: usize| self.raw.cross(&self.raw.triangles[triangle]).length();
+            let whole: f64 = (0..triangles.len()).map(area).sum();
+            if vertices.is_empty()
+                || alone.iter().map(|&triangle| area(triangle)).sum::<f64>() > SPECKS * whole
+            {
+                return Err(FramingError::NoTextureArea { first, count: alone.len() });
+            }
+        }
         for (triangle, places) in triangles.iter_mut().enumerate().filter(|(_, places)| places[0] == u32::MAX)
         {
-            let corners = [0, 1, 2].map(|place| (3 * triangle + place) as u32);
-            let position = |corner: u32| self.raw.positions[self.corner(corner).position as usize];
-            let at_points = corners.map(|corner| known.get(&bits(position(corner))).copied());
-            let Some(any) = at_points.into_iter().flatten().next() else {
-                first = first.or(Some(triangle));
-                count += 1;
-                continue;
-            };
+            let (corners, at_points) = (corners_of(triangle), at_points(triangle));
+            let any = at_points.into_iter().flatten().next().unwrap_or(0);
             for ((corner, at_point), place) in corners.into_iter().zip(at_points).zip(places) {
                 let Vertex { tangent, bitangent, .. } = vertices[at_point.unwrap_or(any)];
                 let normal = self.normal(corner);
@@ -285,7 +301,7 @@ impl Framing<'_> {
                 });
             }
         }
-        first.map_or(Ok(()), |first| Err(FramingError::NoTextureArea { first, count }))
+        Ok(())
     }
 }
 

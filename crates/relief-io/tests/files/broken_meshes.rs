@@ -68,6 +68,16 @@ fn objs_are_read_or_refused() {
             [3, 0, 0],
         ),
         read("texture without an area beside one", &with("f 1/1 2/2 3/3\nf 1/1 3/1 4/1"), [2, 0, 0]),
+        refused(
+            "a part without an area in the texture",
+            &with("v 5 0 0\nv 5.1 0 0\nv 5 0 0.1\nf 1/1 2/2 3/3\nf 5/1 6/1 7/1"),
+            has_no_texture_area,
+        ),
+        read(
+            "a speck without one",
+            &with("v 5 0 0\nv 5.0001 0 0\nv 5 0 0.0001\nf 1/1 2/2 3/3\nf 5/1 6/1 7/1"),
+            [2, 0, 0],
+        ),
         read("a normal of 0", &with("vn 0 0 0\nf 1/1/1 2/2/1 3/3/1"), [1, 0, 0]),
         read("a normal along the surface", &with("vn 0 0 1\nf 1/1/1 2/2/1 3/3/1"), [1, 0, 0]),
         read("a sliver", &with("v 0.5 0 0.50000003\nvt 0.5 0.5\nf 1/1 5/5 3/3\nf 1/1 3/3 4/4"), [2, 0, 0]),
