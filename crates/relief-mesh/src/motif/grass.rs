@@ -45,7 +45,8 @@ pub(super) fn make(settings: &MotifSettings, parts: &mut Parts) -> f64 {
             let width = half_width * (1.0 - part).powf(0.7);
             let up = DVec3::Y * height + forward * (2.0 * bend * part);
             // The root is level, so that it lies on the surface.
-            let outward = if piece == 0 { forward } else { across.cross(up.normalize()) };
+            let up = if piece == 0 { DVec3::Y } else { up.normalize() };
+            let outward = across.cross(up);
             let at = middle(part);
             let corners = [across * width, outward * (width * FLATNESS)];
             [corners[0], corners[1], -corners[0], -corners[1]].map(|corner| tile(at + corner)).to_vec()

@@ -1,6 +1,8 @@
 use std::collections::HashMap;
 
 use glam::DVec3;
+use relief_core::raycast::{Ray, RayCaster, Sides};
+use relief_core::rng::Rng;
 
 use super::*;
 
@@ -66,6 +68,25 @@ fn motifs_look_outward_and_fill_the_heights() {
         // The first vertex' normal points away from the part.
         let normals = mesh.vertices().iter().map(|vertex| vertex.normal.as_dvec3());
         assert!(normals.clone().all(DVec3::is_normalized), "{how:?}");
+    }
+}
+
+/// No part is inside out: what a ray meets first looks towards its eye.
+#[test]
+fn motifs_are_seen_from_outside() {
+    let mut rng = Rng::new(3);
+    for (how, Motif { mesh, .. }) in all() {
+        let caster = RayCaster::new(&mesh);
+        let (mut seen, mut inside_out) = (0, 0);
+        for _ in 0..4000 {
+            let target = DVec3::new(rng.unit(), rng.unit(), rng.unit());
+            let direction = rng.direction();
+            let ray = Ray { origin: target - 5.0 * direction, direction };
+            let hit = caster.next_hit(&ray, Sides::Both, None);
+            seen += usize::from(hit.is_some());
+            inside_out += usize::from(hit.is_some_and(|hit| !hit.front));
+        }
+        assert!(seen > 30 && inside_out == 0, "{how:?}: {inside_out} of {seen}");
     }
 }
 
