@@ -2,9 +2,31 @@
 //! azimuth, elevation and bend.
 //!
 //! The kinds `view-dependent` and `view-dependent-free` use them.
+//!
+//! # Compressed maps
+//!
+//! With a rank, a map of ways has four terms a layer. The factors of texels lie in it as texels do.
+//! Below them lie the factors of views, row after row. Bends run fastest, then
+//! elevations, then azimuths. Two texels follow with the term's scale, `512 (a + b / 255)²`. With clusters, this
+//! comes again for each of them, and a first layer has the number of each texel's cluster, divided by
+//! 255. Without clusters a factor is stored as `(1 + f) / 2`. The way is the sum of all terms: the
+//! product of the texel's factor, the view's factor and the scale. Sums from 1.125 on meet nothing.
 
 mod axes;
+mod clusters;
+mod compressed;
 mod free;
+mod matrix;
+mod non_negative;
+mod svd;
+
+pub use clusters::clusters;
+pub use compressed::{Compression, FACTORS, MOST_SCALE};
+pub use matrix::Matrix;
+pub use non_negative::{Factors, non_negative_factors};
+pub use svd::{Svd, truncated_svd};
+
+pub(crate) use compressed::write_compressed;
 
 pub use axes::{Axes, PathRanges, TOUCHING, bend, whole_way};
 pub use free::free_ways;

@@ -4,7 +4,7 @@
 use std::alloc::System;
 
 use peakmem_alloc::{PeakMemAlloc, PeakMemAllocTrait};
-use relief_bake::{KINDS, Kind, Sink, SinkError, Texture, bake_last};
+use relief_bake::{KINDS, Kind, Settings, Sink, SinkError, Texture, bake_last, kind};
 use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::maps::fractal;
 
@@ -25,6 +25,9 @@ const MANY_RAYS: &str = "bounce";
 
 /// Kinds that send a ray from every texel in every direction.
 const MANY_LAYERS: [&str; 3] = ["generalised", "view-dependent", "view-dependent-free"];
+
+/// Settings with which view-dependent maps hold all ways at once, to compress them.
+const COMPRESSED: [&[(&str, f64)]; 2] = [&[("rank", 6.0)], &[("rank", 6.0), ("clusters", 3.0)]];
 
 /// Sink that keeps only sizes.
 #[derive(Default)]
@@ -47,8 +50,20 @@ impl Sink for Counted {
 
 /// Returns the most memory that a bake of a map taken over allocates besides it, in maps, and the
 /// counted output.
-fn measure(kind: &Kind, map: HeightMap, bits: u32) -> (f64, Counted) {
+fn measure(kind: &Kind, map: HeightMap, settings: &Settings) -> (f64, Counted) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build().expect("threads");
+    let metric = Metric::unit_tile(0.1).expect("a length");
+    let (texels, mut sink) = (map.texels().len(), Counted::default());
+    pool.install(|| {
+        ALLOCATOR.reset_peak_memory();
+        bake_last(kind, map, metric, settings, &Watch::none(), &mut sink)
+    })
+    .expect("a bake");
+    (ALLOCATOR.get_peak_memory() as f64 / (4 * texels) as f64, sink)
+}
+
+/// A kind's settings for a bake that is not too long.
+fn few_directions(kind: &Kind, bits: u32) -> Settings {
     let mut settings = kind.defaults();
     settings.set("bits", f64::from(bits)).expect("every kind has bits");
     // Layers are made one after the other: a few show what all take.
@@ -56,14 +71,7 @@ fn measure(kind: &Kind, map: HeightMap, bits: u32) -> (f64, Counted) {
         settings.set("azimuths", 4.0).expect("a setting beside elevations");
         settings.set("elevations", 5.0).expect("a setting");
     }
-    let metric = Metric::unit_tile(0.1).expect("a length");
-    let (texels, mut sink) = (map.texels().len(), Counted::default());
-    pool.install(|| {
-        ALLOCATOR.reset_peak_memory();
-        bake_last(kind, map, metric, &settings, &Watch::none(), &mut sink)
-    })
-    .expect("a bake");
-    (ALLOCATOR.get_peak_memory() as f64 / (4 * texels) as f64, sink)
+    settings
 }
 
 #[test]
@@ -75,7 +83,7 @@ fn bakes_take_no_more_memory_than_is_said() {
         for bits in [0, 8] {
             // Clones of a map would share its texels, and a bake could not take them over.
             let map = HeightMap::new(width, height, texels.clone(), Wrap::Repeat).expect("a valid map");
-            let (maps, sink) = measure(kind, map, bits);
+            let (maps, sink) = measure(kind, map, &few_directions(kind, bits));
             let output = sink.values as f64 / texels.len() as f64;
             let working = f64::from((kind.working_maps)(&kind.defaults()));
             // A volume is handed out slice by slice; other kinds have all their textures in memory.
@@ -85,6 +93,18 @@ fn bakes_take_no_more_memory_than_is_said() {
             if maps > most || is_larger {
                 over.push(format!("{} with {bits} bits: {maps:.3} of {most:.3}", kind.name));
             }
+        }
+    }
+    let kind = kind("view-dependent").expect("a kind");
+    for compressed in COMPRESSED {
+        let map = HeightMap::new(width, height, texels.clone(), Wrap::Repeat).expect("a valid map");
+        let mut settings = few_directions(kind, 8);
+        compressed.iter().for_each(|(name, value)| settings.set(name, *value).expect("a setting"));
+        let (maps, _) = measure(kind, map, &settings);
+        let most = f64::from((kind.working_maps)(&settings));
+        println!("{} {compressed:?}: {maps:.2} maps of {most:.2}", kind.name);
+        if maps > most {
+            over.push(format!("{} {compressed:?}: {maps:.3} of {most:.3}", kind.name));
         }
     }
     assert!(over.is_empty(), "{over:#?}");

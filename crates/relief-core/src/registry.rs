@@ -1,8 +1,11 @@
 //! Parts of registry entries for stages and map kinds: parameters, sources, guarantees, baked maps,
 //! and the error for unknown names.
 
-/// Most parameters of an entry. They are passed to the shader in one vector of four.
-pub const MAX_PARAMS: usize = 4;
+/// Parameters of an entry that its shader gets, in one vector.
+pub const SHADER_PARAMS: usize = 4;
+
+/// Most parameters of an entry. Beyond the first [`SHADER_PARAMS`] they choose baked maps alone.
+pub const MAX_PARAMS: usize = 6;
 
 /// A baked map that a stage reads: one texture of a map kind.
 #[derive(Clone, Copy, Debug, PartialEq)]

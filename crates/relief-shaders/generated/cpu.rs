@@ -399,6 +399,25 @@ impl FirstHit {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// Factors of four terms, each for four texels.
+pub struct FourTerms {
+    pub first: rt::Vec4<f32>,
+    pub second: rt::Vec4<f32>,
+    pub third: rt::Vec4<f32>,
+    pub fourth: rt::Vec4<f32>,
+}
+impl FourTerms {
+    pub fn new(
+        first: impl rt::Into<rt::Vec4<f32>>,
+        second: impl rt::Into<rt::Vec4<f32>>,
+        third: impl rt::Into<rt::Vec4<f32>>,
+        fourth: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { first: rt::into(first), second: rt::into(second), third: rt::into(third), fourth: rt::into(fourth) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// A light: infinitely far away, or at a point.
 pub struct Light {
     /// Direction toward the light (w = 0), or its position (w = 1).
@@ -660,6 +679,23 @@ impl InView {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// What the pairs so far make: a way and its weight.
+pub struct JoinedViews {
+    pub first: rt::Vec2<f32>,
+    pub low: rt::Vec2<f32>,
+    pub high: rt::Vec2<f32>,
+}
+impl JoinedViews {
+    pub fn new(
+        first: impl rt::Into<rt::Vec2<f32>>,
+        low: impl rt::Into<rt::Vec2<f32>>,
+        high: impl rt::Into<rt::Vec2<f32>>,
+    ) -> Self {
+        Self { first: rt::into(first), low: rt::into(low), high: rt::into(high) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The two levels of a map between which a footprint lies.
 pub struct Levels {
     /// The finer one.
@@ -734,21 +770,6 @@ impl LightRay {
         path: impl rt::Into<Path>,
     ) -> Self {
         Self { state: rt::into(state), path: rt::into(path) }
-    }
-}
-#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
-#[repr(C)]
-/// What a look-up tells: the part of the whole way to the hit, if there is one.
-pub struct LookedUp {
-    pub is_hit: u32,
-    pub part: f32,
-}
-impl LookedUp {
-    pub fn new(
-        is_hit: impl rt::Into<u32>,
-        part: impl rt::Into<f32>,
-    ) -> Self {
-        Self { is_hit: rt::into(is_hit), part: rt::into(part) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -1689,6 +1710,48 @@ impl Toward {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A pair of elevations: the layer of the lower one, and its bend.
+pub struct ViewPair {
+    pub layer: i32,
+    pub bend: f32,
+}
+impl ViewPair {
+    pub fn new(
+        layer: impl rt::Into<i32>,
+        bend: impl rt::Into<f32>,
+    ) -> Self {
+        Self { layer: rt::into(layer), bend: rt::into(bend) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// The views around a path. Two elevations are beside each other for each of two azimuths and two bends.
+pub struct ViewsAround {
+    /// 2 pairs of elevations for straight paths, or 4: azimuths run faster than bends.
+    pub pairs: u32,
+    pub before: f32,
+    pub azimuths: f32,
+    pub below: f32,
+    pub elevations: f32,
+    pub lower: f32,
+    /// The parts of the way to the next azimuth, elevation and bend.
+    pub part: rt::Vec3<f32>,
+}
+impl ViewsAround {
+    pub fn new(
+        pairs: impl rt::Into<u32>,
+        before: impl rt::Into<f32>,
+        azimuths: impl rt::Into<f32>,
+        below: impl rt::Into<f32>,
+        elevations: impl rt::Into<f32>,
+        lower: impl rt::Into<f32>,
+        part: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Self {
+        Self { pairs: rt::into(pairs), before: rt::into(before), azimuths: rt::into(azimuths), below: rt::into(below), elevations: rt::into(elevations), lower: rt::into(lower), part: rt::into(part) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// A vertex in grid space.
 pub struct Voxel {
     /// The voxel of the vertex: right, down and away from the eye.
@@ -2308,9 +2371,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_11 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_11.elementwise_le(span)) {
-                return first_11;
+            let first_10 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_10.elementwise_le(span)) {
+                return first_10;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -2528,9 +2591,9 @@ impl<'g> Resources<'g> {
         }
         let period_1 = (rt::Scalar(2i32) * n_2).select(n_2, wrap.elementwise_eq(WRAP_REPEAT));
         let rest_4 = (i_1 % period_1);
-        let first_12 = rest_4.select((rest_4 + period_1), rest_4.elementwise_lt(rt::Scalar(0i32)));
-        let second_2 = (first_12 + rt::Scalar(1i32)).select(rt::Scalar(0i32), (first_12 + rt::Scalar(1i32)).elementwise_eq(period_1));
-        let _e45 = self.v_unfolded(first_12, n_2, period_1);
+        let first_11 = rest_4.select((rest_4 + period_1), rest_4.elementwise_lt(rt::Scalar(0i32)));
+        let second_2 = (first_11 + rt::Scalar(1i32)).select(rt::Scalar(0i32), (first_11 + rt::Scalar(1i32)).elementwise_eq(period_1));
+        let _e45 = self.v_unfolded(first_11, n_2, period_1);
         let _e46 = self.v_unfolded(second_2, n_2, period_1);
         return <rt::Vec2<i32>>::from_scalars(_e45, _e46);
     }
@@ -2677,15 +2740,15 @@ impl<'g> Resources<'g> {
         uv_1: rt::Vec2<f32>,
         level_3: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let first_13 = rt::Scalar(self.surface_settings.maps[4usize].first_level);
-        let seen_9 = first_13.select(level_3, level_3.elementwise_gt(first_13));
+        let first_12 = rt::Scalar(self.surface_settings.maps[4usize].first_level);
+        let seen_9 = first_12.select(level_3, level_3.elementwise_gt(first_12));
         let _e9 = self.v_height_texels(seen_9);
         let _e10 = self.v_texels_around(uv_1, _e9);
-        let k_51 = (seen_9 - first_13).to_i32();
-        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_51);
-        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_51);
-        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_51);
-        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_51);
+        let k_55 = (seen_9 - first_12).to_i32();
+        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_55);
+        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_55);
+        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_55);
+        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_55);
         let _e42 = self.v_bilinear(_e19, _e26, _e33, _e40, _e10.part);
         return _e42;
     }
@@ -2885,10 +2948,10 @@ impl<'g> Resources<'g> {
         let white = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let _e11 = self.v_facet_reflection(rt::Scalar(material_4.upright), rt::Scalar(material_4.alpha), rt::Scalar(material_4.roughness));
         let _e13 = self.v_reflected_by(_e11, material_4.specular);
-        let part_16 = (_e13 * (white + (material_4.specular * rt::Scalar(material_4.again))));
+        let part_17 = (_e13 * (white + (material_4.specular * rt::Scalar(material_4.again))));
         let alpha_2 = rt::Scalar(material_4.alpha);
         let turn_7 = (alpha_2 * rt::Scalar(material_4.roughness));
-        return <Mirrored>::new(part_16, alpha_2, <rt::Vec2<f32>>::from_scalars((rt::Scalar(1.4f32) * alpha_2), (rt::Scalar(5.6f32) * alpha_2)), rt::Scalar(0.25f32), turn_7);
+        return <Mirrored>::new(part_17, alpha_2, <rt::Vec2<f32>>::from_scalars((rt::Scalar(1.4f32) * alpha_2), (rt::Scalar(5.6f32) * alpha_2)), rt::Scalar(0.25f32), turn_7);
     }
     pub(crate) fn shade_mirrored_stage(
         &self,
@@ -3049,12 +3112,12 @@ impl<'g> Resources<'g> {
         let point_23 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_4 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
         let corner_4 = point_23.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_4, most_4));
-        let texel_6 = corner_4.to_i32();
-        let k_52 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_6, rt::Scalar(_e2.face), k_52);
-        let _e41 = self.v_environment_texel((texel_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_52);
-        let _e47 = self.v_environment_texel((texel_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_52);
-        let _e53 = self.v_environment_texel((texel_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_52);
+        let texel_8 = corner_4.to_i32();
+        let k_56 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_8, rt::Scalar(_e2.face), k_56);
+        let _e41 = self.v_environment_texel((texel_8 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_56);
+        let _e47 = self.v_environment_texel((texel_8 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_56);
+        let _e53 = self.v_environment_texel((texel_8 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_56);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_23 - corner_4));
         return _e55.xyz();
     }
@@ -3117,11 +3180,11 @@ impl<'g> Resources<'g> {
         let mut light: rt::Vec3<f32>;
 
         let mean_9 = normal_4.length();
-        let n_15 = normal_4.normalize();
-        let cosine_10 = n_15.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let n_17 = normal_4.normalize();
+        let cosine_10 = n_17.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let _e12 = self.v_shade_mirrored_stage(material_6, mean_9, cosine_10);
-        let reflected = ((n_15 * (rt::Scalar(2f32) * cosine_10)) - view_3);
-        let axis_6 = (reflected + ((n_15 - reflected) * rt::Scalar(_e12.turn)));
+        let reflected = ((n_17 * (rt::Scalar(2f32) * cosine_10)) - view_3);
+        let axis_6 = (reflected + ((n_17 - reflected) * rt::Scalar(_e12.turn)));
         let _e23 = self.v_environment_in_lobe(axis_6, _e12.lobes.x());
         light = _e23;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e12.second).elementwise_gt(rt::Scalar(0f32))) {
@@ -3134,14 +3197,14 @@ impl<'g> Resources<'g> {
         light = (_e37 * _e12.part);
         let enters = (<rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32)) - _e12.part);
         let _e46 = light;
-        let _e47 = self.v_environment_on(n_15);
+        let _e47 = self.v_environment_on(n_17);
         light = (_e46 + ((_e47 * material_6.diffuse) * enters));
         let _e54 = rt::Scalar(self.surface_settings.transmission);
         if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0f32))) {
             let _e59 = rt::Scalar(self.surface_settings.ior);
             let eta_1 = (rt::Scalar(1f32) / _e59);
             let _e63 = self.v_cosine_inside(cosine_10);
-            let refracted = ((n_15 * ((eta_1 * cosine_10) - _e63)) - (view_3 * eta_1));
+            let refracted = ((n_17 * ((eta_1 * cosine_10) - _e63)) - (view_3 * eta_1));
             let _e72 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta_1) * rt::Scalar(_e12.lean)));
             let _e73 = light;
             light = (_e73 + (_e72 * (material_6.transmitted * enters)));
@@ -3242,10 +3305,10 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_ambient_texel_between(hit_6.uv, rt::Scalar(at_11.level));
         let _e10 = self.v_from_tangent_space(at_11, _e8.xyz());
         let toward_8 = (rt::Scalar(0.5f32) * ((_e10 / rt::Vec3::splat_from_scalar(_e10.length().max(rt::Scalar(0.000001f32)))) + normal_8));
-        let part_17 = normal_8.dot(_e10).max(rt::Scalar(0f32));
+        let part_18 = normal_8.dot(_e10).max(rt::Scalar(0f32));
         let _e24 = self.frame.ambient;
         let _e29 = self.v_hemisphere_grade(toward_8, params_8.x());
-        return ((_e24.xyz() * material_9.around) * (part_17 * _e29));
+        return ((_e24.xyz() * material_9.around) * (part_18 * _e29));
     }
     pub(crate) fn ambient_stage(
         &self,
@@ -3458,13 +3521,13 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_53 = level_8.to_i32();
+        let k_57 = level_8.to_i32();
         let _e6 = self.v_wrap_pair(cell.x(), _e2.x());
         let _e9 = self.v_wrap_pair(cell.y(), _e2.y());
-        let _e14 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_53));
-        let _e20 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_53));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_53));
-        let _e32 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_53));
+        let _e14 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_57));
+        let _e20 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_57));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_57));
+        let _e32 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_57));
         return <rt::Vec4<f32>>::from_scalars(_e14.x(), _e20.x(), _e26.x(), _e32.x());
     }
     pub(crate) fn height_cell(
@@ -3559,9 +3622,9 @@ impl<'g> Resources<'g> {
         a_1: rt::Vec3<f32>,
         b_1: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let way_26 = (b_1 - a_1);
-        let part_18 = ((place_2 - a_1).dot(way_26) / way_26.dot(way_26)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let apart = ((a_1 + (way_26 * part_18)) - place_2);
+        let way_27 = (b_1 - a_1);
+        let part_19 = ((place_2 - a_1).dot(way_27) / way_27.dot(way_27)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let apart = ((a_1 + (way_27 * part_19)) - place_2);
         return apart.dot(apart);
     }
     pub(crate) fn weights_under(
@@ -3611,9 +3674,9 @@ impl<'g> Resources<'g> {
         }
         let _e20 = self.v_apart_from_edge(place_4, a_3, b_3);
         let _e21 = self.v_apart_from_edge(place_4, b_3, c_3);
-        let first_14 = _e20.min(_e21);
+        let first_13 = _e20.min(_e21);
         let _e23 = self.v_apart_from_edge(place_4, c_3, a_3);
-        return first_14.min(_e23);
+        return first_13.min(_e23);
     }
     pub(crate) fn around_three(
         &self,
@@ -3713,8 +3776,8 @@ impl<'g> Resources<'g> {
         let twos = (depth_5.max(rt::Scalar(0f32)) * rt::Scalar(1.442695f32));
         let whole = (twos + rt::Scalar(0.5f32)).floor();
         let f_1 = (whole - twos);
-        let high_4 = (rt::Scalar(0.009618129f32) + (f_1 * (rt::Scalar(0.0013333558f32) + (f_1 * (rt::Scalar(0.0001540353f32) + (f_1 * rt::Scalar(0.000015252734f32)))))));
-        let power_1 = (rt::Scalar(1f32) + (f_1 * (rt::Scalar(0.6931472f32) + (f_1 * (rt::Scalar(0.2402265f32) + (f_1 * (rt::Scalar(0.05550411f32) + (f_1 * high_4))))))));
+        let high_3 = (rt::Scalar(0.009618129f32) + (f_1 * (rt::Scalar(0.0013333558f32) + (f_1 * (rt::Scalar(0.0001540353f32) + (f_1 * rt::Scalar(0.000015252734f32)))))));
+        let power_1 = (rt::Scalar(1f32) + (f_1 * (rt::Scalar(0.6931472f32) + (f_1 * (rt::Scalar(0.2402265f32) + (f_1 * (rt::Scalar(0.05550411f32) + (f_1 * high_3))))))));
         let _e36 = self.v_power_of_half(whole.to_u32());
         return (power_1 * _e36);
     }
@@ -3767,9 +3830,9 @@ impl<'g> Resources<'g> {
         level_11: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_1.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_6, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
+            let texel_9 = rt::texture::Read::read_texel((&self.shadow_search_map), place_6, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
             let _e12 = self.surface_settings.maps[2usize];
-            let _e13 = self.v_decoded(texel_7, _e12);
+            let _e13 = self.v_decoded(texel_9, _e12);
             return _e13;
         }
         let _e15 = rt::texture::Read::read_texel((&self.search_map), place_6, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
@@ -3787,9 +3850,9 @@ impl<'g> Resources<'g> {
         let size_2 = _e3.xyz().to_i32();
         let _e9 = self.surface_settings.volume.w();
         let in_row = _e9.to_i32();
-        let k_54 = slice.clamp(rt::Scalar(0i32), (size_2.z() - rt::Scalar(1i32)));
-        let row_9 = ((k_54.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
-        return <rt::Vec2<i32>>::from_scalars(((k_54 - (row_9 * in_row)) * size_2.x()), (row_9 * size_2.y()));
+        let k_58 = slice.clamp(rt::Scalar(0i32), (size_2.z() - rt::Scalar(1i32)));
+        let row_9 = ((k_58.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
+        return <rt::Vec2<i32>>::from_scalars(((k_58 - (row_9 * in_row)) * size_2.x()), (row_9 * size_2.y()));
     }
     pub(crate) fn continued_index(
         &self,
@@ -3938,8 +4001,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(has_turned_1) {
             return ((root_3 - way_2.step.z()) / (rt::Scalar(2f32) * rt::Scalar(way_2.bend)));
         }
-        let both = (way_2.step.z() + root_3);
-        return rt::Scalar(300000000000000000000000000000000000000f32).select(((rt::Scalar(2f32) * gap_1) / both), both.elementwise_ne(rt::Scalar(0f32)));
+        let both_1 = (way_2.step.z() + root_3);
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(((rt::Scalar(2f32) * gap_1) / both_1), both_1.elementwise_ne(rt::Scalar(0f32)));
     }
     pub(crate) fn voxel_leave(
         &self,
@@ -4316,9 +4379,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_optical_depth(&self, path_6: Path) -> rt::Scalar<f32> {
-        let params_148 = self.surface_settings.choices[6usize].params;
-        let _e6 = self.v_field_along(path_6, params_148);
-        return (_e6 * params_148.x());
+        let params_153 = self.surface_settings.choices[6usize].params;
+        let _e6 = self.v_field_along(path_6, params_153);
+        return (_e6 * params_153.x());
     }
     pub(crate) fn light_place(
         &self,
@@ -4441,7 +4504,7 @@ impl<'g> Resources<'g> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_35 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_14.number))];
+        let view_36 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_14.number))];
         column = at_14.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -4456,9 +4519,9 @@ impl<'g> Resources<'g> {
                     let wide = (at_14.high.x().min((_e18 + rt::Scalar(1f32))) - at_14.low.x().max(_e24));
                     let _e27 = column;
                     let place_38 = <rt::Vec2<f32>>::from_scalars(_e27, row);
-                    let _e35 = self.v_plane_depth(view_35, at_14.point, at_14.normal, (place_38 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let _e35 = self.v_plane_depth(view_36, at_14.point, at_14.normal, (place_38 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_13 = _e35.clamp(rt::Scalar(at_14.least_depth), rt::Scalar(at_14.most_depth));
-                    let key = (rt::Scalar(view_35.near) / (rt::Scalar(view_35.near) + depth_13.max(rt::Scalar(0f32))));
+                    let key = (rt::Scalar(view_36.near) / (rt::Scalar(view_36.near) + depth_13.max(rt::Scalar(0f32))));
                     let _e48 = self.v_light_texel(place_38.to_i32(), rt::Scalar(at_14.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
@@ -4496,16 +4559,16 @@ impl<'g> Resources<'g> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_1: rt::Scalar<f32>;
 
-        let view_36 = self.frame.light_views[rt::Scalar::into_array_index(number)];
-        let texel_m = (rt::Scalar(view_36.texel_m) * rt::Scalar(1f32).select(place_9.z(), rt::Scalar(view_36.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let view_37 = self.frame.light_views[rt::Scalar::into_array_index(number)];
+        let texel_m = (rt::Scalar(view_37.texel_m) * rt::Scalar(1f32).select(place_9.z(), rt::Scalar(view_37.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_15);
         let point_25 = (at_15.point + (normal_11 * (bias * texel_m.max(_e19))));
         let reach_4 = (rt::Scalar(16f32) * texel_m);
-        let low_4 = (place_9.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
-        let high_5 = (low_4 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_5 = high_5.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_36.size).to_f32(), rt::Scalar(view_36.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number, point_25, normal_11, low_4, high_5, (place_9.z() - reach_4), (place_9.z() + reach_4));
-        row_1 = low_4.y().floor();
+        let low_3 = (place_9.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let high_4 = (low_3 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
+        let last_5 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_37.size).to_f32(), rt::Scalar(view_37.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number, point_25, normal_11, low_3, high_4, (place_9.z() - reach_4), (place_9.z() + reach_4));
+        row_1 = low_3.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_1;
@@ -4516,7 +4579,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e59 = row_1;
                     let _e64 = row_1;
-                    let tall = (high_5.y().min((_e59 + rt::Scalar(1f32))) - low_4.y().max(_e64));
+                    let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_3.y().max(_e64));
                     let _e67 = seen;
                     let _e68 = row_1;
                     let _e70 = self.v_row_sees(in_view, _e68, last_5.x());
@@ -4607,9 +4670,9 @@ impl<'g> Resources<'g> {
         }
         let h_6 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(hit_8.height), _e10.z(), rt::Scalar(0f32));
         let _e52 = interval_1.y();
-        let path_117 = <Path>::new(_e22, _e10.xy(), h_6, _e52, rt::Scalar(0f32), at_17.metric, RAY_VIEW, rt::Scalar(at_17.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_117.exit).elementwise_gt(rt::Scalar(0f32))) {
-            let _e66 = self.v_optical_depth(path_117);
+        let path_126 = <Path>::new(_e22, _e10.xy(), h_6, _e52, rt::Scalar(0f32), at_17.metric, RAY_VIEW, rt::Scalar(at_17.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_126.exit).elementwise_gt(rt::Scalar(0f32))) {
+            let _e66 = self.v_optical_depth(path_126);
             let _e67 = self.v_transmittance_of(_e66);
             part_2 = _e67;
         }
@@ -4718,9 +4781,9 @@ impl<'g> Resources<'g> {
         way_12: Way,
         offset: rt::Scalar<f32>,
     ) -> WayPoint {
-        let low_5 = self.surface_settings.shell_m.x();
+        let low_4 = self.surface_settings.shell_m.x();
         let _e11 = self.surface_settings.shell_m.y();
-        let width_3 = (_e11 - low_5).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_3 = (_e11 - low_4).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let _e16 = self.v_quadratic(way_12.first, offset);
         let _e18 = self.v_quadratic(way_12.second, offset);
         let _e20 = self.v_quadratic(way_12.third, offset);
@@ -4734,7 +4797,7 @@ impl<'g> Resources<'g> {
         let third_2 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_3.cross(third_2).dot(normal_30) * rt::Scalar(way_12.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
-        let height_19 = (((offset - low_5) - _e83) / width_3).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let height_19 = (((offset - low_4) - _e83) / width_3).min(rt::Scalar(300000000000000000000000000000000000000f32));
         return <WayPoint>::new(<ShellPoint>::new(w_3, height_19), t_50, (place_39 - (along * t_50)).length(), volume);
     }
     pub(crate) fn before_turn(
@@ -4934,16 +4997,16 @@ impl<'g> Resources<'g> {
         pixel_1: PixelIn,
         place_10: rt::Scalar<u32>,
     ) -> Corner {
-        let number_25 = ((rt::Scalar(pixel_1.shell.order) >> (rt::Scalar(2u32) * place_10)) & rt::Scalar(3u32));
+        let number_27 = ((rt::Scalar(pixel_1.shell.order) >> (rt::Scalar(2u32) * place_10)) & rt::Scalar(3u32));
         let a_33 = pixel_1.a;
         let b_34 = pixel_1.b;
         let c_24 = pixel_1.c;
-        let _e15 = self.v_corner_value(number_25, a_33.position, b_34.position, c_24.position);
-        let _e19 = self.v_corner_value(number_25, a_33.normal, b_34.normal, c_24.normal);
-        let _e23 = self.v_corner_value(number_25, a_33.tangent, b_34.tangent, c_24.tangent);
-        let _e27 = self.v_corner_value(number_25, a_33.bitangent, b_34.bitangent, c_24.bitangent);
-        let _e37 = self.v_corner_value(number_25, <rt::Vec3<f32>>::new_21(a_33.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(b_34.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(c_24.uv, rt::Scalar(0f32)));
-        let _e42 = self.v_corner_value(number_25, a_33.of_surface, b_34.of_surface, c_24.of_surface);
+        let _e15 = self.v_corner_value(number_27, a_33.position, b_34.position, c_24.position);
+        let _e19 = self.v_corner_value(number_27, a_33.normal, b_34.normal, c_24.normal);
+        let _e23 = self.v_corner_value(number_27, a_33.tangent, b_34.tangent, c_24.tangent);
+        let _e27 = self.v_corner_value(number_27, a_33.bitangent, b_34.bitangent, c_24.bitangent);
+        let _e37 = self.v_corner_value(number_27, <rt::Vec3<f32>>::new_21(a_33.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(b_34.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(c_24.uv, rt::Scalar(0f32)));
+        let _e42 = self.v_corner_value(number_27, a_33.of_surface, b_34.of_surface, c_24.of_surface);
         return <Corner>::new(_e15, _e19, _e23, _e27, _e37.xy(), _e42);
     }
     pub(crate) fn uv_of(
@@ -5016,13 +5079,13 @@ impl<'g> Resources<'g> {
         bend_1: rt::Scalar<f32>,
         at_20: WayPoint,
     ) -> rt::Scalar<f32> {
-        let part_19 = ((rt::Scalar(at_20.t) - rt::Scalar(a_6.t)) / (rt::Scalar(b_6.t) - rt::Scalar(a_6.t)));
-        let line_1 = (a_6.point.weights + ((b_6.point.weights - a_6.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_19));
+        let part_20 = ((rt::Scalar(at_20.t) - rt::Scalar(a_6.t)) / (rt::Scalar(b_6.t) - rt::Scalar(a_6.t)));
+        let line_1 = (a_6.point.weights + ((b_6.point.weights - a_6.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_20));
         let _e29 = self.v_uv_of(pixel_4, (at_20.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_2 = (_e29 * _e31).abs();
         let slope_8 = ((rt::Scalar(b_6.point.height) - rt::Scalar(a_6.point.height)) - bend_1);
-        let height_21 = (rt::Scalar(a_6.point.height) + (part_19 * (slope_8 + (part_19 * bend_1))));
+        let height_21 = (rt::Scalar(a_6.point.height) + (part_20 * (slope_8 + (part_20 * bend_1))));
         return apart_2.x().max(apart_2.y()).max(((rt::Scalar(at_20.point.height) - height_21).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_7: ShellPoint, b_7: ShellPoint) -> ShellPoint {
@@ -5159,12 +5222,12 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_at_voxel(&self, place_11: rt::Vec3<f32>) -> rt::Scalar<f32> {
-        let first_15 = place_11.floor();
-        let part_20 = (place_11 - first_15);
-        let _e4 = self.v_voxel_cell(first_15.to_i32());
-        let _e7 = self.v_in_slice(_e4.low, part_20.xy());
-        let _e10 = self.v_in_slice(_e4.high, part_20.xy());
-        return (_e7 + ((_e10 - _e7) * part_20.z()));
+        let first_14 = place_11.floor();
+        let part_21 = (place_11 - first_14);
+        let _e4 = self.v_voxel_cell(first_14.to_i32());
+        let _e7 = self.v_in_slice(_e4.low, part_21.xy());
+        let _e10 = self.v_in_slice(_e4.high, part_21.xy());
+        return (_e7 + ((_e10 - _e7) * part_21.z()));
     }
     pub(crate) fn voxel_place(&self, at_21: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_voxel_place(rt::into(at_21)))
@@ -5414,7 +5477,7 @@ impl<'g> Resources<'g> {
         let most_7 = _e41.x().max(_e41.y()).max(_e41.z().max(_e41.w()));
         let least_3 = _e41.x().min(_e41.y()).min(_e41.z().min(_e41.w()));
         let right_1 = ((cell_14.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
-        let lower = ((cell_14.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
+        let lower_3 = ((cell_14.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
         let _e72 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition((!_e72.elementwise_eq(CELLS_NEAREST))) {
             let _e81 = rt::Scalar(self.surface_settings.jump);
@@ -5424,7 +5487,7 @@ impl<'g> Resources<'g> {
         }
         let _e84 = local_19;
         if rt::Scalar::into_branch_condition(_e84) {
-            let nearest_3 = _e41.x().select(_e41.y(), right_1).select(_e41.z().select(_e41.w(), right_1), lower);
+            let nearest_3 = _e41.x().select(_e41.y(), right_1).select(_e41.z().select(_e41.w(), right_1), lower_3);
             return <rt::Vec4<f32>>::from_scalars(nearest_3, nearest_3, nearest_3, nearest_3);
         }
         let top_5 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
@@ -5432,7 +5495,7 @@ impl<'g> Resources<'g> {
         let left_2 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.z()));
         let side_7 = (rt::Scalar(0.5f32) * (_e41.y() + _e41.w()));
         let middle_10 = (rt::Scalar(0.5f32) * (top_5 + bottom_3));
-        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_5, right_1).select(left_2.select(middle_10, right_1), lower), top_5.select(_e41.y(), right_1).select(middle_10.select(side_7, right_1), lower), left_2.select(middle_10, right_1).select(_e41.z().select(bottom_3, right_1), lower), middle_10.select(side_7, right_1).select(bottom_3.select(_e41.w(), right_1), lower));
+        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_5, right_1).select(left_2.select(middle_10, right_1), lower_3), top_5.select(_e41.y(), right_1).select(middle_10.select(side_7, right_1), lower_3), left_2.select(middle_10, right_1).select(_e41.z().select(bottom_3, right_1), lower_3), middle_10.select(side_7, right_1).select(bottom_3.select(_e41.w(), right_1), lower_3));
     }
     pub(crate) fn object_depth_cell(
         &self,
@@ -5687,18 +5750,18 @@ impl<'g> Resources<'g> {
         sweep_1: Sweep,
         number_3: rt::Scalar<i32>,
     ) -> SweptPoint {
-        let n_16 = sweep_1.parts.x();
+        let n_18 = sweep_1.parts.x();
         let m_4 = sweep_1.parts.y();
         let apex_1 = sweep_1.apex;
-        if rt::Scalar::into_branch_condition(number_3.elementwise_le(n_16)) {
-            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_3, n_16);
-            let sides = ON_FIRST.select(rt::Scalar(6u32), number_3.elementwise_eq(n_16));
-            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_3), (apex_1.y() * number_3), n_16, sides);
+        if rt::Scalar::into_branch_condition(number_3.elementwise_le(n_18)) {
+            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_3, n_18);
+            let sides = ON_FIRST.select(rt::Scalar(6u32), number_3.elementwise_eq(n_18));
+            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_3), (apex_1.y() * number_3), n_18, sides);
         }
-        let k_55 = (number_3 - n_16);
-        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_55, m_4);
-        let x_8 = ((apex_1.x() * (m_4 - k_55)) + (sweep_1.end.x() * k_55));
-        let y_2 = ((apex_1.y() * (m_4 - k_55)) + (sweep_1.end.y() * k_55));
+        let k_59 = (number_3 - n_18);
+        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_59, m_4);
+        let x_8 = ((apex_1.x() * (m_4 - k_59)) + (sweep_1.end.x() * k_59));
+        let y_2 = ((apex_1.y() * (m_4 - k_59)) + (sweep_1.end.y() * k_59));
         return <SweptPoint>::new(_e29.x(), _e29.y(), x_8, y_2, m_4, ON_SECOND);
     }
     pub(crate) fn low_point(
@@ -6194,7 +6257,7 @@ impl<'g> Resources<'g> {
         let mut path_23: Path;
 
         let heights_1 = pixel_6.shell.heights;
-        let first_16 = ends.x();
+        let first_15 = ends.x();
         let long = (ends.y() - ends.x());
         let _e16 = self.v_uv_of(pixel_6, a_8.weights);
         let _e18 = self.v_uv_of(pixel_6, b_8.weights);
@@ -6202,7 +6265,7 @@ impl<'g> Resources<'g> {
         let slope_9 = ((rt::Scalar(b_8.height) - rt::Scalar(a_8.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_6, middle_1);
         let change_4 = ((b_8.weights - a_8.weights) / rt::Vec3::splat_from_scalar(long));
-        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_16)), long);
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_15)), long);
         let _e39 = inside;
         let _e44 = self.v_where_positive(_e39, a_8.weights.x(), change_4.x(), beyond.x());
         inside = _e44;
@@ -6222,7 +6285,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_23 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_8.height), (slope_9 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_26.metric, RAY_VIEW, rt::Scalar(at_26.level), (middle_1 + first_16), (rt::Scalar(1f32) / rt::Scalar(at_26.segments).to_f32()), rt::Scalar(0f32));
+        path_23 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_8.height), (slope_9 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_26.metric, RAY_VIEW, rt::Scalar(at_26.level), (middle_1 + first_15), (rt::Scalar(1f32) / rt::Scalar(at_26.segments).to_f32()), rt::Scalar(0f32));
         let _e90 = inside.y();
         let _e92 = inside.x();
         if rt::Scalar::into_branch_condition((!_e90.elementwise_gt(_e92))) {
@@ -6277,9 +6340,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let _e11 = self.v_height_size(rt::Scalar(0u32));
         let _e14 = self.v_height_size(rt::Scalar(0u32));
-        let texel_8 = (at_27.metric.x().max(at_27.metric.z()).sqrt() / _e11.x().max(_e14.y()));
+        let texel_10 = (at_27.metric.x().max(at_27.metric.z()).sqrt() / _e11.x().max(_e14.y()));
         let _e18 = self.v_shell_slack(pixel_7, middle_2);
-        return (_e18 + ((rt::Scalar(2f32) * params_25.x()) * texel_8));
+        return (_e18 + ((rt::Scalar(2f32) * params_25.x()) * texel_10));
     }
     pub(crate) fn way_bend(
         &self,
@@ -6400,6 +6463,182 @@ impl<'g> Resources<'g> {
         let most_8 = _e102.max(quarters);
         return (most_8 / tolerance).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(16f32)).to_u32();
     }
+    pub(crate) fn factor_place(
+        &self,
+        number_5: impl rt::Into<rt::Scalar<i32>>,
+        n_8: impl rt::Into<rt::Vec2<i32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_factor_place(rt::into(number_5), rt::into(n_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_factor_place(
+        &self,
+        number_5: rt::Scalar<i32>,
+        n_8: rt::Vec2<i32>,
+    ) -> rt::Vec2<i32> {
+        let row_10 = ((number_5.to_f32() + rt::Scalar(0.5f32)) / n_8.x().to_f32()).to_i32();
+        return <rt::Vec2<i32>>::from_scalars((number_5 - (row_10 * n_8.x())), (n_8.y() + row_10));
+    }
+    pub(crate) fn term_scales(
+        &self,
+        path_24: Path,
+        number_6: impl rt::Into<rt::Scalar<i32>>,
+        n_9: impl rt::Into<rt::Vec2<i32>>,
+        layer_2: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_term_scales(path_24, rt::into(number_6), rt::into(n_9), rt::into(layer_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_term_scales(
+        &self,
+        path_24: Path,
+        number_6: rt::Scalar<i32>,
+        n_9: rt::Vec2<i32>,
+        layer_2: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let level_64 = rt::Scalar(path_24.level).to_i32();
+        let _e6 = self.v_factor_place(number_6, n_9);
+        let _e7 = self.v_search_texel(path_24, _e6, layer_2, level_64);
+        let _e10 = self.v_factor_place((number_6 + rt::Scalar(1i32)), n_9);
+        let _e11 = self.v_search_texel(path_24, _e10, layer_2, level_64);
+        let root_5 = (_e7 + (_e11 * rt::Scalar(0.003921569f32)));
+        return ((root_5 * root_5) * rt::Scalar(512f32));
+    }
+    pub(crate) fn clustered_way(
+        &self,
+        path_25: Path,
+        texel_2: impl rt::Into<rt::Vec2<i32>>,
+        pair: ViewPair,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
+        layers: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_clustered_way(path_25, rt::into(texel_2), pair, rt::into(params_26), rt::into(layers)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_clustered_way(
+        &self,
+        path_25: Path,
+        texel_2: rt::Vec2<i32>,
+        pair: ViewPair,
+        params_26: rt::Vec4<f32>,
+        layers: rt::Scalar<u32>,
+    ) -> rt::Vec2<f32> {
+        let mut both: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        let mut layer_3: rt::Scalar<i32> = rt::Scalar(1i32);
+
+        let _e6 = self.v_height_texels(rt::Scalar(path_25.level));
+        let level_65 = rt::Scalar(path_25.level).to_i32();
+        let bends = params_26.z().to_i32();
+        let count_13 = ((params_26.x() * params_26.y()).to_i32() * bends);
+        let _e17 = self.v_search_texel(path_25, texel_2, rt::Scalar(0i32), level_65);
+        let cluster = ((_e17.x() * rt::Scalar(255f32)) + rt::Scalar(0.5f32)).floor().to_i32();
+        let first_16 = (cluster * (count_13 + rt::Scalar(2i32)));
+        let lower_view = ((first_16 + (rt::Scalar(pair.layer) * bends)) + rt::Scalar(pair.bend).to_i32());
+        let _e34 = self.v_factor_place(lower_view, _e6);
+        let _e36 = self.v_factor_place((lower_view + bends), _e6);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e43 = layer_3;
+                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(layers.to_i32())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e46 = layer_3;
+                    let _e47 = self.v_search_texel(path_25, texel_2, _e46, level_65);
+                    let _e49 = layer_3;
+                    let _e50 = self.v_term_scales(path_25, (first_16 + count_13), _e6, _e49);
+                    let scaled = (_e47 * _e50);
+                    let _e52 = layer_3;
+                    let _e53 = self.v_search_texel(path_25, _e34, _e52, level_65);
+                    let _e54 = layer_3;
+                    let _e55 = self.v_search_texel(path_25, _e36, _e54, level_65);
+                    let _e56 = both;
+                    both = (_e56 + (<rt::Vec2<f32>>::from_scalars(_e53.x(), _e55.x()) * scaled.x()));
+                    let _e63 = both;
+                    both = (_e63 + (<rt::Vec2<f32>>::from_scalars(_e53.y(), _e55.y()) * scaled.y()));
+                    let _e70 = both;
+                    both = (_e70 + (<rt::Vec2<f32>>::from_scalars(_e53.z(), _e55.z()) * scaled.z()));
+                    let _e77 = both;
+                    both = (_e77 + (<rt::Vec2<f32>>::from_scalars(_e53.w(), _e55.w()) * scaled.w()));
+                    let _e84 = layer_3;
+                    layer_3 = (_e84 + rt::Scalar(1i32));
+                }
+            }
+        }
+        let _e87 = both;
+        return _e87;
+    }
+    pub(crate) fn flagged_ways(
+        &self,
+        lower: impl rt::Into<rt::Scalar<f32>>,
+        upper: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_flagged_ways(rt::into(lower), rt::into(upper)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_flagged_ways(
+        &self,
+        lower: rt::Scalar<f32>,
+        upper: rt::Scalar<f32>,
+    ) -> rt::Vec4<f32> {
+        let is_lower = lower.elementwise_lt(rt::Scalar(1.125f32));
+        let is_upper = upper.elementwise_lt(rt::Scalar(1.125f32));
+        return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(lower.clamp(rt::Scalar(0f32), rt::Scalar(0.99607843f32)), is_lower), rt::Scalar(0f32).select(rt::Scalar(1f32), is_lower), rt::Scalar(0f32).select(upper.clamp(rt::Scalar(0f32), rt::Scalar(0.99607843f32)), is_upper), rt::Scalar(0f32).select(rt::Scalar(1f32), is_upper));
+    }
+    pub(crate) fn joined_texels(
+        &self,
+        lower_1: impl rt::Into<rt::Vec4<f32>>,
+        upper_1: impl rt::Into<rt::Vec4<f32>>,
+        part_7: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_joined_texels(rt::into(lower_1), rt::into(upper_1), rt::into(part_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_joined_texels(
+        &self,
+        lower_1: rt::Vec4<f32>,
+        upper_1: rt::Vec4<f32>,
+        part_7: rt::Vec2<f32>,
+    ) -> rt::Vec4<f32> {
+        let _e5 = self.v_flagged_ways(lower_1.x(), upper_1.x());
+        let _e8 = self.v_flagged_ways(lower_1.y(), upper_1.y());
+        let _e11 = self.v_flagged_ways(lower_1.z(), upper_1.z());
+        let _e14 = self.v_flagged_ways(lower_1.w(), upper_1.w());
+        let _e15 = self.v_bilinear(_e5, _e8, _e11, _e14, part_7);
+        return _e15;
+    }
+    pub(crate) fn clustered_ways(
+        &self,
+        path_26: Path,
+        around: Around,
+        pair_1: ViewPair,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
+        layers_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_clustered_ways(path_26, around, pair_1, rt::into(params_27), rt::into(layers_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_clustered_ways(
+        &self,
+        path_26: Path,
+        around: Around,
+        pair_1: ViewPair,
+        params_27: rt::Vec4<f32>,
+        layers_1: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e10 = self.v_clustered_way(path_26, <rt::Vec2<i32>>::from_scalars(around.columns.x(), around.rows.x()), pair_1, params_27, layers_1);
+        let _e16 = self.v_clustered_way(path_26, <rt::Vec2<i32>>::from_scalars(around.columns.y(), around.rows.x()), pair_1, params_27, layers_1);
+        let _e22 = self.v_clustered_way(path_26, <rt::Vec2<i32>>::from_scalars(around.columns.x(), around.rows.y()), pair_1, params_27, layers_1);
+        let _e28 = self.v_clustered_way(path_26, <rt::Vec2<i32>>::from_scalars(around.columns.y(), around.rows.y()), pair_1, params_27, layers_1);
+        let _e40 = self.v_joined_texels(<rt::Vec4<f32>>::from_scalars(_e10.x(), _e16.x(), _e22.x(), _e28.x()), <rt::Vec4<f32>>::from_scalars(_e10.y(), _e16.y(), _e22.y(), _e28.y()), around.part);
+        return _e40;
+    }
     pub(crate) fn coarser_voxel(
         &self,
         at_28: impl rt::Into<rt::Vec3<i32>>,
@@ -6419,24 +6658,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn color_texels_around(
         &self,
         place_12: impl rt::Into<rt::Vec2<f32>>,
-        n_8: impl rt::Into<rt::Vec2<i32>>,
+        n_10: impl rt::Into<rt::Vec2<i32>>,
     ) -> Around {
-        rt::into(self.v_color_texels_around(rt::into(place_12), rt::into(n_8)))
+        rt::into(self.v_color_texels_around(rt::into(place_12), rt::into(n_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_color_texels_around(
         &self,
         place_12: rt::Vec2<f32>,
-        n_8: rt::Vec2<i32>,
+        n_10: rt::Vec2<i32>,
     ) -> Around {
-        let point_26 = ((place_12 * n_8.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_26 = ((place_12 * n_10.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_26);
         let i_9 = _e8.to_i32();
         let u_1 = rt::Scalar(self.surface_settings.color_wrap_u);
         let v_4 = rt::Scalar(self.surface_settings.color_wrap_v);
-        let _e18 = self.v_continued_pair(i_9.x(), n_8.x(), u_1);
-        let _e21 = self.v_continued_pair(i_9.y(), n_8.y(), v_4);
+        let _e18 = self.v_continued_pair(i_9.x(), n_10.x(), u_1);
+        let _e21 = self.v_continued_pair(i_9.y(), n_10.y(), v_4);
         return <Around>::new(_e18, _e21, (point_26 - _e8));
     }
     pub(crate) fn color_of_texels(
@@ -6456,11 +6695,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_29);
         let _e6 = self.v_color_texels_around(place_13, _e5);
-        let k_56 = level_29.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_56));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_56));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_56));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_56));
+        let k_60 = level_29.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -6516,10 +6755,10 @@ impl<'g> Resources<'g> {
         let mut z: rt::Scalar<f32>;
 
         let _e3 = rt::Scalar(self.surface_settings.images);
-        let row_10 = _e3.to_i32();
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_10));
-        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_10));
-        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_10));
+        let row_11 = _e3.to_i32();
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_11));
+        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_11));
+        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_11));
         let last_7 = (_e7.w() - rt::Scalar(1f32)).max(rt::Scalar(1f32));
         let is_hemi = _e10.w().elementwise_gt(rt::Scalar(0f32));
         let up_2 = _e10.xyz().dot(toward_1);
@@ -6549,35 +6788,35 @@ impl<'g> Resources<'g> {
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_7));
         let place_40 = <rt::Vec2<f32>>::from_scalars(across_5, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_7, last_7));
         let cell_42 = place_40.floor().min(<rt::Vec2<f32>>::from_scalars((last_7 - rt::Scalar(1f32)), (last_7 - rt::Scalar(1f32))));
-        let part_21 = (place_40 - cell_42);
+        let part_22 = (place_40 - cell_42);
         let side_8 = (last_7.to_u32() + rt::Scalar(1u32));
         let first_17 = ((cell_42.y().to_u32() * side_8) + cell_42.x().to_u32());
-        let beside_5 = (first_17 + side_8).select((first_17 + rt::Scalar(1u32)), part_21.x().elementwise_gt(part_21.y()));
-        let least_4 = part_21.x().min(part_21.y());
-        let most_9 = part_21.x().max(part_21.y());
+        let beside_5 = (first_17 + side_8).select((first_17 + rt::Scalar(1u32)), part_22.x().elementwise_gt(part_22.y()));
+        let least_4 = part_22.x().min(part_22.y());
+        let most_9 = part_22.x().max(part_22.y());
         return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_17, beside_5, ((first_17 + side_8) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_9), (most_9 - least_4), least_4));
     }
-    pub(crate) fn image_of_object(&self, number_5: impl rt::Into<rt::Scalar<u32>>) -> Image {
-        rt::into(self.v_image_of_object(rt::into(number_5)))
+    pub(crate) fn image_of_object(&self, number_7: impl rt::Into<rt::Scalar<u32>>) -> Image {
+        rt::into(self.v_image_of_object(rt::into(number_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_image_of_object(&self, number_5: rt::Scalar<u32>) -> Image {
+    pub(super) fn v_image_of_object(&self, number_7: rt::Scalar<u32>) -> Image {
         let mut depth_6: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32));
         let mut eye_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
 
-        let row_11 = number_5.to_i32();
-        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_11));
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_11));
+        let row_12 = number_7.to_i32();
+        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_12));
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_12));
         let has_eye = _e7.w().elementwise_eq(rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition(has_eye) {
-            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_11));
+            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_12));
             depth_6 = _e25;
-            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_11));
+            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_12));
             eye_1 = _e28;
         }
-        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_11));
-        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_11));
-        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_11));
+        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_12));
+        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_12));
+        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_12));
         let _e38 = depth_6;
         let _e44 = eye_1;
         let _e47 = eye_1.w();
@@ -6888,10 +7127,10 @@ impl<'g> Resources<'g> {
         let a_low = (a_11 & rt::Scalar(65535u32));
         let b_high = (b_11 >> rt::Scalar(16u32));
         let b_low = (b_11 & rt::Scalar(65535u32));
-        let low_6 = (a_low * b_low);
-        let one = ((a_low * b_high) + (low_6 >> rt::Scalar(16u32)));
+        let low_5 = (a_low * b_low);
+        let one = ((a_low * b_high) + (low_5 >> rt::Scalar(16u32)));
         let two = ((a_high * b_low) + (one & rt::Scalar(65535u32)));
-        return <rt::Vec2<u32>>::from_scalars((((a_high * b_high) + (one >> rt::Scalar(16u32))) + (two >> rt::Scalar(16u32))), ((two << rt::Scalar(16u32)) | (low_6 & rt::Scalar(65535u32))));
+        return <rt::Vec2<u32>>::from_scalars((((a_high * b_high) + (one >> rt::Scalar(16u32))) + (two >> rt::Scalar(16u32))), ((two << rt::Scalar(16u32)) | (low_5 & rt::Scalar(65535u32))));
     }
     pub(crate) fn compared(
         &self,
@@ -6930,24 +7169,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn cone_slope(
         &self,
-        path_24: Path,
-        texel_2: impl rt::Into<rt::Vec2<f32>>,
+        path_27: Path,
+        texel_3: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_cone_slope(path_24, rt::into(texel_2)))
+        rt::into(self.v_cone_slope(path_27, rt::into(texel_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_cone_slope(
         &self,
-        path_24: Path,
-        texel_2: rt::Vec2<f32>,
+        path_27: Path,
+        texel_3: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let _e3 = self.v_height_texels(rt::Scalar(path_24.level));
-        let _e4 = self.v_whole_cell(texel_2);
+        let _e3 = self.v_height_texels(rt::Scalar(path_27.level));
+        let _e4 = self.v_whole_cell(texel_3);
         let _e7 = self.v_wrap_index(_e4.x(), _e3.x());
         let _e10 = self.v_wrap_index(_e4.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
-        let _e15 = self.v_search_texel(path_24, wrapped, rt::Scalar(0i32), rt::Scalar(path_24.level).to_i32());
+        let _e15 = self.v_search_texel(path_27, wrapped, rt::Scalar(0i32), rt::Scalar(path_27.level).to_i32());
         let _e17 = self.v_slope_of(_e15.x());
         return _e17;
     }
@@ -7021,13 +7260,13 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         return (_e21 / width_4);
     }
-    pub(crate) fn depth_on_ray(&self, pixel_11: PixelIn, path_25: Path, hit_9: Hit) -> f32 {
-        rt::into(self.v_depth_on_ray(pixel_11, path_25, hit_9))
+    pub(crate) fn depth_on_ray(&self, pixel_11: PixelIn, path_28: Path, hit_9: Hit) -> f32 {
+        rt::into(self.v_depth_on_ray(pixel_11, path_28, hit_9))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_depth_on_ray(&self, pixel_11: PixelIn, path_25: Path, hit_9: Hit) -> rt::Scalar<f32> {
-        return ((rt::Scalar(path_25.start) + rt::Scalar(hit_9.t)) / pixel_11.direction.length());
+    pub(super) fn v_depth_on_ray(&self, pixel_11: PixelIn, path_28: Path, hit_9: Hit) -> rt::Scalar<f32> {
+        return ((rt::Scalar(path_28.start) + rt::Scalar(hit_9.t)) / pixel_11.direction.length());
     }
     pub(crate) fn footprint_axis(
         &self,
@@ -7080,8 +7319,8 @@ impl<'g> Resources<'g> {
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
         let _e22 = self.v_footprint_axis(pixel_13, at_35, normal_31, _e4, _e16.xyz(), _e20.xyz());
-        let both_1 = <rt::Vec4<f32>>::new_22(_e13, _e22);
-        let sum_10 = both_1.dot(both_1);
+        let both_2 = <rt::Vec4<f32>>::new_22(_e13, _e22);
+        let sum_10 = both_2.dot(both_2);
         let area_2 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
         let apart_3 = ((sum_10 - (rt::Scalar(2f32) * area_2)) * (sum_10 + (rt::Scalar(2f32) * area_2))).max(rt::Scalar(0f32)).sqrt();
         let longer = (rt::Scalar(0.5f32) * (sum_10 + apart_3));
@@ -7094,9 +7333,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_14: PixelIn,
         at_36: Entered,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_14, at_36, rt::into(params_26)))
+        rt::into(self.v_detail_fade(pixel_14, at_36, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7104,24 +7343,24 @@ impl<'g> Resources<'g> {
         &self,
         pixel_14: PixelIn,
         at_36: Entered,
-        params_26: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_14, at_36, params_26.x());
-        let begin_10 = (params_26.z() * params_26.w());
+        let _e4 = self.v_footprint_of(pixel_14, at_36, params_28.x());
+        let begin_10 = (params_28.z() * params_28.w());
         let _e8 = self.v_depth_in_samples(pixel_14, at_36);
-        let part_22 = ((begin_10 - _e8) / (begin_10 - params_26.z()).max(rt::Scalar(0.000001f32)));
+        let part_23 = ((begin_10 - _e8) / (begin_10 - params_28.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
-        let _e20 = self.v_levels_of((_e4 / params_26.y()), _e19);
-        let level_63 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_63, _e4, part_22.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let _e20 = self.v_levels_of((_e4 / params_28.y()), _e19);
+        let level_66 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_66, _e4, part_23.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_15: PixelIn,
         at_37: Entered,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_15, at_37, rt::into(params_27)))
+        rt::into(self.v_detail_footprint(pixel_15, at_37, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7129,20 +7368,20 @@ impl<'g> Resources<'g> {
         &self,
         pixel_15: PixelIn,
         at_37: Entered,
-        params_27: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_15, at_37, params_27.x());
+        let _e4 = self.v_footprint_of(pixel_15, at_37, params_29.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
-        let _e10 = self.v_levels_of((_e4 / params_27.y()), _e9);
+        let _e10 = self.v_levels_of((_e4 / params_29.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
         pixel_16: PixelIn,
         at_38: Entered,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_16, at_38, rt::into(params_28)))
+        rt::into(self.v_detail_none(pixel_16, at_38, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7150,7 +7389,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_16: PixelIn,
         at_38: Entered,
-        params_28: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
@@ -7181,20 +7420,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_texel(
         &self,
         place_15: impl rt::Into<rt::Vec2<i32>>,
-        layer_2: impl rt::Into<rt::Scalar<i32>>,
+        layer_4: impl rt::Into<rt::Scalar<i32>>,
         level_31: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_15), rt::into(layer_2), rt::into(level_31)))
+        rt::into(self.v_detail_texel(rt::into(place_15), rt::into(layer_4), rt::into(level_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_texel(
         &self,
         place_15: rt::Vec2<i32>,
-        layer_2: rt::Scalar<i32>,
+        layer_4: rt::Scalar<i32>,
         level_31: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_15, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_31));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_15, rt::Scalar::into_inner(layer_4), 0i32, rt::Scalar::into_inner(level_31));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -7202,25 +7441,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_texel_between(
         &self,
         at_40: Around,
-        layer_3: impl rt::Into<rt::Scalar<i32>>,
+        layer_5: impl rt::Into<rt::Scalar<i32>>,
         level_32: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel_between(at_40, rt::into(layer_3), rt::into(level_32)))
+        rt::into(self.v_detail_texel_between(at_40, rt::into(layer_5), rt::into(level_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_texel_between(
         &self,
         at_40: Around,
-        layer_3: rt::Scalar<i32>,
+        layer_5: rt::Scalar<i32>,
         level_32: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e7 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
-        let k_57 = (level_32 - _e7).to_i32();
-        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.x(), at_40.rows.x()), layer_3, k_57);
-        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.y(), at_40.rows.x()), layer_3, k_57);
-        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.x(), at_40.rows.y()), layer_3, k_57);
-        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.y(), at_40.rows.y()), layer_3, k_57);
+        let k_61 = (level_32 - _e7).to_i32();
+        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.x(), at_40.rows.x()), layer_5, k_61);
+        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.y(), at_40.rows.x()), layer_5, k_61);
+        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.x(), at_40.rows.y()), layer_5, k_61);
+        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.y(), at_40.rows.y()), layer_5, k_61);
         let _e35 = self.v_bilinear(_e15, _e21, _e27, _e33, at_40.part);
         return _e35;
     }
@@ -7282,8 +7521,8 @@ impl<'g> Resources<'g> {
         before_1: rt::Scalar<u32>,
         all: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let part_23 = ((before_1.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
-        return (part_23 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
+        let part_24 = ((before_1.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
+        return (part_24 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
     }
     pub(crate) fn sum_of_quotients(
         &self,
@@ -7302,30 +7541,30 @@ impl<'g> Resources<'g> {
         slope: rt::Scalar<u32>,
         offset_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let mut n_9: rt::Scalar<u32>;
+        let mut n_11: rt::Scalar<u32>;
         let mut m_2: rt::Scalar<u32>;
         let mut a_13: rt::Scalar<u32>;
         let mut b_13: rt::Scalar<u32>;
         let mut sum_3: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        n_9 = count_2;
+        n_11 = count_2;
         m_2 = by;
         a_13 = slope;
         b_13 = offset_1;
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = n_9;
+                let _e10 = n_11;
                 if rt::Scalar::into_branch_condition(_e10.elementwise_gt(rt::Scalar(0u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = sum_3;
-                    let _e14 = n_9;
-                    let _e15 = n_9;
+                    let _e14 = n_11;
+                    let _e15 = n_11;
                     let _e21 = a_13;
                     let _e22 = m_2;
-                    let _e26 = n_9;
+                    let _e26 = n_11;
                     let _e27 = b_13;
                     let _e28 = m_2;
                     sum_3 = ((_e13 + (((_e14 * (_e15 - rt::Scalar(1u32))) / rt::Scalar(2u32)) * (_e21 / _e22))) + (_e26 * (_e27 / _e28)));
@@ -7336,11 +7575,11 @@ impl<'g> Resources<'g> {
                     let _e36 = m_2;
                     b_13 = (_e35 % _e36);
                     let _e38 = a_13;
-                    let _e39 = n_9;
+                    let _e39 = n_11;
                     let _e41 = b_13;
                     let last_9 = ((_e38 * _e39) + _e41);
                     let _e43 = m_2;
-                    n_9 = (last_9 / _e43);
+                    n_11 = (last_9 / _e43);
                     let _e45 = m_2;
                     b_13 = (last_9 % _e45);
                     let swapped = m_2;
@@ -7399,26 +7638,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_row_of_point(
         &self,
         rows_6: DiceRows,
-        number_6: impl rt::Into<rt::Scalar<u32>>,
+        number_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_of_point(rows_6, rt::into(number_6)))
+        rt::into(self.v_dice_row_of_point(rows_6, rt::into(number_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_dice_row_of_point(
         &self,
         rows_6: DiceRows,
-        number_6: rt::Scalar<u32>,
+        number_8: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut row_3: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_points(rows_6);
-        let _e3 = self.v_dice_guess(rows_6, number_6, _e2);
+        let _e3 = self.v_dice_guess(rows_6, number_8, _e2);
         row_3 = _e3.max(rt::Scalar(1u32));
         'naga_break: loop {
             'naga_continue: {
                 let _e7 = row_3;
                 let _e8 = self.v_dice_points_before(rows_6, _e7);
-                if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number_6)) {
+                if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number_8)) {
                 } else {
                     break 'naga_break;
                 }
@@ -7432,7 +7671,7 @@ impl<'g> Resources<'g> {
             'naga_continue: {
                 let _e13 = row_3;
                 let _e16 = self.v_dice_points_before(rows_6, (_e13 + rt::Scalar(1u32)));
-                if rt::Scalar::into_branch_condition(_e16.elementwise_le(number_6)) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_le(number_8)) {
                 } else {
                     break 'naga_break;
                 }
@@ -7448,20 +7687,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_place(
         &self,
         rows_7: DiceRows,
-        number_7: impl rt::Into<rt::Scalar<u32>>,
+        number_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePlace {
-        rt::into(self.v_dice_place(rows_7, rt::into(number_7)))
+        rt::into(self.v_dice_place(rows_7, rt::into(number_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_dice_place(
         &self,
         rows_7: DiceRows,
-        number_7: rt::Scalar<u32>,
+        number_9: rt::Scalar<u32>,
     ) -> DicePlace {
-        let _e2 = self.v_dice_row_of_point(rows_7, number_7);
+        let _e2 = self.v_dice_row_of_point(rows_7, number_9);
         let _e3 = self.v_dice_points_before(rows_7, _e2);
-        return <DicePlace>::new(_e2, ((number_7 - _e3) + rt::Scalar(1u32)));
+        return <DicePlace>::new(_e2, ((number_9 - _e3) + rt::Scalar(1u32)));
     }
     pub(crate) fn dice_share(
         &self,
@@ -7529,8 +7768,8 @@ impl<'g> Resources<'g> {
         let y_5 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(2u32)));
         let _e88 = self.v_dice_points_before(rows_10, rt::Scalar(place_17.row));
-        let number_26 = ((_e88 + rt::Scalar(place_17.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(INSIDE, number_26, <rt::Vec3<f32>>::from_scalars(x_10, y_5, z_2));
+        let number_28 = ((_e88 + rt::Scalar(place_17.at)) - rt::Scalar(1u32));
+        return <DicePoint>::new(INSIDE, number_28, <rt::Vec3<f32>>::from_scalars(x_10, y_5, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -7565,26 +7804,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_row_of_triangle(
         &self,
         rows_13: DiceRows,
-        number_8: impl rt::Into<rt::Scalar<u32>>,
+        number_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_of_triangle(rows_13, rt::into(number_8)))
+        rt::into(self.v_dice_row_of_triangle(rows_13, rt::into(number_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_dice_row_of_triangle(
         &self,
         rows_13: DiceRows,
-        number_8: rt::Scalar<u32>,
+        number_10: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut row_7: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_triangles(rows_13);
-        let _e3 = self.v_dice_guess(rows_13, number_8, _e2);
+        let _e3 = self.v_dice_guess(rows_13, number_10, _e2);
         row_7 = _e3;
         'naga_break: loop {
             'naga_continue: {
                 let _e5 = row_7;
                 let _e6 = self.v_dice_triangles_before(rows_13, _e5);
-                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_8)) {
+                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_10)) {
                 } else {
                     break 'naga_break;
                 }
@@ -7598,7 +7837,7 @@ impl<'g> Resources<'g> {
             'naga_continue: {
                 let _e11 = row_7;
                 let _e14 = self.v_dice_triangles_before(rows_13, (_e11 + rt::Scalar(1u32)));
-                if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_8)) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_10)) {
                 } else {
                     break 'naga_break;
                 }
@@ -7705,19 +7944,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_triangle(
         &self,
         rows_14: DiceRows,
-        number_9: impl rt::Into<rt::Scalar<u32>>,
+        number_11: impl rt::Into<rt::Scalar<u32>>,
     ) -> DiceTriangle {
-        rt::into(self.v_dice_triangle(rows_14, rt::into(number_9)))
+        rt::into(self.v_dice_triangle(rows_14, rt::into(number_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_dice_triangle(
         &self,
         rows_14: DiceRows,
-        number_9: rt::Scalar<u32>,
+        number_11: rt::Scalar<u32>,
     ) -> DiceTriangle {
         let mut local_36: rt::Scalar<bool>;
 
-        let _e2 = self.v_dice_row_of_triangle(rows_14, number_9);
+        let _e2 = self.v_dice_row_of_triangle(rows_14, number_11);
         let _e5 = self.v_dice_row_parts(rows_14, (_e2 - rt::Scalar(1u32)));
         let _e6 = self.v_dice_row_parts(rows_14, _e2);
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(1u32))) {
@@ -7729,7 +7968,7 @@ impl<'g> Resources<'g> {
         }
         let is_shared = local_36;
         let _e24 = self.v_dice_triangles_before(rows_14, (_e2 - rt::Scalar(1u32)));
-        let step_6 = ((number_9 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
+        let step_6 = ((number_11 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
         let _e30 = self.v_dice_steps_below(_e5, _e6, step_6);
         let i_10 = (step_6 - _e30);
         let _e34 = self.v_dice_steps_below(_e5, _e6, (step_6 + rt::Scalar(1u32)));
@@ -7757,15 +7996,15 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         return (((along_3 - (up * up.dot(along_3))) + rise) + turned);
     }
-    pub(crate) fn log2_of(&self, number_10: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_log2_of(rt::into(number_10)))
+    pub(crate) fn log2_of(&self, number_12: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_log2_of(rt::into(number_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_log2_of(&self, number_10: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_log2_of(&self, number_12: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let mut rest_1: rt::Scalar<f32>;
         let mut exponent_1: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        rest_1 = number_10;
+        rest_1 = number_12;
         'naga_break: loop {
             'naga_continue: {
                 let _e4 = rest_1;
@@ -7798,11 +8037,11 @@ impl<'g> Resources<'g> {
         }
         let _e24 = rest_1;
         let _e27 = rest_1;
-        let part_24 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
-        let square_3 = (part_24 * part_24);
+        let part_25 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
+        let square_3 = (part_25 * part_25);
         let sum_11 = (rt::Scalar(1f32) + (square_3 * (rt::Scalar(0.33333334f32) + (square_3 * (rt::Scalar(0.2f32) + (square_3 * (rt::Scalar(0.14285715f32) + (square_3 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent_1;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_24) * sum_11));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_25) * sum_11));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -7813,8 +8052,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(grid_5.levels).elementwise_le(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        let texels_4 = ((rt::Scalar(site.texels_per_m) * rt::Scalar(site.depth)) / rt::Scalar(grid_5.per_m)).max(rt::Scalar(1f32));
-        let _e13 = self.v_log2_of(texels_4);
+        let texels_5 = ((rt::Scalar(site.texels_per_m) * rt::Scalar(site.depth)) / rt::Scalar(grid_5.per_m)).max(rt::Scalar(1f32));
+        let _e13 = self.v_log2_of(texels_5);
         return _e13.min((rt::Scalar(grid_5.levels) - rt::Scalar(1u32)).to_f32());
     }
     pub(crate) fn height_and_slope(
@@ -7857,13 +8096,13 @@ impl<'g> Resources<'g> {
         level_34: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let finer = level_34.to_u32();
-        let part_25 = (level_34 - finer.to_f32());
+        let part_26 = (level_34 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_8, finer);
-        if rt::Scalar::into_branch_condition(part_25.elementwise_eq(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(part_26.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
         }
         let _e10 = self.v_height_and_slope(uv_8, (finer + rt::Scalar(1u32)));
-        return (_e5 + ((_e10 - _e5) * part_25));
+        return (_e5 + ((_e10 - _e5) * part_26));
     }
     pub(crate) fn sloped_uv(
         &self,
@@ -7948,110 +8187,110 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_texel_between(
         &self,
-        path_26: Path,
+        path_29: Path,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
-        layer_4: impl rt::Into<rt::Scalar<i32>>,
+        layer_6: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_26, rt::into(uv_10), rt::into(layer_4)))
+        rt::into(self.v_search_texel_between(path_29, rt::into(uv_10), rt::into(layer_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_search_texel_between(
         &self,
-        path_26: Path,
+        path_29: Path,
         uv_10: rt::Vec2<f32>,
-        layer_4: rt::Scalar<i32>,
+        layer_6: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = self.v_height_texels(rt::Scalar(path_26.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_29.level));
         let _e5 = self.v_texels_around(uv_10, _e4);
-        let level_64 = rt::Scalar(path_26.level).to_i32();
-        let _e13 = self.v_search_texel(path_26, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_64);
-        let _e19 = self.v_search_texel(path_26, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_64);
-        let _e25 = self.v_search_texel(path_26, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_64);
-        let _e31 = self.v_search_texel(path_26, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_64);
+        let level_67 = rt::Scalar(path_29.level).to_i32();
+        let _e13 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_6, level_67);
+        let _e19 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_6, level_67);
+        let _e25 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_6, level_67);
+        let _e31 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_6, level_67);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
-        path_27: Path,
+        path_30: Path,
         uv_11: impl rt::Into<rt::Vec2<f32>>,
         height_1: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_27, rt::into(uv_11), rt::into(height_1), rt::into(slices)))
+        rt::into(self.v_distance_at(path_30, rt::into(uv_11), rt::into(height_1), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_distance_at(
         &self,
-        path_27: Path,
+        path_30: Path,
         uv_11: rt::Vec2<f32>,
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let place_41 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
         let below_6 = place_41.floor();
-        let _e13 = self.v_search_texel_between(path_27, uv_11, below_6.to_i32());
-        let lower_1 = _e13.x();
-        let _e21 = self.v_search_texel_between(path_27, uv_11, (below_6 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
-        let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_41 - below_6)));
+        let _e13 = self.v_search_texel_between(path_30, uv_11, below_6.to_i32());
+        let lower_4 = _e13.x();
+        let _e21 = self.v_search_texel_between(path_30, uv_11, (below_6 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
+        let upper_3 = _e21.x();
+        return (lower_4 + ((upper_3 - lower_4) * (place_41 - below_6)));
     }
     pub(crate) fn material_of_texels(
         &self,
         place_18: impl rt::Into<rt::Vec2<f32>>,
-        layer_5: impl rt::Into<rt::Scalar<i32>>,
+        layer_7: impl rt::Into<rt::Scalar<i32>>,
         level_36: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_material_of_texels(rt::into(place_18), rt::into(layer_5), rt::into(level_36)))
+        rt::into(self.v_material_of_texels(rt::into(place_18), rt::into(layer_7), rt::into(level_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_material_of_texels(
         &self,
         place_18: rt::Vec2<f32>,
-        layer_5: rt::Scalar<i32>,
+        layer_7: rt::Scalar<i32>,
         level_36: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.material_size;
         let _e6 = self.v_level_texels(_e5, level_36);
         let _e7 = self.v_color_texels_around(place_18, _e6);
-        let k_58 = level_36.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_58));
-        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_58));
-        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_58));
-        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_58));
+        let k_62 = level_36.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_62));
+        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_62));
+        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_62));
+        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_62));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
     pub(crate) fn material_at(
         &self,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
-        layer_6: impl rt::Into<rt::Scalar<i32>>,
+        layer_8: impl rt::Into<rt::Scalar<i32>>,
         level_37: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_material_at(rt::into(uv_12), rt::into(layer_6), rt::into(level_37)))
+        rt::into(self.v_material_at(rt::into(uv_12), rt::into(layer_8), rt::into(level_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_material_at(
         &self,
         uv_12: rt::Vec2<f32>,
-        layer_6: rt::Scalar<i32>,
+        layer_8: rt::Scalar<i32>,
         level_37: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_color_place(uv_12);
-        let _e4 = self.v_material_of_texels(_e3, layer_6, level_37);
+        let _e4 = self.v_material_of_texels(_e3, layer_8, level_37);
         return _e4;
     }
     pub(crate) fn material_layer(
         &self,
         uv_13: impl rt::Into<rt::Vec2<f32>>,
         footprint_2: impl rt::Into<rt::Scalar<f32>>,
-        layer_7: impl rt::Into<rt::Scalar<i32>>,
+        layer_9: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_material_layer(rt::into(uv_13), rt::into(footprint_2), rt::into(layer_7)))
+        rt::into(self.v_material_layer(rt::into(uv_13), rt::into(footprint_2), rt::into(layer_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8059,15 +8298,15 @@ impl<'g> Resources<'g> {
         &self,
         uv_13: rt::Vec2<f32>,
         footprint_2: rt::Scalar<f32>,
-        layer_7: rt::Scalar<i32>,
+        layer_9: rt::Scalar<i32>,
     ) -> rt::Vec3<f32> {
         let _e5 = rt::Scalar(self.surface_settings.material_texels);
         let _e9 = rt::Scalar(self.surface_settings.material_levels);
         let _e10 = self.v_levels_of((footprint_2 * _e5), _e9);
-        let _e12 = self.v_material_at(uv_13, layer_7, rt::Scalar(_e10.fine));
+        let _e12 = self.v_material_at(uv_13, layer_9, rt::Scalar(_e10.fine));
         let fine_1 = _e12.xyz();
         if rt::Scalar::into_branch_condition(rt::Scalar(_e10.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e20 = self.v_material_at(uv_13, layer_7, (rt::Scalar(_e10.fine) + rt::Scalar(1u32)));
+            let _e20 = self.v_material_at(uv_13, layer_9, (rt::Scalar(_e10.fine) + rt::Scalar(1u32)));
             return (fine_1 + ((_e20.xyz() - fine_1) * rt::Scalar(_e10.part)));
         }
         return fine_1;
@@ -8098,19 +8337,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn end_of_piece(
         &self,
         way_15: VoxelPath,
-        part_7: CellPart,
+        part_8: CellPart,
         corners_3: VoxelCell,
         begin_2: impl rt::Into<rt::Scalar<f32>>,
         extinction: impl rt::Into<rt::Scalar<f32>>,
         most: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_end_of_piece(way_15, part_7, corners_3, rt::into(begin_2), rt::into(extinction), rt::into(most)))
+        rt::into(self.v_end_of_piece(way_15, part_8, corners_3, rt::into(begin_2), rt::into(extinction), rt::into(most)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_end_of_piece(
         &self,
         way_15: VoxelPath,
-        part_7: CellPart,
+        part_8: CellPart,
         corners_3: VoxelCell,
         begin_2: rt::Scalar<f32>,
         extinction: rt::Scalar<f32>,
@@ -8120,13 +8359,13 @@ impl<'g> Resources<'g> {
         let mut k_6: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_39: rt::Scalar<bool>;
 
-        end_1 = rt::Scalar(part_7.end);
+        end_1 = rt::Scalar(part_8.end);
         'naga_break: loop {
             'naga_continue: {
                 let _e10 = k_6;
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(PIECE_HALVINGS)) {
                     let _e16 = end_1;
-                    let _e17 = self.v_field_between(way_15, part_7.cell, corners_3, begin_2, _e16);
+                    let _e17 = self.v_field_between(way_15, part_8.cell, corners_3, begin_2, _e16);
                     let _e19 = self.v_transmittance_of((_e17 * extinction));
                     local_39 = (rt::Scalar(1f32) - _e19).elementwise_gt(most);
                 } else {
@@ -8162,8 +8401,8 @@ impl<'g> Resources<'g> {
         let _e15 = self.v_chain_point(sweep_4, other, (rt::Scalar(other.count) - rt::Scalar(1i32)));
         let last_10 = rt::Scalar(_e15.sides);
         let _e20 = self.v_chain_point(sweep_4, other, (rt::Scalar(other.count) - rt::Scalar(2i32)));
-        let before_9 = rt::Scalar(_e20.sides);
-        return ((end_9 & last_10) & before_9).elementwise_ne(rt::Scalar(0u32));
+        let before_10 = rt::Scalar(_e20.sides);
+        return ((end_9 & last_10) & before_10).elementwise_ne(rt::Scalar(0u32));
     }
     pub(crate) fn plane_normal(&self, pixel_18: PixelIn) -> rt::Vec3<f32> {
         rt::into(self.v_plane_normal(pixel_18))
@@ -8222,15 +8461,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_enter(
         &self,
         pixel_20: PixelIn,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_29)))
+        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_plane_enter(
         &self,
         pixel_20: PixelIn,
-        params_29: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_40: rt::Scalar<bool>;
         let mut local_41: rt::Scalar<bool>;
@@ -8291,9 +8530,9 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_30)))
+        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8302,13 +8541,13 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
-        params_30: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> Prism {
         let origin_5 = (pixel_22.origin + (along_5 * middle_3));
         let _e8 = self.v_ordered(pixel_22, rt::Scalar(0u32));
         let _e10 = self.v_ordered(pixel_22, rt::Scalar(1u32));
         let _e12 = self.v_ordered(pixel_22, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_5), (_e10.position - origin_5), (_e12.position - origin_5), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_30.y() * rt::Scalar(pixel_22.side))));
+        return <Prism>::new((_e8.position - origin_5), (_e10.position - origin_5), (_e12.position - origin_5), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_32.y() * rt::Scalar(pixel_22.side))));
     }
     pub(crate) fn frame_at(
         &self,
@@ -8391,11 +8630,11 @@ impl<'g> Resources<'g> {
         &self,
         along_8: impl rt::Into<rt::Vec3<f32>>,
         p: impl rt::Into<rt::Vec3<f32>>,
-        n_10: impl rt::Into<rt::Vec3<f32>>,
+        n_12: impl rt::Into<rt::Vec3<f32>>,
         q: impl rt::Into<rt::Vec3<f32>>,
         m_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_way_weight(rt::into(along_8), rt::into(p), rt::into(n_10), rt::into(q), rt::into(m_3)))
+        rt::into(self.v_way_weight(rt::into(along_8), rt::into(p), rt::into(n_12), rt::into(q), rt::into(m_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8403,13 +8642,13 @@ impl<'g> Resources<'g> {
         &self,
         along_8: rt::Vec3<f32>,
         p: rt::Vec3<f32>,
-        n_10: rt::Vec3<f32>,
+        n_12: rt::Vec3<f32>,
         q: rt::Vec3<f32>,
         m_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let most_11 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let middle_11 = (p.cross(m_3).min(most_11) + n_10.cross(q).min(most_11));
-        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_10.cross(m_3))).min(most_11);
+        let middle_11 = (p.cross(m_3).min(most_11) + n_12.cross(q).min(most_11));
+        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_12.cross(m_3))).min(most_11);
     }
     pub(crate) fn way_of(
         &self,
@@ -8601,9 +8840,9 @@ impl<'g> Resources<'g> {
         offsets_1: impl rt::Into<rt::Vec2<f32>>,
         beyond_2: impl rt::Into<rt::Vec3<f32>>,
         tolerance_1: impl rt::Into<rt::Scalar<f32>>,
-        number_11: impl rt::Into<rt::Scalar<u32>>,
+        number_13: impl rt::Into<rt::Scalar<u32>>,
     ) -> WayChord {
-        rt::into(self.v_way_chord(pixel_28, prism_7, rt::into(along_10), way_18, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_11)))
+        rt::into(self.v_way_chord(pixel_28, prism_7, rt::into(along_10), way_18, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_way_chord(
@@ -8615,7 +8854,7 @@ impl<'g> Resources<'g> {
         offsets_1: rt::Vec2<f32>,
         beyond_2: rt::Vec3<f32>,
         tolerance_1: rt::Scalar<f32>,
-        number_11: rt::Scalar<u32>,
+        number_13: rt::Scalar<u32>,
     ) -> WayChord {
         let mut chosen: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let mut count_4: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -8656,9 +8895,9 @@ impl<'g> Resources<'g> {
                         let _e51 = begin_3;
                         let _e53 = self.v_chords_of_piece(pixel_28, prism_7, along_10, way_18, <rt::Vec2<f32>>::from_scalars(_e51, end_10), tolerance_1);
                         let _e54 = count_4;
-                        if rt::Scalar::into_branch_condition(number_11.elementwise_ge(_e54)) {
+                        if rt::Scalar::into_branch_condition(number_13.elementwise_ge(_e54)) {
                             let _e58 = count_4;
-                            local_44 = number_11.elementwise_lt((_e58 + _e53));
+                            local_44 = number_13.elementwise_lt((_e58 + _e53));
                         } else {
                             local_44 = rt::Scalar(false);
                         }
@@ -8667,12 +8906,12 @@ impl<'g> Resources<'g> {
                             let _e63 = begin_3;
                             let long_2 = (end_10 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_4;
-                            let part_26 = ((number_11 - _e67).to_f32() / _e53.to_f32());
+                            let part_27 = ((number_13 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_4;
-                            let next_13 = (((number_11 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
+                            let next_13 = (((number_13 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin_3;
                             let _e82 = begin_3;
-                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_26)), (_e82 + (long_2 * next_13)));
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_27)), (_e82 + (long_2 * next_13)));
                         }
                         let _e86 = count_4;
                         count_4 = (_e86 + _e53);
@@ -8688,30 +8927,30 @@ impl<'g> Resources<'g> {
     pub(crate) fn folded_enter(
         &self,
         pixel_29: PixelIn,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_folded_enter(pixel_29, rt::into(params_31)))
+        rt::into(self.v_folded_enter(pixel_29, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_folded_enter(
         &self,
         pixel_29: PixelIn,
-        params_31: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_43: Entered;
 
         let along_25 = pixel_29.direction.normalize();
         let _e4 = self.v_middle_of(pixel_29, along_25);
-        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_31);
+        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_33);
         let _e6 = self.v_shell_middle(pixel_29, along_25);
         at_43 = _e6;
         let _e8 = self.v_way_of(pixel_29, _e5, along_25);
         let _e9 = self.v_shell_slack(pixel_29, _e4);
         let _e10 = self.v_way_offsets(pixel_29, _e5, _e9);
         let _e11 = at_43;
-        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_31);
+        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_33);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_31.x(), rt::Scalar(0u32));
+        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_33.x(), rt::Scalar(0u32));
         rt::Scalar(at_43.segments) = rt::Scalar(_e17.count);
         let _e19 = at_43;
         return _e19;
@@ -8757,9 +8996,9 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_32)))
+        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_span_of(
@@ -8768,14 +9007,14 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
-        params_32: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_2: Shell;
         let mut span_2: rt::Vec2<f32>;
 
         shell_2 = pixel_30.shell;
         let _e9 = shell_2.lift;
-        shell_2.lift = (_e9 * params_32.y());
+        shell_2.lift = (_e9 * params_34.y());
         let _e12 = shell_2;
         let _e13 = self.v_offsets_of(_e12);
         let _e14 = self.v_shell_slack(pixel_30, middle_4);
@@ -8846,9 +9085,9 @@ impl<'g> Resources<'g> {
         let mut h_4: rt::Scalar<f32>;
         let mut step_1: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let low_7 = self.surface_settings.shell_m.x();
+        let low_6 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let width_6 = (_e10 - low_7).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_6 = (_e10 - low_6).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let l = prism_9.lift;
         w_1 = from_point.weights;
         h_4 = rt::Scalar(from_point.height);
@@ -8865,7 +9104,7 @@ impl<'g> Resources<'g> {
                     let _e27 = h_4;
                     let _e30 = w_1;
                     let _e31 = self.v_lift_of(l, _e30);
-                    let offset_7 = ((low_7 + (width_6 * _e27)) + _e31);
+                    let offset_7 = ((low_6 + (width_6 * _e27)) + _e31);
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
@@ -8929,27 +9168,27 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_enter(
         &self,
         pixel_31: PixelIn,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_33)))
+        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_enter(
         &self,
         pixel_31: PixelIn,
-        params_33: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_45: rt::Scalar<bool>;
         let mut at_44: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_31.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_folded_enter(pixel_31, params_33);
+            let _e6 = self.v_folded_enter(pixel_31, params_35);
             return _e6;
         }
         let along_26 = pixel_31.direction.normalize();
         let _e9 = self.v_middle_of(pixel_31, along_26);
-        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_33);
-        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_33);
+        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_35);
+        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_35);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_45 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -8983,7 +9222,7 @@ impl<'g> Resources<'g> {
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_13 = _e84.max(quarters_1);
-        rt::Scalar(at_44.segments) = (most_13 / params_33.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        rt::Scalar(at_44.segments) = (most_13 / params_35.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
         let _e95 = at_44;
         return _e95;
     }
@@ -9061,22 +9300,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_34)))
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
-        params_34: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_45: Entered;
 
-        let _e2 = self.v_surface_plane_enter(pixel_33, params_34);
+        let _e2 = self.v_surface_plane_enter(pixel_33, params_36);
         at_45 = _e2;
         let _e6 = at_45.point;
-        let _e8 = self.v_quadric_of(pixel_33, _e6, params_34.y());
+        let _e8 = self.v_quadric_of(pixel_33, _e6, params_36.y());
         at_45.of_surface = _e8;
         let _e11 = at_45.metric.x();
         let _e14 = at_45.metric.z();
@@ -9090,19 +9329,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_35)))
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
-        params_35: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_46: Entered;
 
-        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_35);
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_37);
         at_46 = _e2;
         let along_27 = pixel_34.direction.length();
         let _e6 = at_46;
@@ -9116,7 +9355,7 @@ impl<'g> Resources<'g> {
         let _e22 = rt::Scalar(at_46.segments);
         let _e28 = at_46.span.y();
         let _e31 = at_46.span.x();
-        rt::Scalar(at_46.segments) = rt::Scalar(0u32).select((_e22 * params_35.z().to_u32()), _e28.elementwise_gt(_e31));
+        rt::Scalar(at_46.segments) = rt::Scalar(0u32).select((_e22 * params_37.z().to_u32()), _e28.elementwise_gt(_e31));
         let _e34 = at_46;
         return _e34;
     }
@@ -9163,9 +9402,9 @@ impl<'g> Resources<'g> {
         pixel_35: PixelIn,
         along_13: impl rt::Into<rt::Vec3<f32>>,
         middle_5: impl rt::Into<rt::Scalar<f32>>,
-        number_12: impl rt::Into<rt::Scalar<u32>>,
+        number_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> Tetrahedron {
-        rt::into(self.v_tetrahedron(pixel_35, rt::into(along_13), rt::into(middle_5), rt::into(number_12)))
+        rt::into(self.v_tetrahedron(pixel_35, rt::into(along_13), rt::into(middle_5), rt::into(number_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_tetrahedron(
@@ -9173,14 +9412,14 @@ impl<'g> Resources<'g> {
         pixel_35: PixelIn,
         along_13: rt::Vec3<f32>,
         middle_5: rt::Scalar<f32>,
-        number_12: rt::Scalar<u32>,
+        number_14: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside_1: rt::Vec2<f32>;
         let mut local_46: rt::Scalar<bool>;
 
         let origin_6 = (pixel_35.origin + (along_13 * middle_5));
-        let is_first_2 = number_12.elementwise_eq(rt::Scalar(0u32));
-        let is_last_1 = number_12.elementwise_eq(rt::Scalar(2u32));
+        let is_first_2 = number_14.elementwise_eq(rt::Scalar(0u32));
+        let is_last_1 = number_14.elementwise_eq(rt::Scalar(2u32));
         let _e12 = self.v_ordered(pixel_35, rt::Scalar(0u32));
         let _e15 = self.v_raised(_e12, rt::Scalar(pixel_35.side), rt::Scalar(0f32));
         let q0_ = (_e15 - origin_6);
@@ -9239,9 +9478,9 @@ impl<'g> Resources<'g> {
             return <Tetrahedron>::new(_e118, <rt::Vec4<f32>>::from_scalars(w0_, w1_, (w2_ + w3_), w3_), <rt::Vec4<f32>>::from_scalars(g0_, g1_, (g2_ + g3_), g3_));
         }
         if rt::Scalar::into_branch_condition(is_last_1) {
-            let upper_1 = <rt::Vec2<f32>>::from_scalars(((w1_ + w2_) + w3_), ((g1_ + g2_) + g3_));
+            let upper_4 = <rt::Vec2<f32>>::from_scalars(((w1_ + w2_) + w3_), ((g1_ + g2_) + g3_));
             let _e129 = inside_1;
-            return <Tetrahedron>::new(_e129, <rt::Vec4<f32>>::from_scalars((w0_ + w1_), w2_, w3_, upper_1.x()), <rt::Vec4<f32>>::from_scalars((g0_ + g1_), g2_, g3_, upper_1.y()));
+            return <Tetrahedron>::new(_e129, <rt::Vec4<f32>>::from_scalars((w0_ + w1_), w2_, w3_, upper_4.x()), <rt::Vec4<f32>>::from_scalars((g0_ + g1_), g2_, g3_, upper_4.y()));
         }
         let _e137 = inside_1;
         return <Tetrahedron>::new(_e137, <rt::Vec4<f32>>::from_scalars(w0_, (w1_ + w2_), w3_, (w2_ + w3_)), <rt::Vec4<f32>>::from_scalars(g0_, (g1_ + g2_), g3_, (g2_ + g3_)));
@@ -9251,9 +9490,9 @@ impl<'g> Resources<'g> {
         pixel_36: PixelIn,
         along_14: impl rt::Into<rt::Vec3<f32>>,
         middle_6: impl rt::Into<rt::Scalar<f32>>,
-        number_13: impl rt::Into<rt::Scalar<u32>>,
+        number_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_met(pixel_36, rt::into(along_14), rt::into(middle_6), rt::into(number_13)))
+        rt::into(self.v_is_met(pixel_36, rt::into(along_14), rt::into(middle_6), rt::into(number_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9262,24 +9501,24 @@ impl<'g> Resources<'g> {
         pixel_36: PixelIn,
         along_14: rt::Vec3<f32>,
         middle_6: rt::Scalar<f32>,
-        number_13: rt::Scalar<u32>,
+        number_15: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let _e4 = self.v_tetrahedron(pixel_36, along_14, middle_6, number_13);
+        let _e4 = self.v_tetrahedron(pixel_36, along_14, middle_6, number_15);
         let inside_4 = _e4.inside;
         return inside_4.y().elementwise_gt(inside_4.x());
     }
     pub(crate) fn surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_36)))
+        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
-        params_36: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_47: rt::Scalar<bool>;
         let mut local_48: rt::Scalar<bool>;
@@ -9380,15 +9619,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_enter(
         &self,
         pixel_40: PixelIn,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_37)))
+        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_facets_enter(
         &self,
         pixel_40: PixelIn,
-        params_37: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_50: rt::Scalar<bool>;
 
@@ -9416,15 +9655,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_slices_enter(
         &self,
         pixel_41: PixelIn,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_38)))
+        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_slices_enter(
         &self,
         pixel_41: PixelIn,
-        params_38: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_51: rt::Scalar<bool>;
         let mut local_52: rt::Scalar<bool>;
@@ -9472,16 +9711,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_enter(
         &self,
         pixel_42: PixelIn,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_39)))
+        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_enter(
         &self,
         pixel_42: PixelIn,
-        params_39: rt::Vec4<f32>,
+        params_41: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_48: Entered;
 
@@ -9496,16 +9735,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_frames_enter(
         &self,
         pixel_43: PixelIn,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_40)))
+        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_enter(
         &self,
         pixel_43: PixelIn,
-        params_40: rt::Vec4<f32>,
+        params_42: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_49: Entered;
 
@@ -9519,16 +9758,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_41)))
+        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
-        params_41: rt::Vec4<f32>,
+        params_43: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_50: Entered;
 
@@ -9625,7 +9864,7 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn entered_once(
         &self,
-        path_28: Path,
+        path_31: Path,
         grid_7: Grid,
         above_1: impl rt::Into<rt::Scalar<f32>>,
         below_1: impl rt::Into<rt::Scalar<f32>>,
@@ -9633,12 +9872,12 @@ impl<'g> Resources<'g> {
         below_gap: impl rt::Into<rt::Scalar<f32>>,
         so_far: impl rt::Into<rt::Vec3<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_entered_once(path_28, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
+        rt::into(self.v_entered_once(path_31, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_entered_once(
         &self,
-        path_28: Path,
+        path_31: Path,
         grid_7: Grid,
         above_1: rt::Scalar<f32>,
         below_1: rt::Scalar<f32>,
@@ -9684,7 +9923,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
-                    let _e42 = self.v_path_gap(path_28, middle_12);
+                    let _e42 = self.v_path_gap(path_31, middle_12);
                     let _e43 = cost_1;
                     cost_1 = (_e43 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
@@ -9836,48 +10075,48 @@ impl<'g> Resources<'g> {
     pub(crate) fn field_heights_cost(
         &self,
         level_38: impl rt::Into<rt::Scalar<u32>>,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_field_heights_cost(rt::into(level_38), rt::into(params_42)))
+        rt::into(self.v_field_heights_cost(rt::into(level_38), rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_cost(
         &self,
         level_38: rt::Scalar<u32>,
-        params_42: rt::Vec4<f32>,
+        params_44: rt::Vec4<f32>,
     ) -> rt::Vec3<u32> {
         return HEIGHTS_READ;
     }
     pub(crate) fn field_volume_cost(
         &self,
         level_39: impl rt::Into<rt::Scalar<u32>>,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_field_volume_cost(rt::into(level_39), rt::into(params_43)))
+        rt::into(self.v_field_volume_cost(rt::into(level_39), rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_cost(
         &self,
         level_39: rt::Scalar<u32>,
-        params_43: rt::Vec4<f32>,
+        params_45: rt::Vec4<f32>,
     ) -> rt::Vec3<u32> {
         return VOXELS_READ;
     }
     pub(crate) fn field_motif_cost(
         &self,
         level_40: impl rt::Into<rt::Scalar<u32>>,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_field_motif_cost(rt::into(level_40), rt::into(params_44)))
+        rt::into(self.v_field_motif_cost(rt::into(level_40), rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_motif_cost(
         &self,
         level_40: rt::Scalar<u32>,
-        params_44: rt::Vec4<f32>,
+        params_46: rt::Vec4<f32>,
     ) -> rt::Vec3<u32> {
         return NO_COST;
     }
@@ -9910,9 +10149,9 @@ impl<'g> Resources<'g> {
         uv_17: impl rt::Into<rt::Vec2<f32>>,
         height_5: impl rt::Into<rt::Scalar<f32>>,
         level_42: impl rt::Into<rt::Scalar<u32>>,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_heights_height(rt::into(uv_17), rt::into(height_5), rt::into(level_42), rt::into(params_45)))
+        rt::into(self.v_field_heights_height(rt::into(uv_17), rt::into(height_5), rt::into(level_42), rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9921,7 +10160,7 @@ impl<'g> Resources<'g> {
         uv_17: rt::Vec2<f32>,
         height_5: rt::Scalar<f32>,
         level_42: rt::Scalar<u32>,
-        params_45: rt::Vec4<f32>,
+        params_47: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_height_at(uv_17, level_42);
         return _e4;
@@ -9931,9 +10170,9 @@ impl<'g> Resources<'g> {
         uv_18: impl rt::Into<rt::Vec2<f32>>,
         height_6: impl rt::Into<rt::Scalar<f32>>,
         level_43: impl rt::Into<rt::Scalar<u32>>,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_volume_height(rt::into(uv_18), rt::into(height_6), rt::into(level_43), rt::into(params_46)))
+        rt::into(self.v_field_volume_height(rt::into(uv_18), rt::into(height_6), rt::into(level_43), rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9942,7 +10181,7 @@ impl<'g> Resources<'g> {
         uv_18: rt::Vec2<f32>,
         height_6: rt::Scalar<f32>,
         level_43: rt::Scalar<u32>,
-        params_46: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return height_6;
     }
@@ -9951,9 +10190,9 @@ impl<'g> Resources<'g> {
         uv_19: impl rt::Into<rt::Vec2<f32>>,
         height_7: impl rt::Into<rt::Scalar<f32>>,
         level_44: impl rt::Into<rt::Scalar<u32>>,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_motif_height(rt::into(uv_19), rt::into(height_7), rt::into(level_44), rt::into(params_47)))
+        rt::into(self.v_field_motif_height(rt::into(uv_19), rt::into(height_7), rt::into(level_44), rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9962,7 +10201,7 @@ impl<'g> Resources<'g> {
         uv_19: rt::Vec2<f32>,
         height_7: rt::Scalar<f32>,
         level_44: rt::Scalar<u32>,
-        params_47: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return height_7;
     }
@@ -10012,22 +10251,22 @@ impl<'g> Resources<'g> {
         let h_7 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
         return <Path>::new(_e6, _e4.xy(), h_7, rt::Scalar(0f32), rt::Scalar(0f32), at_52.metric, RAY_SHADOW, rt::Scalar(at_52.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
     }
-    pub(crate) fn way_out(&self, path_29: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_29, light_2))
+    pub(crate) fn way_out(&self, path_32: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_32, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_way_out(&self, path_29: Path, light_2: Toward) -> rt::Scalar<f32> {
+    pub(super) fn v_way_out(&self, path_32: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_19: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
 
-        way_19 = ((rt::Scalar(1f32) - path_29.h.x()) / path_29.h.y()).min(rt::Scalar(light_2.distance));
+        way_19 = ((rt::Scalar(1f32) - path_32.h.x()) / path_32.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way_19;
-            let _e24 = self.v_inside_unit(path_29.uv.x(), path_29.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e24 = self.v_inside_unit(path_32.uv.x(), path_32.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_4 = _e24;
             let _e30 = interval_4;
-            let _e31 = self.v_inside_unit(path_29.uv.y(), path_29.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_32.uv.y(), path_32.duv.y(), _e30);
             interval_4 = _e31;
             let _e33 = interval_4.y();
             way_19 = _e33;
@@ -10072,17 +10311,17 @@ impl<'g> Resources<'g> {
         let gap_2 = (end_11 * (_e31.y() + (_e31.z() * end_11)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_8 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_2) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_118 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_11), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_11, rt::Scalar(1f32), rt::Scalar(0f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_118);
+        let path_127 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_11), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_11, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_127);
     }
     pub(crate) fn field_heights_light_ray(
         &self,
         at_54: Entered,
         hit_12: Hit,
         light_4: Toward,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> LightRay {
-        rt::into(self.v_field_heights_light_ray(at_54, hit_12, light_4, rt::into(params_48)))
+        rt::into(self.v_field_heights_light_ray(at_54, hit_12, light_4, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10091,7 +10330,7 @@ impl<'g> Resources<'g> {
         at_54: Entered,
         hit_12: Hit,
         light_4: Toward,
-        params_48: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> LightRay {
         let _e4 = self.v_light_ray_over_heights(at_54, hit_12, light_4);
         return _e4;
@@ -10120,24 +10359,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn normal_between(
         &self,
         at_55: Around,
-        layer_8: impl rt::Into<rt::Scalar<i32>>,
+        layer_10: impl rt::Into<rt::Scalar<i32>>,
         level_46: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_between(at_55, rt::into(layer_8), rt::into(level_46)))
+        rt::into(self.v_normal_between(at_55, rt::into(layer_10), rt::into(level_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_between(
         &self,
         at_55: Around,
-        layer_8: rt::Scalar<i32>,
+        layer_10: rt::Scalar<i32>,
         level_46: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let k_59 = level_46.to_i32();
-        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.x(), at_55.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
-        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.y(), at_55.rows.x()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
-        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.x(), at_55.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
-        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.y(), at_55.rows.y()), rt::Scalar::into_inner(layer_8), 0i32, rt::Scalar::into_inner(k_59));
+        let k_63 = level_46.to_i32();
+        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.x(), at_55.rows.x()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_63));
+        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.y(), at_55.rows.x()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_63));
+        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.x(), at_55.rows.y()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_63));
+        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.y(), at_55.rows.y()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_63));
         let _e33 = self.v_bilinear(_e10, _e17, _e24, _e31, at_55.part);
         return _e33;
     }
@@ -10201,8 +10440,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(apart_4.elementwise_ge((rt::Scalar(1f32) * along_30))) {
             return own;
         }
-        let part_27 = (((apart_4 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
-        return (beside + ((own - beside) * part_27));
+        let part_28 = (((apart_4 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_28));
     }
     pub(crate) fn slopes_between_creases(
         &self,
@@ -10217,41 +10456,41 @@ impl<'g> Resources<'g> {
         at_56: Entered,
         uv_22: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut part_8: rt::Vec2<f32>;
+        let mut part_9: rt::Vec2<f32>;
 
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let point_32 = ((uv_22 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_32);
         let _e11 = self.v_sloped_cell(_e9.to_i32());
         let cell_43 = _e11.to_f32();
-        part_8 = (point_32 - cell_43);
+        part_9 = (point_32 - cell_43);
         let _e17 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e17.elementwise_eq(WRAP_CLAMP)) {
-            let _e20 = part_8;
-            part_8 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+            let _e20 = part_9;
+            part_9 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
         }
         let i_11 = cell_43.to_i32();
         let _e30 = self.v_height_cell(i_11, rt::Scalar(0u32));
-        let _e31 = part_8;
+        let _e31 = part_9;
         let _e32 = self.v_cell_slopes(_e30, _e31);
         let _e37 = self.v_sloped_cell((i_11 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e39 = self.v_height_cell(_e37, rt::Scalar(0u32));
-        let _e40 = part_8;
+        let _e40 = part_9;
         let _e41 = self.v_cell_slopes(_e39, _e40);
         let before_u = _e41.x();
         let _e47 = self.v_sloped_cell((i_11 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e49 = self.v_height_cell(_e47, rt::Scalar(0u32));
-        let _e50 = part_8;
+        let _e50 = part_9;
         let _e51 = self.v_cell_slopes(_e49, _e50);
         let behind_u = _e51.x();
         let _e57 = self.v_sloped_cell((i_11 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e59 = self.v_height_cell(_e57, rt::Scalar(0u32));
-        let _e60 = part_8;
+        let _e60 = part_9;
         let _e61 = self.v_cell_slopes(_e59, _e60);
         let before_v = _e61.y();
         let _e67 = self.v_sloped_cell((i_11 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e69 = self.v_height_cell(_e67, rt::Scalar(0u32));
-        let _e70 = part_8;
+        let _e70 = part_9;
         let _e71 = self.v_cell_slopes(_e69, _e70);
         let behind_v = _e71.y();
         let _e76 = rt::Scalar(self.surface_settings.scale_m);
@@ -10260,12 +10499,12 @@ impl<'g> Resources<'g> {
         let rate_v = ((_e3.y() * _e84) / at_56.bitangent.length());
         let _e90 = self.v_slope_beside(_e32.x(), before_u, rate_u);
         let _e92 = self.v_slope_beside(_e32.y(), before_v, rate_v);
-        let before_10 = <rt::Vec2<f32>>::from_scalars(_e90, _e92);
+        let before_11 = <rt::Vec2<f32>>::from_scalars(_e90, _e92);
         let _e95 = self.v_slope_beside(_e32.x(), behind_u, rate_u);
         let _e97 = self.v_slope_beside(_e32.y(), behind_v, rate_v);
         let behind_2 = <rt::Vec2<f32>>::from_scalars(_e95, _e97);
-        let _e101 = part_8;
-        return (rt::Scalar(0.5f32) * ((_e32 + before_10) + ((behind_2 - before_10) * _e101)));
+        let _e101 = part_9;
+        return (rt::Scalar(0.5f32) * ((_e32 + before_11) + ((behind_2 - before_11) * _e101)));
     }
     pub(crate) fn normal_of_slopes(
         &self,
@@ -10372,16 +10611,16 @@ impl<'g> Resources<'g> {
         let _e12 = self.v_normal_from_height(at_59, uv_24);
         return _e12;
     }
-    pub(crate) fn means_of_one(&self, n_11: impl rt::Into<rt::Vec3<f32>>) -> Normals {
-        rt::into(self.v_means_of_one(rt::into(n_11)))
+    pub(crate) fn means_of_one(&self, n_13: impl rt::Into<rt::Vec3<f32>>) -> Normals {
+        rt::into(self.v_means_of_one(rt::into(n_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_means_of_one(&self, n_11: rt::Vec3<f32>) -> Normals {
-        let upright_1 = n_11.z().max(rt::Scalar(0.05f32));
-        let slope_10 = (<rt::Vec2<f32>>::from_scalars((-n_11.x()), (-n_11.y())) / rt::Vec2::splat_from_scalar(upright_1));
+    pub(super) fn v_means_of_one(&self, n_13: rt::Vec3<f32>) -> Normals {
+        let upright_1 = n_13.z().max(rt::Scalar(0.05f32));
+        let slope_10 = (<rt::Vec2<f32>>::from_scalars((-n_13.x()), (-n_13.y())) / rt::Vec2::splat_from_scalar(upright_1));
         let square_4 = ((slope_10 * slope_10) * upright_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_11, slope_10.x()), <rt::Vec4<f32>>::from_scalars(square_4.x(), ((slope_10.x() * slope_10.y()) * upright_1), square_4.y(), slope_10.y()));
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_13, slope_10.x()), <rt::Vec4<f32>>::from_scalars(square_4.x(), ((slope_10.x() * slope_10.y()) * upright_1), square_4.y(), slope_10.y()));
     }
     pub(crate) fn to_tangent_space(
         &self,
@@ -10546,9 +10785,9 @@ impl<'g> Resources<'g> {
         at_64: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
-        part_9: impl rt::Into<rt::Scalar<f32>>,
+        part_10: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_64, seen_1, table, rt::into(part_9)))
+        rt::into(self.v_with_table(at_64, seen_1, table, rt::into(part_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10557,17 +10796,17 @@ impl<'g> Resources<'g> {
         at_64: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
-        part_9: rt::Scalar<f32>,
+        part_10: rt::Scalar<f32>,
     ) -> SeenNormals {
         let mut blended: SeenNormals;
 
         blended = seen_1;
-        let before_11 = (seen_1.normal * rt::Scalar(seen_1.length));
+        let before_12 = (seen_1.normal * rt::Scalar(seen_1.length));
         let _e9 = self.v_from_tangent_space(at_64, table.mean);
-        let mean_11 = (before_11 + ((_e9 - before_11) * part_9));
+        let mean_11 = (before_12 + ((_e9 - before_12) * part_10));
         blended.normal = mean_11.normalize();
         rt::Scalar(blended.length) = mean_11.length().min(rt::Scalar(1f32));
-        rt::Scalar(blended.table_part) = part_9;
+        rt::Scalar(blended.table_part) = part_10;
         blended.table = table;
         let _e21 = blended;
         return _e21;
@@ -10576,9 +10815,9 @@ impl<'g> Resources<'g> {
         &self,
         a_16: SeenTexel,
         b_16: SeenTexel,
-        part_10: impl rt::Into<rt::Scalar<f32>>,
+        part_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_16, b_16, rt::into(part_10)))
+        rt::into(self.v_seen_between(a_16, b_16, rt::into(part_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10586,9 +10825,9 @@ impl<'g> Resources<'g> {
         &self,
         a_16: SeenTexel,
         b_16: SeenTexel,
-        part_10: rt::Scalar<f32>,
+        part_11: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_16.first + ((b_16.first - a_16.first) * part_10)), (a_16.second + ((b_16.second - a_16.second) * part_10)));
+        return <SeenTexel>::new((a_16.first + ((b_16.first - a_16.first) * part_11)), (a_16.second + ((b_16.second - a_16.second) * part_11)));
     }
     pub(crate) fn seen_texel(
         &self,
@@ -10608,9 +10847,9 @@ impl<'g> Resources<'g> {
         elevation: rt::Scalar<i32>,
         level_50: rt::Scalar<u32>,
     ) -> SeenTexel {
-        let layer_13 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(at_65, layer_13, level_50);
-        let _e12 = self.v_detail_texel_between(at_65, (layer_13 + rt::Scalar(1i32)), level_50);
+        let layer_17 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
+        let _e9 = self.v_detail_texel_between(at_65, layer_17, level_50);
+        let _e12 = self.v_detail_texel_between(at_65, (layer_17 + rt::Scalar(1i32)), level_50);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
@@ -10714,9 +10953,9 @@ impl<'g> Resources<'g> {
         let shown = upright_4.max(rt::Scalar(0.5f32));
         let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_68.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_5 = ((rt::Scalar(at_68.footprint) * _e22) * width_7);
+        let texels_6 = ((rt::Scalar(at_68.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
-        let _e28 = self.v_levels_of(texels_5, _e27);
+        let _e28 = self.v_levels_of(texels_6, _e27);
         let _e35 = first_1;
         second = _e35;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
@@ -10764,9 +11003,9 @@ impl<'g> Resources<'g> {
         at_69: Entered,
         hit_13: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_heights_normals(at_69, hit_13, rt::into(view_19), rt::into(params_49)))
+        rt::into(self.v_field_heights_normals(at_69, hit_13, rt::into(view_19), rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10775,7 +11014,7 @@ impl<'g> Resources<'g> {
         at_69: Entered,
         hit_13: Hit,
         view_19: rt::Vec3<f32>,
-        params_49: rt::Vec4<f32>,
+        params_51: rt::Vec4<f32>,
     ) -> SeenNormals {
         let _e5 = self.v_mesostructure_normals(at_69, hit_13.uv, view_19);
         return _e5;
@@ -10811,9 +11050,9 @@ impl<'g> Resources<'g> {
         &self,
         at_71: Entered,
         hit_14: Hit,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_field_heights_patch_normal(at_71, hit_14, rt::into(params_50)))
+        rt::into(self.v_field_heights_patch_normal(at_71, hit_14, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10821,7 +11060,7 @@ impl<'g> Resources<'g> {
         &self,
         at_71: Entered,
         hit_14: Hit,
-        params_50: rt::Vec4<f32>,
+        params_52: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = self.v_patch_normal(at_71, hit_14.uv);
         return _e4;
@@ -10834,15 +11073,15 @@ impl<'g> Resources<'g> {
     pub(super) fn v_field_slopes(&self, place_23: rt::Vec3<f32>) -> rt::Vec3<f32> {
         let i_12 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let j_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
-        let k_60 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
+        let k_64 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
         let _e14 = self.v_field_at_voxel((place_23 + i_12));
         let _e16 = self.v_field_at_voxel((place_23 - i_12));
         let along_i = (_e14 - _e16);
         let _e19 = self.v_field_at_voxel((place_23 + j_2));
         let _e21 = self.v_field_at_voxel((place_23 - j_2));
         let along_j = (_e19 - _e21);
-        let _e24 = self.v_field_at_voxel((place_23 + k_60));
-        let _e26 = self.v_field_at_voxel((place_23 - k_60));
+        let _e24 = self.v_field_at_voxel((place_23 + k_64));
+        let _e26 = self.v_field_at_voxel((place_23 - k_64));
         let along_k = (_e24 - _e26);
         return (<rt::Vec3<f32>>::from_scalars(along_i, along_j, along_k) / rt::Vec3::splat_from_scalar(rt::Scalar(1f32)));
     }
@@ -10865,16 +11104,16 @@ impl<'g> Resources<'g> {
         light_5: Toward,
     ) -> LightRay {
         let h_9 = <rt::Vec3<f32>>::from_scalars(begin_4.z(), change_1.z(), rt::Scalar(0f32));
-        let way_27 = <Path>::new(begin_4.xy(), change_1.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_72.metric, RAY_SHADOW, rt::Scalar(at_72.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let way_28 = <Path>::new(begin_4.xy(), change_1.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_72.metric, RAY_SHADOW, rt::Scalar(at_72.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!change_1.z().elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_DARK, way_27);
+            return <LightRay>::new(LIGHT_RAY_DARK, way_28);
         }
-        let _e25 = self.v_way_out(way_27, light_5);
+        let _e25 = self.v_way_out(way_28, light_5);
         if rt::Scalar::into_branch_condition((!_e25.elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_LIT, way_27);
+            return <LightRay>::new(LIGHT_RAY_LIT, way_28);
         }
-        let path_119 = <Path>::new(begin_4.xy(), change_1.xy(), h_9, _e25, rt::Scalar(0f32), at_72.metric, RAY_SHADOW, rt::Scalar(at_72.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_119);
+        let path_128 = <Path>::new(begin_4.xy(), change_1.xy(), h_9, _e25, rt::Scalar(0f32), at_72.metric, RAY_SHADOW, rt::Scalar(at_72.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_128);
     }
     pub(crate) fn light_ray_out_of_volume(&self, at_73: Entered, hit_15: Hit, light_6: Toward) -> LightRay {
         rt::into(self.v_light_ray_out_of_volume(at_73, hit_15, light_6))
@@ -10902,9 +11141,9 @@ impl<'g> Resources<'g> {
         at_74: Entered,
         hit_16: Hit,
         light_7: Toward,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> LightRay {
-        rt::into(self.v_field_volume_light_ray(at_74, hit_16, light_7, rt::into(params_51)))
+        rt::into(self.v_field_volume_light_ray(at_74, hit_16, light_7, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10913,7 +11152,7 @@ impl<'g> Resources<'g> {
         at_74: Entered,
         hit_16: Hit,
         light_7: Toward,
-        params_51: rt::Vec4<f32>,
+        params_53: rt::Vec4<f32>,
     ) -> LightRay {
         let _e4 = self.v_light_ray_out_of_volume(at_74, hit_16, light_7);
         return _e4;
@@ -10924,8 +11163,8 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_motif_texel(&self, place_24: rt::Scalar<u32>) -> rt::Vec4<f32> {
-        let row_12 = (place_24 >> TREE_SHIFT);
-        let _e9 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars((place_24 - (row_12 * TREE_COLUMNS)).to_i32(), row_12.to_i32()));
+        let row_13 = (place_24 >> TREE_SHIFT);
+        let _e9 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars((place_24 - (row_13 * TREE_COLUMNS)).to_i32(), row_13.to_i32()));
         return _e9;
     }
     pub(crate) fn nearest_of_leaf(
@@ -11088,9 +11327,9 @@ impl<'g> Resources<'g> {
         at_76: Entered,
         hit_19: Hit,
         light_9: Toward,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> LightRay {
-        rt::into(self.v_field_motif_light_ray(at_76, hit_19, light_9, rt::into(params_52)))
+        rt::into(self.v_field_motif_light_ray(at_76, hit_19, light_9, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11099,7 +11338,7 @@ impl<'g> Resources<'g> {
         at_76: Entered,
         hit_19: Hit,
         light_9: Toward,
-        params_52: rt::Vec4<f32>,
+        params_54: rt::Vec4<f32>,
     ) -> LightRay {
         let _e4 = self.v_light_ray_out_of_motif(at_76, hit_19, light_9);
         return _e4;
@@ -11142,9 +11381,9 @@ impl<'g> Resources<'g> {
         at_78: Entered,
         hit_21: Hit,
         view_20: impl rt::Into<rt::Vec3<f32>>,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_motif_normals(at_78, hit_21, rt::into(view_20), rt::into(params_53)))
+        rt::into(self.v_field_motif_normals(at_78, hit_21, rt::into(view_20), rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_field_motif_normals(
@@ -11152,7 +11391,7 @@ impl<'g> Resources<'g> {
         at_78: Entered,
         hit_21: Hit,
         view_20: rt::Vec3<f32>,
-        params_53: rt::Vec4<f32>,
+        params_55: rt::Vec4<f32>,
     ) -> SeenNormals {
         let mut local_57: rt::Scalar<bool>;
 
@@ -11174,9 +11413,9 @@ impl<'g> Resources<'g> {
         &self,
         at_79: Entered,
         hit_22: Hit,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_field_motif_patch_normal(at_79, hit_22, rt::into(params_54)))
+        rt::into(self.v_field_motif_patch_normal(at_79, hit_22, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11184,7 +11423,7 @@ impl<'g> Resources<'g> {
         &self,
         at_79: Entered,
         hit_22: Hit,
-        params_54: rt::Vec4<f32>,
+        params_56: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_motif_of(hit_22);
         let _e5 = self.v_covector(at_79, _e3.facet);
@@ -11222,9 +11461,9 @@ impl<'g> Resources<'g> {
         at_81: Entered,
         hit_24: Hit,
         view_21: impl rt::Into<rt::Vec3<f32>>,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_volume_normals(at_81, hit_24, rt::into(view_21), rt::into(params_55)))
+        rt::into(self.v_field_volume_normals(at_81, hit_24, rt::into(view_21), rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11233,7 +11472,7 @@ impl<'g> Resources<'g> {
         at_81: Entered,
         hit_24: Hit,
         view_21: rt::Vec3<f32>,
-        params_55: rt::Vec4<f32>,
+        params_57: rt::Vec4<f32>,
     ) -> SeenNormals {
         let _e4 = self.v_normal_of_field(at_81, hit_24);
         let _e5 = self.v_one_seen(_e4);
@@ -11277,9 +11516,9 @@ impl<'g> Resources<'g> {
         &self,
         at_83: Entered,
         hit_26: Hit,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_field_volume_patch_normal(at_83, hit_26, rt::into(params_56)))
+        rt::into(self.v_field_volume_patch_normal(at_83, hit_26, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11287,7 +11526,7 @@ impl<'g> Resources<'g> {
         &self,
         at_83: Entered,
         hit_26: Hit,
-        params_56: rt::Vec4<f32>,
+        params_58: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_normal_of_field(at_83, hit_26);
         return _e3;
@@ -11329,9 +11568,9 @@ impl<'g> Resources<'g> {
         pixel_47: PixelIn,
         at_85: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_47, at_85, rt::into(k_8), rt::into(params_57)))
+        rt::into(self.v_surface_plane_segment(pixel_47, at_85, rt::into(k_8), rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_plane_segment(
@@ -11339,7 +11578,7 @@ impl<'g> Resources<'g> {
         pixel_47: PixelIn,
         at_85: Entered,
         k_8: rt::Scalar<u32>,
-        params_57: rt::Vec4<f32>,
+        params_59: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
@@ -11395,9 +11634,9 @@ impl<'g> Resources<'g> {
         pixel_48: PixelIn,
         at_86: Entered,
         k_9: impl rt::Into<rt::Scalar<u32>>,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_48, at_86, rt::into(k_9), rt::into(params_58)))
+        rt::into(self.v_folded_segment(pixel_48, at_86, rt::into(k_9), rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_folded_segment(
@@ -11405,22 +11644,22 @@ impl<'g> Resources<'g> {
         pixel_48: PixelIn,
         at_86: Entered,
         k_9: rt::Scalar<u32>,
-        params_58: rt::Vec4<f32>,
+        params_60: rt::Vec4<f32>,
     ) -> Path {
         let mut a_17: WayPoint;
         let mut b_17: WayPoint;
-        let mut path_30: Path;
+        let mut path_33: Path;
         let mut local_59: rt::Scalar<bool>;
 
         let along_33 = pixel_48.direction.normalize();
         let _e6 = self.v_middle_of(pixel_48, along_33);
-        let _e7 = self.v_prism_of(pixel_48, along_33, _e6, params_58);
+        let _e7 = self.v_prism_of(pixel_48, along_33, _e6, params_60);
         let _e8 = self.v_shell_slack(pixel_48, _e6);
         let _e9 = self.v_way_of(pixel_48, _e7, along_33);
         let _e10 = self.v_way_offsets(pixel_48, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_48, at_86, _e6, params_58);
+        let _e11 = self.v_chord_reach(pixel_48, at_86, _e6, params_60);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_48, _e7, along_33, _e9, _e10, _e12, params_58.x(), k_9);
+        let _e14 = self.v_way_chord(pixel_48, _e7, along_33, _e9, _e10, _e12, params_60.x(), k_9);
         let _e16 = self.v_before_turn(_e7, along_33, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_33, _e9, _e16.x());
         a_17 = _e18;
@@ -11438,16 +11677,16 @@ impl<'g> Resources<'g> {
         let _e38 = rt::Scalar(a_17.t);
         let _e41 = rt::Scalar(b_17.t);
         let _e43 = rt::Scalar(a_17.t);
-        let part_28 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
+        let part_29 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
         let _e48 = rt::Scalar(a_17.point.height);
         let _e53 = rt::Scalar(b_17.point.height);
-        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_28);
+        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_29);
         let _e56 = a_17.point;
         let _e58 = b_17.point;
         let _e60 = rt::Scalar(a_17.t);
         let _e62 = rt::Scalar(b_17.t);
-        let _e64 = self.v_chord_path(pixel_48, at_86, _e6, params_58, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
-        path_30 = _e64;
+        let _e64 = self.v_chord_path(pixel_48, at_86, _e6, params_60, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        path_33 = _e64;
         let _e67 = rt::Scalar(a_17.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
             let _e76 = rt::Scalar(b_17.beside);
@@ -11457,9 +11696,9 @@ impl<'g> Resources<'g> {
         }
         let _e82 = local_59;
         if rt::Scalar::into_branch_condition(_e82) {
-            rt::Scalar(path_30.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_33.exit) = rt::Scalar(0f32);
         }
-        let _e85 = path_30;
+        let _e85 = path_33;
         return _e85;
     }
     pub(crate) fn surface_prism_segment(
@@ -11467,9 +11706,9 @@ impl<'g> Resources<'g> {
         pixel_49: PixelIn,
         at_87: Entered,
         k_10: impl rt::Into<rt::Scalar<u32>>,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_49, at_87, rt::into(k_10), rt::into(params_59)))
+        rt::into(self.v_surface_prism_segment(pixel_49, at_87, rt::into(k_10), rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_segment(
@@ -11477,15 +11716,15 @@ impl<'g> Resources<'g> {
         pixel_49: PixelIn,
         at_87: Entered,
         k_10: rt::Scalar<u32>,
-        params_59: rt::Vec4<f32>,
+        params_61: rt::Vec4<f32>,
     ) -> Path {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_49.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_49, at_87, k_10, params_59);
+            let _e8 = self.v_folded_segment(pixel_49, at_87, k_10, params_61);
             return _e8;
         }
         let along_34 = pixel_49.direction.normalize();
         let _e11 = self.v_middle_of(pixel_49, along_34);
-        let _e12 = self.v_prism_of(pixel_49, along_34, _e11, params_59);
+        let _e12 = self.v_prism_of(pixel_49, along_34, _e11, params_61);
         let heights_2 = pixel_49.shell.heights;
         let mean_13 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
         let _e20 = self.v_chord_end(at_87, k_10);
@@ -11495,9 +11734,9 @@ impl<'g> Resources<'g> {
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_34 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_8 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_49, at_87, _e11, params_59);
+        let _e56 = self.v_chord_reach(pixel_49, at_87, _e11, params_61);
         let beyond_6 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_49, at_87, _e11, params_59, _e25, _e27, bend_8, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_6);
+        let _e68 = self.v_chord_path(pixel_49, at_87, _e11, params_61, _e25, _e27, bend_8, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_6);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
@@ -11505,9 +11744,9 @@ impl<'g> Resources<'g> {
         pixel_50: PixelIn,
         at_88: Entered,
         k_11: impl rt::Into<rt::Scalar<u32>>,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_88, rt::into(k_11), rt::into(params_60)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_88, rt::into(k_11), rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_perpendicular_segment(
@@ -11515,12 +11754,12 @@ impl<'g> Resources<'g> {
         pixel_50: PixelIn,
         at_88: Entered,
         k_11: rt::Scalar<u32>,
-        params_60: rt::Vec4<f32>,
+        params_62: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_5: rt::Scalar<f32>;
         let mut end_3: rt::Scalar<f32>;
         let mut local_60: rt::Scalar<bool>;
-        let mut path_31: Path;
+        let mut path_34: Path;
         let mut inside_2: rt::Vec2<f32>;
 
         let along_35 = pixel_50.direction.length();
@@ -11530,8 +11769,8 @@ impl<'g> Resources<'g> {
         let _e12 = self.v_plane_distance(pixel_50, _e11);
         let distance_1 = (_e12 * along_35);
         let whole_1 = (at_88.span.y() - at_88.span.x());
-        let first_23 = (at_88.span.x() + (whole_1 * (k_11.to_f32() / params_60.z())));
-        let last_12 = (at_88.span.x() + (whole_1 * ((k_11 + rt::Scalar(1u32)).to_f32() / params_60.z())));
+        let first_23 = (at_88.span.x() + (whole_1 * (k_11.to_f32() / params_62.z())));
+        let last_12 = (at_88.span.x() + (whole_1 * ((k_11 + rt::Scalar(1u32)).to_f32() / params_62.z())));
         let long_4 = (last_12 - first_23);
         let _e38 = self.v_across_depth(_e9, first_23);
         begin_5 = (at_88.of_surface.w() - (_e38 / _e10));
@@ -11543,7 +11782,7 @@ impl<'g> Resources<'g> {
         let middle_15 = (at_88.of_surface.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_12);
         end_3 = (at_88.of_surface.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_11 + rt::Scalar(1u32)).elementwise_eq(params_60.z().to_u32())) {
+        if rt::Scalar::into_branch_condition((k_11 + rt::Scalar(1u32)).elementwise_eq(params_62.z().to_u32())) {
             let _e68 = end_3;
             local_60 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
@@ -11562,30 +11801,30 @@ impl<'g> Resources<'g> {
         let slope_13 = ((_e84 - _e85) - bend_9);
         let base_3 = (rt::Scalar(0f32) - first_23).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_5;
-        path_31 = <Path>::new((at_88.uv + (_e9.duv * first_23)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_13 / long_4), (bend_9 / (long_4 * long_4))), long_4, base_3, at_88.metric, RAY_VIEW, rt::Scalar(at_88.level), (distance_1 + first_23), (rt::Scalar(1f32) / params_60.z()), rt::Scalar(0f32));
+        path_34 = <Path>::new((at_88.uv + (_e9.duv * first_23)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_13 / long_4), (bend_9 / (long_4 * long_4))), long_4, base_3, at_88.metric, RAY_VIEW, rt::Scalar(at_88.level), (distance_1 + first_23), (rt::Scalar(1f32) / params_62.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e118 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
-            let _e123 = path_31.uv.x();
+            let _e123 = path_34.uv.x();
             let _e126 = inside_2;
             let _e127 = self.v_inside_unit(_e123, _e9.duv.x(), _e126);
             inside_2 = _e127;
-            let _e130 = path_31.uv.y();
+            let _e130 = path_34.uv.y();
             let _e133 = inside_2;
             let _e134 = self.v_inside_unit(_e130, _e9.duv.y(), _e133);
             inside_2 = _e134;
             let _e137 = inside_2.y();
-            rt::Scalar(path_31.exit) = _e137;
-            let _e138 = path_31;
+            rt::Scalar(path_34.exit) = _e137;
+            let _e138 = path_34;
             let _e140 = inside_2.x();
             let _e141 = self.v_path_from(_e138, _e140);
-            path_31 = _e141;
+            path_34 = _e141;
         }
-        let _e143 = rt::Scalar(path_31.exit);
+        let _e143 = rt::Scalar(path_34.exit);
         if rt::Scalar::into_branch_condition((!_e143.elementwise_gt(rt::Scalar(0f32)))) {
-            rt::Scalar(path_31.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_34.exit) = rt::Scalar(0f32);
         }
-        let _e149 = path_31;
+        let _e149 = path_34;
         return _e149;
     }
     pub(crate) fn surface_quadric_vertical_segment(
@@ -11593,9 +11832,9 @@ impl<'g> Resources<'g> {
         pixel_51: PixelIn,
         at_89: Entered,
         k_12: impl rt::Into<rt::Scalar<u32>>,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_89, rt::into(k_12), rt::into(params_61)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_89, rt::into(k_12), rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_segment(
@@ -11603,14 +11842,14 @@ impl<'g> Resources<'g> {
         pixel_51: PixelIn,
         at_89: Entered,
         k_12: rt::Scalar<u32>,
-        params_61: rt::Vec4<f32>,
+        params_63: rt::Vec4<f32>,
     ) -> Path {
         let mut local_61: rt::Scalar<bool>;
         let mut local_62: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_6: rt::Vec2<f32>;
-        let mut path_32: Path;
+        let mut path_35: Path;
         let mut local_63: rt::Scalar<bool>;
 
         let along_36 = pixel_51.direction.length();
@@ -11680,18 +11919,18 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_32 = <Path>::new((at_89.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_14 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_89.metric, RAY_VIEW, rt::Scalar(at_89.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
+        path_35 = <Path>::new((at_89.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_14 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_89.metric, RAY_VIEW, rt::Scalar(at_89.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
-            let _e148 = rt::Scalar(path_32.exit);
+            let _e148 = rt::Scalar(path_35.exit);
             local_63 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
         } else {
             local_63 = rt::Scalar(true);
         }
         let _e153 = local_63;
         if rt::Scalar::into_branch_condition(_e153) {
-            rt::Scalar(path_32.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_35.exit) = rt::Scalar(0f32);
         }
-        let _e156 = path_32;
+        let _e156 = path_35;
         return _e156;
     }
     pub(crate) fn surface_tetrahedra_segment(
@@ -11699,9 +11938,9 @@ impl<'g> Resources<'g> {
         pixel_52: PixelIn,
         at_90: Entered,
         k_13: impl rt::Into<rt::Scalar<u32>>,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_90, rt::into(k_13), rt::into(params_62)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_90, rt::into(k_13), rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_segment(
@@ -11709,11 +11948,11 @@ impl<'g> Resources<'g> {
         pixel_52: PixelIn,
         at_90: Entered,
         k_13: rt::Scalar<u32>,
-        params_62: rt::Vec4<f32>,
+        params_64: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
-        let mut path_33: Path;
+        let mut path_36: Path;
 
         let along_37 = pixel_52.direction.normalize();
         let _e6 = self.v_middle_of(pixel_52, along_37);
@@ -11764,16 +12003,16 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_33 = <Path>::new((uv_44 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_90.metric, RAY_VIEW, rt::Scalar(at_90.level), (_e6 + _e146), ((_e149 - _e151) / whole_2), rt::Scalar(0f32));
-        let _e159 = rt::Scalar(path_33.exit);
+        path_36 = <Path>::new((uv_44 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_90.metric, RAY_VIEW, rt::Scalar(at_90.level), (_e6 + _e146), ((_e149 - _e151) / whole_2), rt::Scalar(0f32));
+        let _e159 = rt::Scalar(path_36.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
-            let _e162 = path_33;
-            let _e163 = path_33;
+            let _e162 = path_36;
+            let _e163 = path_36;
             let _e167 = self.v_out_of_ground(_e163, (rt::Scalar(4f32) * _e61), rt::Scalar(0f32));
             let _e168 = self.v_path_from(_e162, _e167);
-            path_33 = _e168;
+            path_36 = _e168;
         }
-        let _e169 = path_33;
+        let _e169 = path_36;
         return _e169;
     }
     pub(crate) fn surface_facets_segment(
@@ -11781,9 +12020,9 @@ impl<'g> Resources<'g> {
         pixel_53: PixelIn,
         at_91: Entered,
         k_14: impl rt::Into<rt::Scalar<u32>>,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_53, at_91, rt::into(k_14), rt::into(params_63)))
+        rt::into(self.v_surface_facets_segment(pixel_53, at_91, rt::into(k_14), rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11792,7 +12031,7 @@ impl<'g> Resources<'g> {
         pixel_53: PixelIn,
         at_91: Entered,
         k_14: rt::Scalar<u32>,
-        params_63: rt::Vec4<f32>,
+        params_65: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_53);
         let _e5 = self.v_triangle_distance(pixel_53, _e4);
@@ -11807,9 +12046,9 @@ impl<'g> Resources<'g> {
         map_1: impl rt::Into<rt::Scalar<f32>>,
         slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice_2), rt::into(spacing), rt::into(params_64)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice_2), rt::into(spacing), rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11818,7 +12057,7 @@ impl<'g> Resources<'g> {
         map_1: rt::Scalar<f32>,
         slice_2: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
-        params_64: rt::Vec4<f32>,
+        params_66: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_1.elementwise_gt(slice_2);
     }
@@ -11827,9 +12066,9 @@ impl<'g> Resources<'g> {
         map_2: impl rt::Into<rt::Scalar<f32>>,
         slice_3: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_3), rt::into(spacing_1), rt::into(params_65)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_3), rt::into(spacing_1), rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11838,7 +12077,7 @@ impl<'g> Resources<'g> {
         map_2: rt::Scalar<f32>,
         slice_3: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
-        params_65: rt::Vec4<f32>,
+        params_67: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_2.elementwise_ge(slice_3);
     }
@@ -11847,9 +12086,9 @@ impl<'g> Resources<'g> {
         map_3: impl rt::Into<rt::Scalar<f32>>,
         slice_4: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_4), rt::into(spacing_2), rt::into(params_66)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_4), rt::into(spacing_2), rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11858,7 +12097,7 @@ impl<'g> Resources<'g> {
         map_3: rt::Scalar<f32>,
         slice_4: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
-        params_66: rt::Vec4<f32>,
+        params_68: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return (map_3 - slice_4).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
@@ -11950,8 +12189,8 @@ impl<'g> Resources<'g> {
         let a_41 = (pixel_54.a.position + (pixel_54.a.normal * step_m));
         let b_41 = (pixel_54.b.position + (pixel_54.b.normal * step_m));
         let c_29 = (pixel_54.c.position + (pixel_54.c.normal * step_m));
-        let n_17 = (b_41 - a_41).cross((c_29 - a_41));
-        let t_52 = (n_17.dot((a_41 - pixel_54.origin)) / n_17.dot(pixel_54.direction));
+        let n_19 = (b_41 - a_41).cross((c_29 - a_41));
+        let t_52 = (n_19.dot((a_41 - pixel_54.origin)) / n_19.dot(pixel_54.direction));
         let lead = (far_2 - (t_52 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
             local_64 = t_52.abs().elementwise_le(rt::Scalar(1000000000f32));
@@ -11962,7 +12201,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_41, b_41, c_29, n_17, (pixel_54.origin + (pixel_54.direction * t_52)));
+        let _e68 = self.v_weights_of(a_41, b_41, c_29, n_19, (pixel_54.origin + (pixel_54.direction * t_52)));
         let aside_6 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_93.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_6, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
@@ -12037,9 +12276,9 @@ impl<'g> Resources<'g> {
         pixel_56: PixelIn,
         at_96: Entered,
         k_15: impl rt::Into<rt::Scalar<u32>>,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_56, at_96, rt::into(k_15), rt::into(params_67)))
+        rt::into(self.v_surface_slices_segment(pixel_56, at_96, rt::into(k_15), rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12048,7 +12287,7 @@ impl<'g> Resources<'g> {
         pixel_56: PixelIn,
         at_96: Entered,
         k_15: rt::Scalar<u32>,
-        params_67: rt::Vec4<f32>,
+        params_69: rt::Vec4<f32>,
     ) -> Path {
         let along_38 = pixel_56.direction.length();
         let _e6 = self.v_plane_normal(pixel_56);
@@ -12195,9 +12434,9 @@ impl<'g> Resources<'g> {
         pixel_58: PixelIn,
         at_97: Entered,
         k_17: impl rt::Into<rt::Scalar<u32>>,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_58, at_97, rt::into(k_17), rt::into(params_68)))
+        rt::into(self.v_surface_object_segment(pixel_58, at_97, rt::into(k_17), rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12206,7 +12445,7 @@ impl<'g> Resources<'g> {
         pixel_58: PixelIn,
         at_97: Entered,
         k_17: rt::Scalar<u32>,
-        params_68: rt::Vec4<f32>,
+        params_70: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_path_through_image(pixel_58, k_17);
         return _e4;
@@ -12216,9 +12455,9 @@ impl<'g> Resources<'g> {
         pixel_59: PixelIn,
         at_98: Entered,
         k_18: impl rt::Into<rt::Scalar<u32>>,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_59, at_98, rt::into(k_18), rt::into(params_69)))
+        rt::into(self.v_surface_frames_segment(pixel_59, at_98, rt::into(k_18), rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12227,7 +12466,7 @@ impl<'g> Resources<'g> {
         pixel_59: PixelIn,
         at_98: Entered,
         k_18: rt::Scalar<u32>,
-        params_69: rt::Vec4<f32>,
+        params_71: rt::Vec4<f32>,
     ) -> Path {
         let _e7 = self.v_frames_around((-pixel_59.direction.normalize()));
         let _e8 = self.v_frame_number(_e7, k_18);
@@ -12262,11 +12501,11 @@ impl<'g> Resources<'g> {
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
         let at_183 = (((uv_45 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
         let _e52 = self.v_cell_of(at_183);
-        let part_29 = (at_183 - _e52);
+        let part_30 = (at_183 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
-        let top_9 = (_e56.x() + ((_e56.y() - _e56.x()) * part_29.x()));
-        let bottom_5 = (_e56.z() + ((_e56.w() - _e56.z()) * part_29.x()));
-        let map_5 = (top_9 + ((bottom_5 - top_9) * part_29.y()));
+        let top_9 = (_e56.x() + ((_e56.y() - _e56.x()) * part_30.x()));
+        let bottom_5 = (_e56.z() + ((_e56.w() - _e56.z()) * part_30.x()));
+        let map_5 = (top_9 + ((bottom_5 - top_9) * part_30.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
             local_68 = beside_6.elementwise_le(rt::Scalar(0.5f32));
         } else {
@@ -12308,25 +12547,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn with_image(
         &self,
         slice_6: OnSlice,
-        number_14: impl rt::Into<rt::Scalar<u32>>,
+        number_16: impl rt::Into<rt::Scalar<u32>>,
         point_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnSlice {
-        rt::into(self.v_with_image(slice_6, rt::into(number_14), rt::into(point_16)))
+        rt::into(self.v_with_image(slice_6, rt::into(number_16), rt::into(point_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_with_image(
         &self,
         slice_6: OnSlice,
-        number_14: rt::Scalar<u32>,
+        number_16: rt::Scalar<u32>,
         point_16: rt::Vec3<f32>,
     ) -> OnSlice {
-        let _e3 = self.v_image_of_object(number_14);
+        let _e3 = self.v_image_of_object(number_16);
         let _e4 = self.v_on_image(_e3, point_16);
         let over_2 = (rt::Scalar(_e4.map) - rt::Scalar(_e4.height));
         let _e8 = self.v_is_in_image(_e4);
         if rt::Scalar::into_branch_condition(over_2.elementwise_lt(rt::Scalar(slice_6.over))) {
-            return <OnSlice>::new(_e8, number_14, _e4, over_2);
+            return <OnSlice>::new(_e8, number_16, _e4, over_2);
         }
         return <OnSlice>::new(_e8, rt::Scalar(slice_6.number), slice_6.nearest, rt::Scalar(slice_6.over));
     }
@@ -12336,12 +12575,12 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_at(&self, point_17: rt::Vec3<f32>) -> OnSlice {
         let mut slice_7: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
-        let mut number_15: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut number_17: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_72: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e15 = number_15;
+                let _e15 = number_17;
                 let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_7.passes);
@@ -12356,11 +12595,11 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e26 = slice_7;
-                    let _e27 = number_15;
+                    let _e27 = number_17;
                     let _e28 = self.v_with_image(_e26, _e27, point_17);
                     slice_7 = _e28;
-                    let _e29 = number_15;
-                    number_15 = (_e29 + rt::Scalar(1u32));
+                    let _e29 = number_17;
+                    number_17 = (_e29 + rt::Scalar(1u32));
                 }
             }
         }
@@ -12372,9 +12611,9 @@ impl<'g> Resources<'g> {
         pixel_60: PixelIn,
         at_100: Entered,
         k_19: impl rt::Into<rt::Scalar<u32>>,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_60, at_100, rt::into(k_19), rt::into(params_70)))
+        rt::into(self.v_surface_object_slices_segment(pixel_60, at_100, rt::into(k_19), rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12383,7 +12622,7 @@ impl<'g> Resources<'g> {
         pixel_60: PixelIn,
         at_100: Entered,
         k_19: rt::Scalar<u32>,
-        params_70: rt::Vec4<f32>,
+        params_72: rt::Vec4<f32>,
     ) -> Path {
         let _e5 = self.v_slice_at(at_100.point);
         let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
@@ -12464,43 +12703,43 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn flattened(
         &self,
-        path_34: Path,
+        path_37: Path,
         middle_9: impl rt::Into<rt::Scalar<f32>>,
-        part_11: impl rt::Into<rt::Scalar<f32>>,
+        part_12: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_34, rt::into(middle_9), rt::into(part_11)))
+        rt::into(self.v_flattened(path_37, rt::into(middle_9), rt::into(part_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_flattened(
         &self,
-        path_34: Path,
+        path_37: Path,
         middle_9: rt::Scalar<f32>,
-        part_11: rt::Scalar<f32>,
+        part_12: rt::Scalar<f32>,
     ) -> Path {
         let mut start_1: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        let kept = (rt::Scalar(1f32) - part_11);
+        let kept = (rt::Scalar(1f32) - part_12);
         let top_10 = (middle_9 + ((rt::Scalar(1f32) - middle_9) * kept));
-        let above_8 = (path_34.h.x() - top_10);
+        let above_8 = (path_37.h.x() - top_10);
         let begins = above_8.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_8, path_34.h.y(), path_34.h.z()), rt::Scalar(path_34.exit));
-            start_1 = _e22.min(rt::Scalar(path_34.exit));
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_8, path_37.h.y(), path_37.h.z()), rt::Scalar(path_37.exit));
+            start_1 = _e22.min(rt::Scalar(path_37.exit));
         }
-        let height_25 = (middle_9 + ((path_34.h.x() - middle_9) / kept)).select(rt::Scalar(1f32), begins);
+        let height_25 = (middle_9 + ((path_37.h.x() - middle_9) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start_1;
-        let _e33 = self.v_path_slope(path_34, _e32);
-        let h_13 = <rt::Vec3<f32>>::from_scalars(height_25, (_e33 / kept), (path_34.h.z() / kept));
+        let _e33 = self.v_path_slope(path_37, _e32);
+        let h_13 = <rt::Vec3<f32>>::from_scalars(height_25, (_e33 / kept), (path_37.h.z() / kept));
         let _e40 = start_1;
-        let rest_9 = (rt::Scalar(path_34.exit) - _e40);
+        let rest_9 = (rt::Scalar(path_37.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_13.x().max(rt::Scalar(0f32)), h_13.y(), h_13.z()), rest_9);
         let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_9);
         let _e53 = start_1;
-        let base_5 = (rt::Scalar(path_34.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_5 = (rt::Scalar(path_37.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start_1;
-        let _e59 = self.v_path_uv(path_34, _e58);
+        let _e59 = self.v_path_uv(path_37, _e58);
         let _e65 = start_1;
-        return <Path>::new(_e59, path_34.duv, h_13, exit_1, base_5, path_34.metric, rt::Scalar(path_34.ray), rt::Scalar(path_34.level), (rt::Scalar(path_34.start) + _e65), rt::Scalar(path_34.share), rt::Scalar(path_34.bend));
+        return <Path>::new(_e59, path_37.duv, h_13, exit_1, base_5, path_37.metric, rt::Scalar(path_37.ray), rt::Scalar(path_37.level), (rt::Scalar(path_37.start) + _e65), rt::Scalar(path_37.share), rt::Scalar(path_37.bend));
     }
     pub(crate) fn segment_of(
         &self,
@@ -12517,32 +12756,32 @@ impl<'g> Resources<'g> {
         at_102: Entered,
         k_21: rt::Scalar<u32>,
     ) -> Path {
-        let mut path_35: Path;
+        let mut path_38: Path;
 
         let _e3 = self.v_surface_segment_stage(pixel_62, at_102, k_21);
-        path_35 = _e3;
+        path_38 = _e3;
         if rt::Scalar::into_branch_condition(rt::Scalar(at_102.fade).elementwise_gt(rt::Scalar(0f32))) {
-            let _e8 = path_35;
+            let _e8 = path_38;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
             let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_102.fade));
-            path_35 = _e13;
-            let _e16 = path_35.h.x();
+            path_38 = _e13;
+            let _e16 = path_38.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
-                rt::Scalar(path_35.exit) = rt::Scalar(0f32);
+                rt::Scalar(path_38.exit) = rt::Scalar(0f32);
             }
         }
-        let _e22 = path_35;
+        let _e22 = path_38;
         return _e22;
     }
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_63: PixelIn,
         at_103: Entered,
-        path_36: Path,
+        path_39: Path,
         hit_28: Hit,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_63, at_103, path_36, hit_28, rt::into(params_71)))
+        rt::into(self.v_surface_plane_polish(pixel_63, at_103, path_39, hit_28, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12550,9 +12789,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_63: PixelIn,
         at_103: Entered,
-        path_36: Path,
+        path_39: Path,
         hit_28: Hit,
-        params_71: rt::Vec4<f32>,
+        params_73: rt::Vec4<f32>,
     ) -> Hit {
         return hit_28;
     }
@@ -12601,9 +12840,9 @@ impl<'g> Resources<'g> {
         place_29: rt::Vec3<f32>,
         height_10: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let low_8 = self.surface_settings.shell_m.x();
+        let low_7 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let offset_8 = (low_8 + ((_e10 - low_8).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_10));
+        let offset_8 = (low_7 + ((_e10 - low_7).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_10));
         let _e16 = self.v_weights_at_offset(prism_12, place_29, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
         let _e20 = self.v_weights_at_offset(prism_12, place_29, (offset_8 + _e18));
@@ -12645,41 +12884,41 @@ impl<'g> Resources<'g> {
         &self,
         pixel_65: PixelIn,
         at_104: Entered,
-        path_37: Path,
+        path_40: Path,
         hit_29: Hit,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_65, at_104, path_37, hit_29, rt::into(params_72)))
+        rt::into(self.v_surface_prism_polish(pixel_65, at_104, path_40, hit_29, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_polish(
         &self,
         pixel_65: PixelIn,
         at_104: Entered,
-        path_37: Path,
+        path_40: Path,
         hit_29: Hit,
-        params_72: rt::Vec4<f32>,
+        params_74: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_23: rt::Scalar<f32>;
         let mut point_18: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e6 = self.v_field_is_ground_stage(rt::Scalar(path_37.level));
+        let _e6 = self.v_field_is_ground_stage(rt::Scalar(path_40.level));
         if rt::Scalar::into_branch_condition((!_e6)) {
             return hit_29;
         }
         let along_40 = pixel_65.direction.normalize();
         let _e10 = self.v_middle_of(pixel_65, along_40);
-        let _e11 = self.v_prism_of(pixel_65, along_40, _e10, params_72);
-        let _e13 = self.v_path_gap(path_37, rt::Scalar(hit_29.t));
-        let _e14 = self.v_grid_of(path_37);
-        let texels_6 = _e14.step.abs();
-        let most_16 = ((rt::Scalar(2f32) * params_72.x()) / texels_6.x().max(texels_6.y()).max((path_37.h.y().abs() / rt::Scalar(0.0625f32))));
+        let _e11 = self.v_prism_of(pixel_65, along_40, _e10, params_74);
+        let _e13 = self.v_path_gap(path_40, rt::Scalar(hit_29.t));
+        let _e14 = self.v_grid_of(path_40);
+        let texels_7 = _e14.step.abs();
+        let most_16 = ((rt::Scalar(2f32) * params_74.x()) / texels_7.x().max(texels_7.y()).max((path_40.h.y().abs() / rt::Scalar(0.0625f32))));
         t_23 = rt::Scalar(hit_29.t);
         let _e33 = t_23;
         let _e37 = t_23;
-        let _e38 = self.v_path_height(path_37, _e37);
-        let _e39 = self.v_point_of_way(pixel_65, _e11, (along_40 * ((rt::Scalar(path_37.start) + _e33) - _e10)), _e38);
+        let _e38 = self.v_path_height(path_40, _e37);
+        let _e39 = self.v_point_of_way(pixel_65, _e11, (along_40 * ((rt::Scalar(path_40.start) + _e33) - _e10)), _e38);
         point_18 = _e39;
         'naga_break: loop {
             'naga_continue: {
@@ -12694,22 +12933,22 @@ impl<'g> Resources<'g> {
                     let _e50 = rt::Scalar(point_18.height);
                     let _e52 = point_18.weights;
                     let _e53 = self.v_uv_of(pixel_65, _e52);
-                    let _e55 = self.v_height_at(_e53, rt::Scalar(path_37.level));
+                    let _e55 = self.v_height_at(_e53, rt::Scalar(path_40.level));
                     let gap_3 = ((_e50 - _e55) - _e13);
                     let _e60 = t_23;
                     let _e63 = self.v_cell_of((_e14.origin + (_e14.step * _e60)));
                     let _e64 = t_23;
-                    let _e65 = self.v_cell_gap(path_37, _e14, _e63, _e64);
+                    let _e65 = self.v_cell_gap(path_40, _e14, _e63, _e64);
                     let change_7 = _e65.y();
                     if rt::Scalar::into_branch_condition(change_7.elementwise_lt(rt::Scalar(0f32))) {
                         let _e69 = t_23;
                         t_23 = (_e69 - (gap_3 / change_7)).clamp((rt::Scalar(hit_29.t) - most_16), (rt::Scalar(hit_29.t) + most_16));
                     }
                     let _e78 = t_23;
-                    let place_43 = (along_40 * ((rt::Scalar(path_37.start) + _e78) - _e10));
+                    let place_43 = (along_40 * ((rt::Scalar(path_40.start) + _e78) - _e10));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e86 = t_23;
-                        let _e87 = self.v_path_height(path_37, _e86);
+                        let _e87 = self.v_path_height(path_40, _e86);
                         let _e88 = self.v_shell_point_near(_e11, place_43, _e87);
                         point_18 = _e88;
                     } else {
@@ -12730,11 +12969,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_66: PixelIn,
         at_105: Entered,
-        path_38: Path,
+        path_41: Path,
         hit_30: Hit,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_105, path_38, hit_30, rt::into(params_73)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_105, path_41, hit_30, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12742,9 +12981,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_66: PixelIn,
         at_105: Entered,
-        path_38: Path,
+        path_41: Path,
         hit_30: Hit,
-        params_73: rt::Vec4<f32>,
+        params_75: rt::Vec4<f32>,
     ) -> Hit {
         return hit_30;
     }
@@ -12752,11 +12991,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_67: PixelIn,
         at_106: Entered,
-        path_39: Path,
+        path_42: Path,
         hit_31: Hit,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_106, path_39, hit_31, rt::into(params_74)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_106, path_42, hit_31, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12764,9 +13003,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_67: PixelIn,
         at_106: Entered,
-        path_39: Path,
+        path_42: Path,
         hit_31: Hit,
-        params_74: rt::Vec4<f32>,
+        params_76: rt::Vec4<f32>,
     ) -> Hit {
         return hit_31;
     }
@@ -12774,11 +13013,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_68: PixelIn,
         at_107: Entered,
-        path_40: Path,
+        path_43: Path,
         hit_32: Hit,
-        params_75: impl rt::Into<rt::Vec4<f32>>,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_107, path_40, hit_32, rt::into(params_75)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_107, path_43, hit_32, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12786,9 +13025,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_68: PixelIn,
         at_107: Entered,
-        path_40: Path,
+        path_43: Path,
         hit_32: Hit,
-        params_75: rt::Vec4<f32>,
+        params_77: rt::Vec4<f32>,
     ) -> Hit {
         return hit_32;
     }
@@ -12796,11 +13035,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_69: PixelIn,
         at_108: Entered,
-        path_41: Path,
+        path_44: Path,
         hit_33: Hit,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_69, at_108, path_41, hit_33, rt::into(params_76)))
+        rt::into(self.v_surface_facets_polish(pixel_69, at_108, path_44, hit_33, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12808,9 +13047,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_69: PixelIn,
         at_108: Entered,
-        path_41: Path,
+        path_44: Path,
         hit_33: Hit,
-        params_76: rt::Vec4<f32>,
+        params_78: rt::Vec4<f32>,
     ) -> Hit {
         return hit_33;
     }
@@ -12818,11 +13057,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_70: PixelIn,
         at_109: Entered,
-        path_42: Path,
+        path_45: Path,
         hit_34: Hit,
-        params_77: impl rt::Into<rt::Vec4<f32>>,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_70, at_109, path_42, hit_34, rt::into(params_77)))
+        rt::into(self.v_surface_slices_polish(pixel_70, at_109, path_45, hit_34, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12830,9 +13069,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_70: PixelIn,
         at_109: Entered,
-        path_42: Path,
+        path_45: Path,
         hit_34: Hit,
-        params_77: rt::Vec4<f32>,
+        params_79: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted: Hit;
 
@@ -12843,30 +13082,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn metres_on(
         &self,
-        path_43: Path,
+        path_46: Path,
         t_24: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_metres_on(path_43, rt::into(t_24)))
+        rt::into(self.v_metres_on(path_46, rt::into(t_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_metres_on(
         &self,
-        path_43: Path,
+        path_46: Path,
         t_24: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (t_24 / (rt::Scalar(1f32) - (rt::Scalar(path_43.bend) * t_24)));
+        return (t_24 / (rt::Scalar(1f32) - (rt::Scalar(path_46.bend) * t_24)));
     }
-    pub(crate) fn polished_on_image(&self, path_44: Path, hit_35: Hit) -> Hit {
-        rt::into(self.v_polished_on_image(path_44, hit_35))
+    pub(crate) fn polished_on_image(&self, path_47: Path, hit_35: Hit) -> Hit {
+        rt::into(self.v_polished_on_image(path_47, hit_35))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_polished_on_image(&self, path_44: Path, hit_35: Hit) -> Hit {
+    pub(super) fn v_polished_on_image(&self, path_47: Path, hit_35: Hit) -> Hit {
         let mut polished: Hit;
 
         polished = hit_35;
-        let _e5 = self.v_metres_on(path_44, rt::Scalar(hit_35.t));
+        let _e5 = self.v_metres_on(path_47, rt::Scalar(hit_35.t));
         rt::Scalar(polished.t) = _e5;
         let _e6 = polished;
         return _e6;
@@ -12875,11 +13114,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_71: PixelIn,
         at_110: Entered,
-        path_45: Path,
+        path_48: Path,
         hit_36: Hit,
-        params_78: impl rt::Into<rt::Vec4<f32>>,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_71, at_110, path_45, hit_36, rt::into(params_78)))
+        rt::into(self.v_surface_object_polish(pixel_71, at_110, path_48, hit_36, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12887,22 +13126,22 @@ impl<'g> Resources<'g> {
         &self,
         pixel_71: PixelIn,
         at_110: Entered,
-        path_45: Path,
+        path_48: Path,
         hit_36: Hit,
-        params_78: rt::Vec4<f32>,
+        params_80: rt::Vec4<f32>,
     ) -> Hit {
-        let _e5 = self.v_polished_on_image(path_45, hit_36);
+        let _e5 = self.v_polished_on_image(path_48, hit_36);
         return _e5;
     }
     pub(crate) fn surface_frames_polish(
         &self,
         pixel_72: PixelIn,
         at_111: Entered,
-        path_46: Path,
+        path_49: Path,
         hit_37: Hit,
-        params_79: impl rt::Into<rt::Vec4<f32>>,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_72, at_111, path_46, hit_37, rt::into(params_79)))
+        rt::into(self.v_surface_frames_polish(pixel_72, at_111, path_49, hit_37, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12910,22 +13149,22 @@ impl<'g> Resources<'g> {
         &self,
         pixel_72: PixelIn,
         at_111: Entered,
-        path_46: Path,
+        path_49: Path,
         hit_37: Hit,
-        params_79: rt::Vec4<f32>,
+        params_81: rt::Vec4<f32>,
     ) -> Hit {
-        let _e5 = self.v_polished_on_image(path_46, hit_37);
+        let _e5 = self.v_polished_on_image(path_49, hit_37);
         return _e5;
     }
     pub(crate) fn surface_object_slices_polish(
         &self,
         pixel_73: PixelIn,
         at_112: Entered,
-        path_47: Path,
+        path_50: Path,
         hit_38: Hit,
-        params_80: impl rt::Into<rt::Vec4<f32>>,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_73, at_112, path_47, hit_38, rt::into(params_80)))
+        rt::into(self.v_surface_object_slices_polish(pixel_73, at_112, path_50, hit_38, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12933,9 +13172,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_73: PixelIn,
         at_112: Entered,
-        path_47: Path,
+        path_50: Path,
         hit_38: Hit,
-        params_80: rt::Vec4<f32>,
+        params_82: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted_1: Hit;
 
@@ -12946,72 +13185,72 @@ impl<'g> Resources<'g> {
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_113: Entered, path_48: Path, hit_39: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_74, at_113, path_48, hit_39))
+    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_113: Entered, path_51: Path, hit_39: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_74, at_113, path_51, hit_39))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_113: Entered, path_48: Path, hit_39: Hit) -> Hit {
+    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_113: Entered, path_51: Path, hit_39: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_74, at_113, path_48, hit_39, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_74, at_113, path_51, hit_39, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_74, at_113, path_48, hit_39, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_74, at_113, path_51, hit_39, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_113, path_48, hit_39, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_113, path_51, hit_39, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_113, path_48, hit_39, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_113, path_51, hit_39, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_113, path_48, hit_39, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_113, path_51, hit_39, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_74, at_113, path_48, hit_39, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_74, at_113, path_51, hit_39, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_74, at_113, path_48, hit_39, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_74, at_113, path_51, hit_39, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_74, at_113, path_48, hit_39, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_74, at_113, path_51, hit_39, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_74, at_113, path_48, hit_39, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_74, at_113, path_51, hit_39, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_113, path_48, hit_39, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_113, path_51, hit_39, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_114: Entered, path_49: Path, hit_40: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_75, at_114, path_49, hit_40))
+    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_114: Entered, path_52: Path, hit_40: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_75, at_114, path_52, hit_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_114: Entered, path_49: Path, hit_40: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_75, at_114, path_49, hit_40);
+    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_114: Entered, path_52: Path, hit_40: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_75, at_114, path_52, hit_40);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -13072,18 +13311,18 @@ impl<'g> Resources<'g> {
         &self,
         pixel_76: PixelIn,
         at_115: Entered,
-        path_50: Path,
+        path_53: Path,
         found: Hit,
         k_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_76, at_115, path_50, found, rt::into(k_22)))
+        rt::into(self.v_hit_on_segment(pixel_76, at_115, path_53, found, rt::into(k_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_hit_on_segment(
         &self,
         pixel_76: PixelIn,
         at_115: Entered,
-        path_50: Path,
+        path_53: Path,
         found: Hit,
         k_22: rt::Scalar<u32>,
     ) -> FirstHit {
@@ -13091,8 +13330,8 @@ impl<'g> Resources<'g> {
 
         first_2 = <FirstHit>::new(found, k_22, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_76, at_115, path_50, found);
-            let _e12 = self.v_depth_on_ray(pixel_76, path_50, _e11);
+            let _e11 = self.v_polish_hit(pixel_76, at_115, path_53, found);
+            let _e12 = self.v_depth_on_ray(pixel_76, path_53, _e11);
             let _e13 = self.v_key_of(_e12);
             first_2 = <FirstHit>::new(_e11, k_22, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
@@ -13103,17 +13342,17 @@ impl<'g> Resources<'g> {
         let _e20 = first_2;
         return _e20;
     }
-    pub(crate) fn leaves_at_exit(&self, path_51: Path) -> bool {
-        rt::into(self.v_leaves_at_exit(path_51))
+    pub(crate) fn leaves_at_exit(&self, path_54: Path) -> bool {
+        rt::into(self.v_leaves_at_exit(path_54))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_leaves_at_exit(&self, path_51: Path) -> rt::Scalar<bool> {
+    pub(super) fn v_leaves_at_exit(&self, path_54: Path) -> rt::Scalar<bool> {
         let mut local_73: rt::Scalar<bool>;
 
-        let _e2 = self.v_path_height(path_51, rt::Scalar(path_51.exit));
+        let _e2 = self.v_path_height(path_54, rt::Scalar(path_54.exit));
         if rt::Scalar::into_branch_condition((!_e2.elementwise_gt(rt::Scalar(0.000001f32)))) {
-            let _e9 = self.v_field_is_ground_stage(rt::Scalar(path_51.level));
+            let _e9 = self.v_field_is_ground_stage(rt::Scalar(path_54.level));
             local_73 = (!_e9);
         } else {
             local_73 = rt::Scalar(true);
@@ -13123,25 +13362,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_52: Path,
+        path_55: Path,
         t_25: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_52, rt::into(t_25), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_55, rt::into(t_25), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_hit_on_path(
         &self,
-        path_52: Path,
+        path_55: Path,
         t_25: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
         let mut local_74: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_25.elementwise_gt(rt::Scalar(path_52.exit))) {
-            let _e8 = self.v_leaves_at_exit(path_52);
+        if rt::Scalar::into_branch_condition(t_25.elementwise_gt(rt::Scalar(path_55.exit))) {
+            let _e8 = self.v_leaves_at_exit(path_55);
             local_74 = _e8;
         } else {
             local_74 = rt::Scalar(false);
@@ -13151,20 +13390,20 @@ impl<'g> Resources<'g> {
             let _e11 = self.v_miss(cost_3);
             return _e11;
         }
-        let inside_6 = t_25.clamp(rt::Scalar(0f32), rt::Scalar(path_52.exit));
-        let _e16 = self.v_path_uv(path_52, inside_6);
-        let _e17 = self.v_path_height(path_52, inside_6);
+        let inside_6 = t_25.clamp(rt::Scalar(0f32), rt::Scalar(path_55.exit));
+        let _e16 = self.v_path_uv(path_55, inside_6);
+        let _e17 = self.v_path_height(path_55, inside_6);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e16, _e17, inside_6, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_53: Path, found_1: SearchResult) -> f32 {
-        rt::into(self.v_starting_point(path_53, found_1))
+    pub(crate) fn starting_point(&self, path_56: Path, found_1: SearchResult) -> f32 {
+        rt::into(self.v_starting_point(path_56, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_starting_point(&self, path_53: Path, found_1: SearchResult) -> rt::Scalar<f32> {
+    pub(super) fn v_starting_point(&self, path_56: Path, found_1: SearchResult) -> rt::Scalar<f32> {
         let mut local_75: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_53.base);
+            return rt::Scalar(path_56.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
             local_75 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
@@ -13179,43 +13418,43 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_54: Path,
+        path_57: Path,
         found_2: SearchResult,
-        params_81: impl rt::Into<rt::Vec4<f32>>,
+        params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_54, found_2, rt::into(params_81)))
+        rt::into(self.v_refine_none(path_57, found_2, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_refine_none(
         &self,
-        path_54: Path,
+        path_57: Path,
         found_2: SearchResult,
-        params_81: rt::Vec4<f32>,
+        params_83: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_54, found_2);
-        let _e16 = self.v_hit_on_path(path_54, _e14, exhausted_1, found_2.cost);
+        let _e14 = self.v_starting_point(path_57, found_2);
+        let _e16 = self.v_hit_on_path(path_57, _e14, exhausted_1, found_2.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_55: Path,
+        path_58: Path,
         found_3: SearchResult,
-        params_82: impl rt::Into<rt::Vec4<f32>>,
+        params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_55, found_3, rt::into(params_82)))
+        rt::into(self.v_refine_offset(path_58, found_3, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_offset(
         &self,
-        path_55: Path,
+        path_58: Path,
         found_3: SearchResult,
-        params_82: rt::Vec4<f32>,
+        params_84: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_26: rt::Scalar<f32>;
 
@@ -13223,33 +13462,33 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_55, found_3);
-        let _e9 = self.v_path_uv(path_55, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_55.level));
-        let _e12 = self.v_path_slope(path_55, _e8);
+        let _e8 = self.v_starting_point(path_58, found_3);
+        let _e9 = self.v_path_uv(path_58, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_58.level));
+        let _e12 = self.v_path_slope(path_58, _e8);
         t_26 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_55, _e8);
+            let _e16 = self.v_path_height(path_58, _e8);
             t_26 = (_e8 + ((_e11 - _e16) / _e12));
         }
         let _e20 = t_26;
-        let _e30 = self.v_hit_on_path(path_55, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
+        let _e30 = self.v_hit_on_path(path_58, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_56: Path,
+        path_59: Path,
         found_4: SearchResult,
-        params_83: impl rt::Into<rt::Vec4<f32>>,
+        params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_56, found_4, rt::into(params_83)))
+        rt::into(self.v_refine_offset_limited(path_59, found_4, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_offset_limited(
         &self,
-        path_56: Path,
+        path_59: Path,
         found_4: SearchResult,
-        params_83: rt::Vec4<f32>,
+        params_85: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_41: Hit;
 
@@ -13257,13 +13496,13 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_56, found_4);
-        let _e9 = self.v_path_uv(path_56, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_56.level));
-        let _e12 = self.v_path_height(path_56, _e8);
-        let rise_m = ((_e11 - _e12) * path_56.metric.w());
+        let _e8 = self.v_starting_point(path_59, found_4);
+        let _e9 = self.v_path_uv(path_59, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_59.level));
+        let _e12 = self.v_path_height(path_59, _e8);
+        let rise_m = ((_e11 - _e12) * path_59.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_56, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
+        let _e27 = self.v_hit_on_path(path_59, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
         hit_41 = _e27;
         let _e30 = rt::Scalar(hit_41.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
@@ -13274,37 +13513,37 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_z(
         &self,
-        path_57: Path,
+        path_60: Path,
         slope_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_57, rt::into(slope_1)))
+        rt::into(self.v_normal_z(path_60, rt::into(slope_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_z(
         &self,
-        path_57: Path,
+        path_60: Path,
         slope_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_5 = path_57.metric;
+        let m_5 = path_60.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let squared_4 = (((((slope_1.x() * slope_1.x()) * m_5.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_5.y())) + ((slope_1.y() * slope_1.y()) * m_5.x())) / area_6);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_5.w() * m_5.w()) * squared_4)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_58: Path,
+        path_61: Path,
         found_5: SearchResult,
-        params_84: impl rt::Into<rt::Vec4<f32>>,
+        params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_58, found_5, rt::into(params_84)))
+        rt::into(self.v_refine_slope(path_61, found_5, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_slope(
         &self,
-        path_58: Path,
+        path_61: Path,
         found_5: SearchResult,
-        params_84: rt::Vec4<f32>,
+        params_86: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_27: rt::Scalar<f32>;
 
@@ -13312,40 +13551,40 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_58, found_5);
-        let _e9 = self.v_path_uv(path_58, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_58.level));
-        let _e13 = self.v_path_height(path_58, _e8);
+        let _e8 = self.v_starting_point(path_61, found_5);
+        let _e9 = self.v_path_uv(path_61, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_61.level));
+        let _e13 = self.v_path_height(path_61, _e8);
         let rise_3 = (_e11.x() - _e13);
         t_27 = _e8;
-        if rt::Scalar::into_branch_condition(params_84.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_58, _e8);
-            let closing = (_e19 - ((_e11.y() * path_58.duv.x()) + (_e11.z() * path_58.duv.y())));
+        if rt::Scalar::into_branch_condition(params_86.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_61, _e8);
+            let closing = (_e19 - ((_e11.y() * path_61.duv.x()) + (_e11.z() * path_61.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
                 t_27 = (_e8 + (rise_3 / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_58, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_27 = (_e8 - ((rise_3 * path_58.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_61, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_27 = (_e8 - ((rise_3 * path_61.metric.w()) * _e40));
         }
         let _e43 = t_27;
-        let _e53 = self.v_hit_on_path(path_58, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e53 = self.v_hit_on_path(path_61, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_59: Path,
+        path_62: Path,
         found_6: SearchResult,
-        params_85: impl rt::Into<rt::Vec4<f32>>,
+        params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_59, found_6, rt::into(params_85)))
+        rt::into(self.v_refine_slope_iterative(path_62, found_6, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_slope_iterative(
         &self,
-        path_59: Path,
+        path_62: Path,
         found_6: SearchResult,
-        params_85: rt::Vec4<f32>,
+        params_87: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_28: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
@@ -13355,13 +13594,13 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_59, found_6);
+        let _e8 = self.v_starting_point(path_62, found_6);
         t_28 = _e8;
         cost_4 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_23;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_85.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_87.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13369,28 +13608,28 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
                     let _e20 = t_28;
-                    let _e21 = self.v_path_uv(path_59, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_59.level));
+                    let _e21 = self.v_path_uv(path_62, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_62.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
                     let _e28 = t_28;
-                    let _e29 = self.v_path_height(path_59, _e28);
+                    let _e29 = self.v_path_height(path_62, _e28);
                     let rise_4 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_85.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_87.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_28;
-                        let _e35 = self.v_path_slope(path_59, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_59.duv.x()) + (_e23.z() * path_59.duv.y())));
+                        let _e35 = self.v_path_slope(path_62, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_62.duv.x()) + (_e23.z() * path_62.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e48 = t_28;
                             t_28 = (_e48 + (rise_4 / closing_1));
                         }
                     } else {
                         let _e51 = t_28;
-                        let _e58 = self.v_normal_z(path_59, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_28 = (_e51 - ((rise_4 * path_59.metric.w()) * _e58));
+                        let _e58 = self.v_normal_z(path_62, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_28 = (_e51 - ((rise_4 * path_62.metric.w()) * _e58));
                     }
                     let _e61 = t_28;
-                    t_28 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_59.exit));
+                    t_28 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_62.exit));
                     let _e65 = k_23;
                     k_23 = (_e65 + rt::Scalar(1f32));
                 }
@@ -13398,7 +13637,7 @@ impl<'g> Resources<'g> {
         }
         let _e68 = t_28;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_59, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_62, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_7: SearchResult) -> bool {
@@ -13432,18 +13671,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_binary(
         &self,
-        path_60: Path,
+        path_63: Path,
         found_8: SearchResult,
-        params_86: impl rt::Into<rt::Vec4<f32>>,
+        params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_60, found_8, rt::into(params_86)))
+        rt::into(self.v_refine_binary(path_63, found_8, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_binary(
         &self,
-        path_60: Path,
+        path_63: Path,
         found_8: SearchResult,
-        params_86: rt::Vec4<f32>,
+        params_88: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
@@ -13454,7 +13693,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_60, found_8, params_86);
+            let _e5 = self.v_refine_none(path_63, found_8, params_88);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -13462,7 +13701,7 @@ impl<'g> Resources<'g> {
         cost_5 = found_8.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
-            let _e19 = self.v_path_height(path_60, _e18);
+            let _e19 = self.v_path_height(path_63, _e18);
             local_79 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_79 = rt::Scalar(true);
@@ -13472,7 +13711,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = k_24;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_86.x())) {
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_88.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13483,9 +13722,9 @@ impl<'g> Resources<'g> {
                     let _e34 = far_4;
                     let middle_16 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
-                    let _e40 = self.v_field_cost_stage(rt::Scalar(path_60.level));
+                    let _e40 = self.v_field_cost_stage(rt::Scalar(path_63.level));
                     cost_5 = (_e38 + _e40);
-                    let _e42 = self.v_path_gap(path_60, middle_16);
+                    let _e42 = self.v_path_gap(path_63, middle_16);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
                         far_4 = middle_16;
                         crossed = rt::Scalar(true);
@@ -13506,23 +13745,23 @@ impl<'g> Resources<'g> {
         let _e53 = near_2;
         let _e54 = far_4;
         let _e59 = cost_5;
-        let _e60 = self.v_hit_on_path(path_60, (rt::Scalar(0.5f32) * (_e53 + _e54)), rt::Scalar(0u32), _e59);
+        let _e60 = self.v_hit_on_path(path_63, (rt::Scalar(0.5f32) * (_e53 + _e54)), rt::Scalar(0u32), _e59);
         return _e60;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_61: Path,
+        path_64: Path,
         found_9: SearchResult,
-        params_87: impl rt::Into<rt::Vec4<f32>>,
+        params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_61, found_9, rt::into(params_87)))
+        rt::into(self.v_refine_secant(path_64, found_9, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_secant(
         &self,
-        path_61: Path,
+        path_64: Path,
         found_9: SearchResult,
-        params_87: rt::Vec4<f32>,
+        params_89: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
@@ -13534,7 +13773,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_61, found_9, params_87);
+            let _e5 = self.v_refine_none(path_64, found_9, params_89);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -13544,14 +13783,14 @@ impl<'g> Resources<'g> {
         cost_6 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_61, _e19);
+            let _e20 = self.v_path_gap(path_64, _e19);
             near_gap_1 = _e20;
             let _e21 = far_5;
-            let _e22 = self.v_path_gap(path_61, _e21);
+            let _e22 = self.v_path_gap(path_64, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
-            let _e25 = self.v_field_cost_stage(rt::Scalar(path_61.level));
-            let _e28 = self.v_field_cost_stage(rt::Scalar(path_61.level));
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_64.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_64.level));
             cost_6 = ((_e23 + _e25) + _e28);
             let _e30 = far_gap_1;
             if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
@@ -13565,7 +13804,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e39 = k_25;
-                if rt::Scalar::into_branch_condition(_e39.elementwise_le(params_87.x())) {
+                if rt::Scalar::into_branch_condition(_e39.elementwise_le(params_89.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13584,11 +13823,11 @@ impl<'g> Resources<'g> {
                     let _e55 = near_gap_1;
                     t_29 = (_e51 + ((_e52 - _e53) * (_e55 / drop)));
                     let _e59 = k_25;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_87.x())) {
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_89.x())) {
                         let _e62 = t_29;
-                        let _e63 = self.v_path_gap(path_61, _e62);
+                        let _e63 = self.v_path_gap(path_64, _e62);
                         let _e64 = cost_6;
-                        let _e66 = self.v_field_cost_stage(rt::Scalar(path_61.level));
+                        let _e66 = self.v_field_cost_stage(rt::Scalar(path_64.level));
                         cost_6 = (_e64 + _e66);
                         if rt::Scalar::into_branch_condition(_e63.elementwise_le(rt::Scalar(0f32))) {
                             let _e70 = t_29;
@@ -13607,23 +13846,23 @@ impl<'g> Resources<'g> {
         }
         let _e75 = t_29;
         let _e77 = cost_6;
-        let _e78 = self.v_hit_on_path(path_61, _e75, rt::Scalar(0u32), _e77);
+        let _e78 = self.v_hit_on_path(path_64, _e75, rt::Scalar(0u32), _e77);
         return _e78;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_62: Path,
+        path_65: Path,
         found_10: SearchResult,
-        params_88: impl rt::Into<rt::Vec4<f32>>,
+        params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_62, found_10, rt::into(params_88)))
+        rt::into(self.v_refine_true_secant(path_65, found_10, rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_true_secant(
         &self,
-        path_62: Path,
+        path_65: Path,
         found_10: SearchResult,
-        params_88: rt::Vec4<f32>,
+        params_90: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_3: rt::Scalar<f32>;
         let mut last_1: rt::Scalar<f32>;
@@ -13634,7 +13873,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_62, found_10, params_88);
+            let _e5 = self.v_refine_none(path_65, found_10, params_90);
             return _e5;
         }
         before_3 = rt::Scalar(found_10.near);
@@ -13644,14 +13883,14 @@ impl<'g> Resources<'g> {
         cost_7 = found_10.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before_3;
-            let _e20 = self.v_path_gap(path_62, _e19);
+            let _e20 = self.v_path_gap(path_65, _e19);
             before_gap = _e20;
             let _e21 = last_1;
-            let _e22 = self.v_path_gap(path_62, _e21);
+            let _e22 = self.v_path_gap(path_65, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
-            let _e25 = self.v_field_cost_stage(rt::Scalar(path_62.level));
-            let _e28 = self.v_field_cost_stage(rt::Scalar(path_62.level));
+            let _e25 = self.v_field_cost_stage(rt::Scalar(path_65.level));
+            let _e28 = self.v_field_cost_stage(rt::Scalar(path_65.level));
             cost_7 = ((_e23 + _e25) + _e28);
             let _e30 = last_gap;
             if rt::Scalar::into_branch_condition(_e30.elementwise_gt(rt::Scalar(0f32))) {
@@ -13663,7 +13902,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e37 = k_26;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_88.x())) {
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_90.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13687,11 +13926,11 @@ impl<'g> Resources<'g> {
                     before_gap = _e60;
                     last_1 = t_53;
                     let _e61 = k_26;
-                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(params_88.x())) {
-                        let _e64 = self.v_path_gap(path_62, t_53);
+                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(params_90.x())) {
+                        let _e64 = self.v_path_gap(path_65, t_53);
                         last_gap = _e64;
                         let _e65 = cost_7;
-                        let _e67 = self.v_field_cost_stage(rt::Scalar(path_62.level));
+                        let _e67 = self.v_field_cost_stage(rt::Scalar(path_65.level));
                         cost_7 = (_e65 + _e67);
                     }
                     let _e69 = k_26;
@@ -13701,23 +13940,23 @@ impl<'g> Resources<'g> {
         }
         let _e72 = last_1;
         let _e74 = cost_7;
-        let _e75 = self.v_hit_on_path(path_62, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_65, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_63: Path,
+        path_66: Path,
         found_11: SearchResult,
-        params_89: impl rt::Into<rt::Vec4<f32>>,
+        params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_63, found_11, rt::into(params_89)))
+        rt::into(self.v_refine_patch(path_66, found_11, rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_patch(
         &self,
-        path_63: Path,
+        path_66: Path,
         found_11: SearchResult,
-        params_89: rt::Vec4<f32>,
+        params_91: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_30: rt::Scalar<f32>;
         let mut cell_25: rt::Vec2<f32>;
@@ -13729,21 +13968,21 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_63, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
+            let _e14 = self.v_hit_on_path(path_66, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_63, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
+            let _e21 = self.v_hit_on_path(path_66, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_63);
+        let _e22 = self.v_grid_of(path_66);
         t_30 = rt::Scalar(found_11.near);
         let _e27 = t_30;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_25 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit_3 = (_e35 + params_89.x().to_u32());
+        let limit_3 = (_e35 + params_91.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -13761,20 +14000,20 @@ impl<'g> Resources<'g> {
                     let span_9 = (end_12 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_25;
                     let _e57 = t_30;
-                    let _e58 = self.v_cell_gap(path_63, _e22, _e56, _e57);
+                    let _e58 = self.v_cell_gap(path_66, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e65 = t_30;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_63, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_66, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_9);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e72 = t_30;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_63, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_66, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
                     if rt::Scalar::into_branch_condition(end_12.elementwise_ge(rt::Scalar(found_11.far))) {
@@ -13786,7 +14025,7 @@ impl<'g> Resources<'g> {
                         let _e89 = local_80;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_63, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_66, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
@@ -13803,49 +14042,49 @@ impl<'g> Resources<'g> {
         }
         let _e100 = t_30;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_63, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_66, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_64: Path,
+        path_67: Path,
         found_12: SearchResult,
-        params_90: impl rt::Into<rt::Vec4<f32>>,
+        params_92: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_64, found_12, rt::into(params_90)))
+        rt::into(self.v_refine_half_texel(path_67, found_12, rt::into(params_92)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_half_texel(
         &self,
-        path_64: Path,
+        path_67: Path,
         found_12: SearchResult,
-        params_90: rt::Vec4<f32>,
+        params_92: rt::Vec4<f32>,
     ) -> Hit {
-        let mut part_12: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut part_13: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_64, found_12, params_90);
+            let _e6 = self.v_refine_none(path_67, found_12, params_92);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_64.level));
-        let speed_1 = (path_64.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_64.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_64, found_12, params_90);
+        let _e9 = self.v_height_size(rt::Scalar(path_67.level));
+        let speed_1 = (path_67.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_67.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_67, found_12, params_92);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_12.far) - half_1).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_64.exit));
-        let _e28 = self.v_path_gap(path_64, backward);
-        let before_12 = _e28.abs();
-        let _e30 = self.v_path_gap(path_64, forward_2);
+        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_67.exit));
+        let _e28 = self.v_path_gap(path_67, backward);
+        let before_13 = _e28.abs();
+        let _e30 = self.v_path_gap(path_67, forward_2);
         let behind_3 = _e30.abs();
-        if rt::Scalar::into_branch_condition((before_12 + behind_3).elementwise_gt(rt::Scalar(0f32))) {
-            part_12 = (before_12 / (before_12 + behind_3));
+        if rt::Scalar::into_branch_condition((before_13 + behind_3).elementwise_gt(rt::Scalar(0f32))) {
+            part_13 = (before_13 / (before_13 + behind_3));
         }
-        let cost_31 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
-        let _e45 = part_12;
-        let _e49 = self.v_hit_on_path(path_64, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_31);
+        let cost_32 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let _e45 = part_13;
+        let _e49 = self.v_hit_on_path(path_67, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_32);
         return _e49;
     }
     pub(crate) fn greatest_value(&self, cell_26: VoxelCell) -> f32 {
@@ -13883,8 +14122,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!discriminant_4.elementwise_ge(rt::Scalar(0f32)))) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32));
         }
-        let root_5 = discriminant_4.sqrt();
-        let s_2 = (rt::Scalar(-0.5f32) * (b_44 + (rt::Scalar(0f32) - root_5).select(root_5, b_44.elementwise_ge(rt::Scalar(0f32)))));
+        let root_6 = discriminant_4.sqrt();
+        let s_2 = (rt::Scalar(-0.5f32) * (b_44 + (rt::Scalar(0f32) - root_6).select(root_6, b_44.elementwise_ge(rt::Scalar(0f32)))));
         let first_24 = rt::Scalar(1f32).select((s_2 / a_44), a_44.elementwise_ne(rt::Scalar(0f32)));
         let second_11 = rt::Scalar(1f32).select((rt::Scalar(q_4.c) / s_2), s_2.elementwise_ne(rt::Scalar(0f32)));
         if rt::Scalar::into_branch_condition(first_24.elementwise_gt(rt::Scalar(0f32))) {
@@ -14059,17 +14298,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn first_root_on_path(
         &self,
-        path_65: Path,
+        path_68: Path,
         from_t: impl rt::Into<rt::Scalar<f32>>,
         to_t: impl rt::Into<rt::Scalar<f32>>,
         limit: impl rt::Into<rt::Scalar<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_first_root_on_path(path_65, rt::into(from_t), rt::into(to_t), rt::into(limit)))
+        rt::into(self.v_first_root_on_path(path_68, rt::into(from_t), rt::into(to_t), rt::into(limit)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_first_root_on_path(
         &self,
-        path_65: Path,
+        path_68: Path,
         from_t: rt::Scalar<f32>,
         to_t: rt::Scalar<f32>,
         limit: rt::Scalar<u32>,
@@ -14079,7 +14318,7 @@ impl<'g> Resources<'g> {
         let mut cell_28: rt::Vec3<f32>;
         let mut cost_9: rt::Vec3<u32> = NO_COST;
 
-        let _e4 = self.v_voxel_path(path_65);
+        let _e4 = self.v_voxel_path(path_68);
         let _e5 = self.v_turning_point(_e4);
         has_turned_3 = from_t.elementwise_ge(_e5);
         t_32 = from_t;
@@ -14139,140 +14378,140 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_trilinear(
         &self,
-        path_66: Path,
+        path_69: Path,
         found_13: SearchResult,
-        params_91: impl rt::Into<rt::Vec4<f32>>,
+        params_93: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_trilinear(path_66, found_13, rt::into(params_91)))
+        rt::into(self.v_refine_trilinear(path_69, found_13, rt::into(params_93)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_trilinear(
         &self,
-        path_66: Path,
+        path_69: Path,
         found_13: SearchResult,
-        params_91: rt::Vec4<f32>,
+        params_93: rt::Vec4<f32>,
     ) -> Hit {
         let _e3 = self.v_has_interval(found_13);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_66, found_13, params_91);
+            let _e5 = self.v_refine_none(path_69, found_13, params_93);
             return _e5;
         }
-        let _e10 = self.v_first_root_on_path(path_66, rt::Scalar(found_13.near), rt::Scalar(found_13.far), params_91.x().to_u32());
-        let cost_32 = (found_13.cost + _e10.cost);
+        let _e10 = self.v_first_root_on_path(path_69, rt::Scalar(found_13.near), rt::Scalar(found_13.far), params_93.x().to_u32());
+        let cost_33 = (found_13.cost + _e10.cost);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e10.status).elementwise_eq(FOUND_BRACKET)) {
-            let _e19 = self.v_hit_on_path(path_66, rt::Scalar(_e10.far), rt::Scalar(0u32), cost_32);
+            let _e19 = self.v_hit_on_path(path_69, rt::Scalar(_e10.far), rt::Scalar(0u32), cost_33);
             return _e19;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_13.status).elementwise_eq(FOUND_BRACKET)) {
-            let _e30 = self.v_hit_on_path(path_66, rt::Scalar(found_13.far), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(_e10.status).elementwise_eq(FOUND_EXHAUSTED)), cost_32);
+            let _e30 = self.v_hit_on_path(path_69, rt::Scalar(found_13.far), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(_e10.status).elementwise_eq(FOUND_EXHAUSTED)), cost_33);
             return _e30;
         }
-        let _e31 = self.v_miss(cost_32);
+        let _e31 = self.v_miss(cost_33);
         return _e31;
     }
-    pub(crate) fn refine_stage(&self, path_67: Path, found_14: SearchResult) -> Hit {
-        rt::into(self.v_refine_stage(path_67, found_14))
+    pub(crate) fn refine_stage(&self, path_70: Path, found_14: SearchResult) -> Hit {
+        rt::into(self.v_refine_stage(path_70, found_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_refine_stage(&self, path_67: Path, found_14: SearchResult) -> Hit {
+    pub(super) fn v_refine_stage(&self, path_70: Path, found_14: SearchResult) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[7usize].params;
-                let _e12 = self.v_refine_none(path_67, found_14, _e11);
+                let _e12 = self.v_refine_none(path_70, found_14, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[7usize].params;
-                let _e18 = self.v_refine_offset(path_67, found_14, _e17);
+                let _e18 = self.v_refine_offset(path_70, found_14, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[7usize].params;
-                let _e24 = self.v_refine_offset_limited(path_67, found_14, _e23);
+                let _e24 = self.v_refine_offset_limited(path_70, found_14, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[7usize].params;
-                let _e30 = self.v_refine_slope(path_67, found_14, _e29);
+                let _e30 = self.v_refine_slope(path_70, found_14, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[7usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_67, found_14, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_70, found_14, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[7usize].params;
-                let _e42 = self.v_refine_binary(path_67, found_14, _e41);
+                let _e42 = self.v_refine_binary(path_70, found_14, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[7usize].params;
-                let _e48 = self.v_refine_secant(path_67, found_14, _e47);
+                let _e48 = self.v_refine_secant(path_70, found_14, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[7usize].params;
-                let _e54 = self.v_refine_true_secant(path_67, found_14, _e53);
+                let _e54 = self.v_refine_true_secant(path_70, found_14, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[7usize].params;
-                let _e60 = self.v_refine_patch(path_67, found_14, _e59);
+                let _e60 = self.v_refine_patch(path_70, found_14, _e59);
                 return _e60;
             }
             9u32 => {
                 let _e65 = self.surface_settings.choices[7usize].params;
-                let _e66 = self.v_refine_half_texel(path_67, found_14, _e65);
+                let _e66 = self.v_refine_half_texel(path_70, found_14, _e65);
                 return _e66;
             }
             _ => {
                 let _e71 = self.surface_settings.choices[7usize].params;
-                let _e72 = self.v_refine_trilinear(path_67, found_14, _e71);
+                let _e72 = self.v_refine_trilinear(path_70, found_14, _e71);
                 return _e72;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_68: Path,
-        params_92: impl rt::Into<rt::Vec4<f32>>,
+        path_71: Path,
+        params_94: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_none(path_68, rt::into(params_92)))
+        rt::into(self.v_search_none(path_71, rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_search_none(
         &self,
-        path_68: Path,
-        params_92: rt::Vec4<f32>,
+        path_71: Path,
+        params_94: rt::Vec4<f32>,
     ) -> SearchResult {
-        return <SearchResult>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <SearchResult>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_71.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_69: Path,
-        params_93: impl rt::Into<rt::Vec4<f32>>,
+        path_72: Path,
+        params_95: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_linear(path_69, rt::into(params_93)))
+        rt::into(self.v_search_linear(path_72, rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_linear(
         &self,
-        path_69: Path,
-        params_93: rt::Vec4<f32>,
+        path_72: Path,
+        params_95: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_10: rt::Vec3<u32>;
         let mut k_29: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_12 = (path_69.h.y().abs() * path_69.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_2 = rt::Scalar(1f32).max(((params_93.x() * params_93.y().mix_scalar(rt::Scalar(1f32), cosine_12)) * rt::Scalar(path_69.share)).ceil());
-        let _e24 = self.v_path_gap(path_69, rt::Scalar(0f32));
+        let cosine_12 = (path_72.h.y().abs() * path_72.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps_2 = rt::Scalar(1f32).max(((params_95.x() * params_95.y().mix_scalar(rt::Scalar(1f32), cosine_12)) * rt::Scalar(path_72.share)).ceil());
+        let _e24 = self.v_path_gap(path_72, rt::Scalar(0f32));
         near_gap_2 = _e24;
-        let _e27 = self.v_field_cost_stage(rt::Scalar(path_69.level));
+        let _e27 = self.v_field_cost_stage(rt::Scalar(path_72.level));
         cost_10 = _e27;
         let _e29 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e29.elementwise_lt(rt::Scalar(0f32))) {
@@ -14292,10 +14531,10 @@ impl<'g> Resources<'g> {
                     let _e43 = cost_10;
                     cost_10 = (_e43 + STEP);
                     let _e47 = k_29;
-                    let t_54 = (rt::Scalar(path_69.exit) * (_e47 / steps_2));
-                    let _e50 = self.v_path_gap(path_69, t_54);
+                    let t_54 = (rt::Scalar(path_72.exit) * (_e47 / steps_2));
+                    let _e50 = self.v_path_gap(path_72, t_54);
                     let _e51 = cost_10;
-                    let _e53 = self.v_field_cost_stage(rt::Scalar(path_69.level));
+                    let _e53 = self.v_field_cost_stage(rt::Scalar(path_72.level));
                     cost_10 = (_e51 + _e53);
                     if rt::Scalar::into_branch_condition(_e50.elementwise_le(rt::Scalar(0f32))) {
                         let _e58 = near_5;
@@ -14356,25 +14595,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cells(
         &self,
-        path_70: Path,
-        params_94: impl rt::Into<rt::Vec4<f32>>,
+        path_73: Path,
+        params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cells(path_70, rt::into(params_94)))
+        rt::into(self.v_search_cells(path_73, rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cells(
         &self,
-        path_70: Path,
-        params_94: rt::Vec4<f32>,
+        path_73: Path,
+        params_96: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_29: rt::Vec2<f32>;
         let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_70);
+        let _e2 = self.v_grid_of(path_73);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_29 = _e4;
-        let limit_4 = params_94.x().to_u32();
+        let limit_4 = params_96.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_12.x();
@@ -14387,12 +14626,12 @@ impl<'g> Resources<'g> {
                     cost_12 = (_e15 + STEP);
                     let _e18 = cell_29;
                     let _e19 = t_34;
-                    let _e20 = self.v_cell_gap(path_70, _e2, _e18, _e19);
+                    let _e20 = self.v_cell_gap(path_73, _e2, _e18, _e19);
                     let _e21 = cost_12;
                     cost_12 = (_e21 + HEIGHTS_READ);
                     let _e24 = cell_29;
                     let _e25 = self.v_cell_leave(_e2, _e24);
-                    let end_15 = _e25.x().min(_e25.y()).min(rt::Scalar(path_70.exit));
+                    let end_15 = _e25.x().min(_e25.y()).min(rt::Scalar(path_73.exit));
                     let _e31 = t_34;
                     let span_10 = (end_15 - _e31).max(rt::Scalar(0f32));
                     let _e35 = self.v_falls_in_cell(_e20, span_10);
@@ -14403,11 +14642,11 @@ impl<'g> Resources<'g> {
                         let _e42 = self.v_found_in_cell(_e20, _e36, span_10, _e38.elementwise_eq(rt::Scalar(1u32)), _e41);
                         return _e42;
                     }
-                    if rt::Scalar::into_branch_condition(end_15.elementwise_ge(rt::Scalar(path_70.exit))) {
+                    if rt::Scalar::into_branch_condition(end_15.elementwise_ge(rt::Scalar(path_73.exit))) {
                         let _e46 = t_34;
                         let _e49 = self.v_quadratic(_e20, span_10);
                         let _e50 = cost_12;
-                        return <SearchResult>::new(FOUND_MISS, _e46, rt::Scalar(path_70.exit), _e20.x(), _e49, _e50);
+                        return <SearchResult>::new(FOUND_MISS, _e46, rt::Scalar(path_73.exit), _e20.x(), _e49, _e50);
                     }
                     let _e52 = cell_29;
                     let _e53 = self.v_cell_next(_e2, _e52, _e25);
@@ -14419,25 +14658,25 @@ impl<'g> Resources<'g> {
         }
         let _e57 = t_34;
         let _e59 = cost_12;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e57, rt::Scalar(path_70.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e59);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e57, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e59);
     }
     pub(crate) fn image_of(
         &self,
         cell_30: impl rt::Into<rt::Scalar<i32>>,
-        n_12: impl rt::Into<rt::Scalar<i32>>,
+        n_14: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_30), rt::into(n_12)))
+        rt::into(self.v_image_of(rt::into(cell_30), rt::into(n_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_image_of(
         &self,
         cell_30: rt::Scalar<i32>,
-        n_12: rt::Scalar<i32>,
+        n_14: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
         let mut local_85: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_30.elementwise_ge(rt::Scalar(0i32))) {
-            local_85 = cell_30.elementwise_lt(n_12);
+            local_85 = cell_30.elementwise_lt(n_14);
         } else {
             local_85 = rt::Scalar(false);
         }
@@ -14447,15 +14686,15 @@ impl<'g> Resources<'g> {
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_30.clamp(rt::Scalar(0i32), (n_12 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_30.clamp(rt::Scalar(0i32), (n_14 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_30 % n_12) + n_12) % n_12), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_30 % n_14) + n_14) % n_14), rt::Scalar(0i32));
         }
-        let period_3 = (rt::Scalar(2i32) * n_12);
+        let period_3 = (rt::Scalar(2i32) * n_14);
         let folded = (((cell_30 % period_3) + period_3) % period_3);
-        if rt::Scalar::into_branch_condition(folded.elementwise_lt(n_12)) {
+        if rt::Scalar::into_branch_condition(folded.elementwise_lt(n_14)) {
             return <rt::Vec2<i32>>::from_scalars(folded, rt::Scalar(0i32));
         }
         if rt::Scalar::into_branch_condition(folded.elementwise_eq((period_3 - rt::Scalar(1i32)))) {
@@ -14465,22 +14704,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_71: Path,
+        path_74: Path,
         cell_31: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_71, rt::into(cell_31), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_74, rt::into(cell_31), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_frustum_slope(
         &self,
-        path_71: Path,
+        path_74: Path,
         cell_31: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
         let mut local_86: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_71.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_74.level));
         let _e7 = self.v_image_of(cell_31.x(), _e4.x());
         let _e10 = self.v_image_of(cell_31.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
@@ -14492,26 +14731,26 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_71, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_71.level).to_i32());
+        let _e29 = self.v_search_texel(path_74, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_74.level).to_i32());
         let right_4 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_4).select(_e29.y().select(_e29.x(), right_4), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_72: Path,
+        path_75: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_72, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_75, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_map_read(
         &self,
-        path_72: Path,
+        path_75: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_72.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_75.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
@@ -14554,16 +14793,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_73: Path,
-        params_95: impl rt::Into<rt::Vec4<f32>>,
+        path_76: Path,
+        params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_frustum(path_73, rt::into(params_95)))
+        rt::into(self.v_search_frustum(path_76, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_frustum(
         &self,
-        path_73: Path,
-        params_95: rt::Vec4<f32>,
+        path_76: Path,
+        params_97: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_32: rt::Vec2<f32>;
         let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -14572,11 +14811,11 @@ impl<'g> Resources<'g> {
         let mut slope_3: rt::Scalar<f32>;
         let mut local_87: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_73);
+        let _e2 = self.v_grid_of(path_76);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_32 = _e9;
-        let limit_5 = params_95.x().to_u32();
+        let limit_5 = params_97.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -14591,23 +14830,23 @@ impl<'g> Resources<'g> {
                     let first_25 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_32;
                     let _e28 = self.v_whole_cell(_e27);
-                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_73.level));
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_76.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_32;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_16 = _e35.x().min(_e35.y()).min(rt::Scalar(path_73.exit));
+                    let end_16 = _e35.x().min(_e35.y()).min(rt::Scalar(path_76.exit));
                     let _e41 = t_35;
                     let span_11 = (end_16 - _e41).max(rt::Scalar(0f32));
                     let top_11 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_35;
-                    let _e53 = self.v_path_height(path_73, _e52);
+                    let _e53 = self.v_path_height(path_76, _e52);
                     let _e55 = t_35;
-                    let _e56 = self.v_path_slope(path_73, _e55);
-                    let above_10 = <rt::Vec3<f32>>::from_scalars((_e53 - top_11), _e56, path_73.h.z());
+                    let _e56 = self.v_path_slope(path_76, _e55);
+                    let above_10 = <rt::Vec3<f32>>::from_scalars((_e53 - top_11), _e56, path_76.h.z());
                     let _e63 = t_35;
                     let _e67 = t_35;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_73.h.x().abs() + (_e63 * (path_73.h.y().abs() + (_e67 * path_73.h.z().abs())))));
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_76.h.x().abs() + (_e63 * (path_76.h.y().abs() + (_e67 * path_76.h.z().abs())))));
                     let _e77 = t_35;
                     next_3 = _e77.max(end_16);
                     slope_3 = rt::Scalar(-1f32);
@@ -14620,22 +14859,22 @@ impl<'g> Resources<'g> {
                     }
                     let _e90 = local_87;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_16.elementwise_lt(rt::Scalar(path_73.exit))) {
+                        if rt::Scalar::into_branch_condition(end_16.elementwise_lt(rt::Scalar(path_76.exit))) {
                             let _e93 = cell_32;
                             let _e94 = self.v_whole_cell(_e93);
-                            let _e95 = self.v_frustum_slope(path_73, _e94, forward_3);
+                            let _e95 = self.v_frustum_slope(path_76, _e94, forward_3);
                             slope_3 = _e95;
                             let _e96 = slope_3;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_13;
-                                let _e101 = self.v_map_read(path_73, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_76, rt::Scalar(1u32));
                                 cost_13 = (_e99 + _e101);
                             }
                         }
                     } else {
                         let _e103 = cell_32;
                         let _e104 = t_35;
-                        let _e105 = self.v_gap_to(path_73, _e2, _e103, _e30, _e104);
+                        let _e105 = self.v_gap_to(path_76, _e2, _e103, _e30, _e104);
                         let _e106 = self.v_falls_in_cell(_e105, span_11);
                         if rt::Scalar::into_branch_condition(_e106) {
                             let _e107 = t_35;
@@ -14655,7 +14894,7 @@ impl<'g> Resources<'g> {
                         let _e137 = slope_3;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e137) * far_15));
                         let _e143 = t_35;
-                        let rest_11 = (rt::Scalar(path_73.exit) - _e143);
+                        let rest_11 = (rt::Scalar(path_76.exit) - _e143);
                         let _e145 = slope_3;
                         let _e150 = self.v_stays_above(above_10, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_11);
                         let _e151 = slope_3;
@@ -14665,10 +14904,10 @@ impl<'g> Resources<'g> {
                         next_3 = _e157.max((_e158 + _e150.min(_e156)));
                     }
                     let _e162 = next_3;
-                    if rt::Scalar::into_branch_condition(_e162.elementwise_ge(rt::Scalar(path_73.exit))) {
+                    if rt::Scalar::into_branch_condition(_e162.elementwise_ge(rt::Scalar(path_76.exit))) {
                         let _e166 = t_35;
                         let _e168 = cost_13;
-                        return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                        return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                     }
                     let _e172 = slope_3;
                     if rt::Scalar::into_branch_condition(_e172.elementwise_ge(rt::Scalar(0f32))) {
@@ -14688,7 +14927,7 @@ impl<'g> Resources<'g> {
         }
         let _e182 = t_35;
         let _e184 = cost_13;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_73.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
     }
     pub(crate) fn nearest_corner(&self, at_116: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_nearest_corner(rt::into(at_116)))
@@ -14700,19 +14939,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn stays_inside(
         &self,
-        path_74: Path,
+        path_77: Path,
         grid_8: Grid,
         offset_6: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_4: impl rt::Into<rt::Scalar<f32>>,
         t_36: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_74, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_36)))
+        rt::into(self.v_stays_inside(path_77, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_stays_inside(
         &self,
-        path_74: Path,
+        path_77: Path,
         grid_8: Grid,
         offset_6: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
@@ -14723,12 +14962,12 @@ impl<'g> Resources<'g> {
         let mut local_88: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_12 = (rt::Scalar(path_74.exit) - t_36);
-        let _e8 = self.v_path_height(path_74, t_36);
+        let rest_12 = (rt::Scalar(path_77.exit) - t_36);
+        let _e8 = self.v_path_height(path_77, t_36);
         let height_26 = (_e8 - apex);
-        let terms = (path_74.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_74.exit)) * path_74.h.z().abs()));
-        let _e21 = self.v_path_slope(path_74, t_36);
-        let rise_6 = ((_e21 + (path_74.h.z().min(rt::Scalar(0f32)) * rest_12)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let terms = (path_77.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_77.exit)) * path_77.h.z().abs()));
+        let _e21 = self.v_path_slope(path_77, t_36);
+        let rise_6 = ((_e21 + (path_77.h.z().min(rt::Scalar(0f32)) * rest_12)) - (rt::Scalar(0.0000009536743f32) * terms));
         most_1 = rest_12;
         if rt::Scalar::into_branch_condition(rise_6.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most_1;
@@ -14736,12 +14975,12 @@ impl<'g> Resources<'g> {
         }
         let _e39 = most_1;
         let end_17 = (t_36 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_74.level));
+        let _e52 = self.v_height_size(rt::Scalar(path_77.level));
         let far_16 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_17)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_74.h.x().abs() + (end_17 * (path_74.h.y().abs() + (end_17 * path_74.h.z().abs())))));
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_77.h.x().abs() + (end_17 * (path_77.h.y().abs() + (end_17 * path_77.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_16.x() + far_16.y())));
         let gap_5 = (height_26 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_74.level));
+        let _e85 = self.v_height_size(rt::Scalar(path_77.level));
         let aside_7 = (((grid_8.origin - offset_6) + (grid_8.step * t_36)) / _e85);
         let c_30 = (((slope_4 * aside_7.length()) - gap_5) * ((slope_4 * aside_7.length()) + gap_5));
         if rt::Scalar::into_branch_condition((!gap_5.elementwise_le(rt::Scalar(0f32)))) {
@@ -14753,16 +14992,16 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_45 = (((slope_4 * slope_4) * aside_7.dot(path_74.duv)) - (gap_5 * rise_6));
-        let a_45 = (((slope_4 * slope_4) * path_74.duv.dot(path_74.duv)) - (rise_6 * rise_6));
+        let b_45 = (((slope_4 * slope_4) * aside_7.dot(path_77.duv)) - (gap_5 * rise_6));
+        let a_45 = (((slope_4 * slope_4) * path_77.duv.dot(path_77.duv)) - (rise_6 * rise_6));
         let discriminant_5 = ((b_45 * b_45) - (a_45 * c_30));
         if rt::Scalar::into_branch_condition(discriminant_5.elementwise_ge(rt::Scalar(0f32))) {
-            let root_6 = discriminant_5.sqrt();
+            let root_7 = discriminant_5.sqrt();
             if rt::Scalar::into_branch_condition(b_45.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_30) / (b_45 + root_6));
+                leave_6 = ((rt::Scalar(0f32) - c_30) / (b_45 + root_7));
             } else {
                 if rt::Scalar::into_branch_condition(a_45.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_6 - b_45) / a_45);
+                    leave_6 = ((root_7 - b_45) / a_45);
                 }
             }
         }
@@ -14771,7 +15010,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_7 + (path_74.duv * _e139)).length()) + lost_2).elementwise_le((height_26 + (rise_6 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_7 + (path_77.duv * _e139)).length()) + lost_2).elementwise_le((height_26 + (rise_6 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -14779,27 +15018,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_75: Path,
-        params_96: impl rt::Into<rt::Vec4<f32>>,
+        path_78: Path,
+        params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cone(path_75, rt::into(params_96)))
+        rt::into(self.v_search_cone(path_78, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cone(
         &self,
-        path_75: Path,
-        params_96: rt::Vec4<f32>,
+        path_78: Path,
+        params_98: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_33: rt::Vec2<f32>;
         let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_75);
+        let _e2 = self.v_grid_of(path_78);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_33 = _e9;
-        let limit_6 = params_96.x().to_u32();
+        let limit_6 = params_98.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_14.x();
@@ -14814,12 +15053,12 @@ impl<'g> Resources<'g> {
                     let first_26 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_33;
                     let _e28 = self.v_whole_cell(_e27);
-                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_75.level));
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_78.level));
                     let _e31 = cost_14;
                     cost_14 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_33;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_18 = _e35.x().min(_e35.y()).min(rt::Scalar(path_75.exit));
+                    let end_18 = _e35.x().min(_e35.y()).min(rt::Scalar(path_78.exit));
                     let _e41 = t_37;
                     let span_12 = (end_18 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_33;
@@ -14830,18 +15069,18 @@ impl<'g> Resources<'g> {
                     let _e54 = t_37;
                     next_4 = _e54;
                     let _e56 = t_37;
-                    let _e57 = self.v_path_height(path_75, _e56);
+                    let _e57 = self.v_path_height(path_78, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_33;
-                        let texel_9 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_75, texel_9);
+                        let texel_11 = (_e59 + _e52);
+                        let _e61 = self.v_cone_slope(path_78, texel_11);
                         let _e62 = cost_14;
-                        let _e64 = self.v_map_read(path_75, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_78, rt::Scalar(1u32));
                         cost_14 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
                             let _e68 = t_37;
                             let _e69 = t_37;
-                            let _e70 = self.v_stays_inside(path_75, _e2, texel_9, _e53, _e61, _e69);
+                            let _e70 = self.v_stays_inside(path_78, _e2, texel_11, _e53, _e61, _e69);
                             next_4 = (_e68 + _e70);
                         }
                     }
@@ -14849,7 +15088,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_18)) {
                         let _e74 = cell_33;
                         let _e75 = t_37;
-                        let _e76 = self.v_gap_to(path_75, _e2, _e74, _e30, _e75);
+                        let _e76 = self.v_gap_to(path_78, _e2, _e74, _e30, _e75);
                         let _e77 = self.v_falls_in_cell(_e76, span_12);
                         if rt::Scalar::into_branch_condition(_e77) {
                             let _e78 = t_37;
@@ -14861,10 +15100,10 @@ impl<'g> Resources<'g> {
                         next_4 = _e81.max(end_18);
                     }
                     let _e83 = next_4;
-                    if rt::Scalar::into_branch_condition(_e83.elementwise_ge(rt::Scalar(path_75.exit))) {
+                    if rt::Scalar::into_branch_condition(_e83.elementwise_ge(rt::Scalar(path_78.exit))) {
                         let _e87 = t_37;
                         let _e89 = cost_14;
-                        return <SearchResult>::new(FOUND_MISS, _e87, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <SearchResult>::new(FOUND_MISS, _e87, rt::Scalar(path_78.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     let _e93 = cell_33;
                     let _e94 = next_4;
@@ -14877,23 +15116,23 @@ impl<'g> Resources<'g> {
         }
         let _e98 = t_37;
         let _e100 = cost_14;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e98, rt::Scalar(path_75.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e100);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e98, rt::Scalar(path_78.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e100);
     }
     pub(crate) fn node_extent(
         &self,
         cell_34: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
-        n_13: impl rt::Into<rt::Scalar<i32>>,
+        n_15: impl rt::Into<rt::Scalar<i32>>,
         level_51: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_34), rt::into(image_10), rt::into(n_13), rt::into(level_51)))
+        rt::into(self.v_node_extent(rt::into(cell_34), rt::into(image_10), rt::into(n_15), rt::into(level_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_node_extent(
         &self,
         cell_34: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
-        n_13: rt::Scalar<i32>,
+        n_15: rt::Scalar<i32>,
         level_51: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_89: rt::Scalar<bool>;
@@ -14901,12 +15140,12 @@ impl<'g> Resources<'g> {
         let first_27 = ((image_10.x() >> level_51) << level_51);
         let side_11 = (rt::Scalar(1i32) << level_51);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_9 = (cell_34 - (image_10.x() - first_27));
-            return <rt::Vec2<i32>>::from_scalars(low_9, (low_9 + side_11.min((n_13 - first_27))));
+            let low_8 = (cell_34 - (image_10.x() - first_27));
+            return <rt::Vec2<i32>>::from_scalars(low_8, (low_8 + side_11.min((n_15 - first_27))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_6 = ((cell_34 + (image_10.x() - first_27)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_6 - side_11.min(((n_13 - rt::Scalar(1i32)) - first_27))), high_6);
+            let high_5 = ((cell_34 + (image_10.x() - first_27)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high_5 - side_11.min(((n_15 - rt::Scalar(1i32)) - first_27))), high_5);
         }
         if rt::Scalar::into_branch_condition(level_51.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
@@ -14916,7 +15155,7 @@ impl<'g> Resources<'g> {
         }
         let _e43 = local_89;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_13, cell_34.elementwise_ge(n_13)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_34.elementwise_ge(n_13)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_15, cell_34.elementwise_ge(n_15)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_34.elementwise_ge(n_15)));
         }
         return <rt::Vec2<i32>>::from_scalars(cell_34, (cell_34 + rt::Scalar(1i32)));
     }
@@ -14946,16 +15185,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_76: Path,
-        params_97: impl rt::Into<rt::Vec4<f32>>,
+        path_79: Path,
+        params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_pyramid(path_76, rt::into(params_97)))
+        rt::into(self.v_search_pyramid(path_79, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_pyramid(
         &self,
-        path_76: Path,
-        params_97: rt::Vec4<f32>,
+        path_79: Path,
+        params_99: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_52: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -14967,9 +15206,9 @@ impl<'g> Resources<'g> {
         let mut local_91: rt::Scalar<bool>;
         let mut local_92: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_76);
-        let _e4 = self.v_height_texels(rt::Scalar(path_76.level));
-        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_76.exit));
+        let _e2 = self.v_grid_of(path_79);
+        let _e4 = self.v_height_texels(rt::Scalar(path_79.level));
+        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_79.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -14990,7 +15229,7 @@ impl<'g> Resources<'g> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_35 = _e37.to_i32();
-        let limit_7 = params_97.x().to_u32();
+        let limit_7 = params_99.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_15.x();
@@ -15043,10 +15282,10 @@ impl<'g> Resources<'g> {
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_19 = _e117.min(_e122).min(rt::Scalar(path_76.exit));
+                    let end_19 = _e117.min(_e122).min(rt::Scalar(path_79.exit));
                     let _e126 = t_38;
                     let span_13 = (end_19 - _e126).max(rt::Scalar(0f32));
-                    let low_10 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
+                    let low_9 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_13 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_52;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
@@ -15054,9 +15293,9 @@ impl<'g> Resources<'g> {
                         cost_15 = (_e143 + HEIGHTS_READ);
                         let _e146 = cell_35;
                         let _e148 = cell_35;
-                        let _e150 = self.v_object_cell_stage(_e148, rt::Scalar(path_76.level));
+                        let _e150 = self.v_object_cell_stage(_e148, rt::Scalar(path_79.level));
                         let _e151 = t_38;
-                        let _e152 = self.v_gap_to(path_76, _e2, _e146.to_f32(), _e150, _e151);
+                        let _e152 = self.v_gap_to(path_79, _e2, _e146.to_f32(), _e150, _e151);
                         let _e153 = self.v_falls_in_cell(_e152, span_13);
                         if rt::Scalar::into_branch_condition(_e153) {
                             let _e154 = t_38;
@@ -15067,22 +15306,22 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e160 = cost_15;
-                        let _e162 = self.v_map_read(path_76, rt::Scalar(1u32));
+                        let _e162 = self.v_map_read(path_79, rt::Scalar(1u32));
                         cost_15 = (_e160 + _e162);
                         let _e165 = level_52;
                         let _e168 = level_52;
                         let node_2 = <rt::Vec2<i32>>::from_scalars((place_44.x() >> _e165), (place_44.y() >> _e168));
                         let _e172 = level_52;
-                        let _e178 = self.v_search_texel(path_76, node_2, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_76.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e178 = self.v_search_texel(path_79, node_2, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_79.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
                         let _e180 = t_38;
                         let furthest = (_e180 + span_13);
-                        let rounded = (path_76.h.x().abs() + (furthest * (path_76.h.y().abs() + (furthest * path_76.h.z().abs()))));
+                        let rounded = (path_79.h.x().abs() + (furthest * (path_79.h.y().abs() + (furthest * path_79.h.z().abs()))));
                         let _e195 = t_38;
-                        let _e196 = self.v_path_height(path_76, _e195);
+                        let _e196 = self.v_path_height(path_79, _e195);
                         let _e201 = t_38;
-                        let _e202 = self.v_path_slope(path_76, _e201);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e196 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e202, path_76.h.z());
+                        let _e202 = self.v_path_slope(path_79, _e201);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e196 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e202, path_79.h.z());
                         let _e206 = self.v_falls_in_cell(gap_6, span_13);
                         if rt::Scalar::into_branch_condition(_e206) {
                             if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
@@ -15092,25 +15331,25 @@ impl<'g> Resources<'g> {
                             }
                             let _e216 = t_38;
                             let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
-                            cell_35 = _e219.to_i32().clamp(low_10, last_13);
+                            cell_35 = _e219.to_i32().clamp(low_9, last_13);
                             let _e222 = level_52;
                             level_52 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_19.elementwise_ge(rt::Scalar(path_76.exit))) {
+                    if rt::Scalar::into_branch_condition(end_19.elementwise_ge(rt::Scalar(path_79.exit))) {
                         let _e231 = t_38;
                         let _e233 = cost_15;
-                        return <SearchResult>::new(FOUND_MISS, _e231, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
+                        return <SearchResult>::new(FOUND_MISS, _e231, rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
                     }
                     let _e241 = self.v_cell_of((_e2.origin + (_e2.step * end_19)));
-                    cell_35 = _e241.to_i32().clamp(low_10, last_13);
+                    cell_35 = _e241.to_i32().clamp(low_9, last_13);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_19)) {
-                        cell_35.set_x((low_10.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_35.set_x((low_9.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_19)) {
-                        cell_35.set_y((low_10.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_35.set_y((low_9.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
                     let _e267 = level_52;
                     let _e272 = level_52;
@@ -15122,29 +15361,29 @@ impl<'g> Resources<'g> {
         }
         let _e280 = t_38;
         let _e282 = cost_15;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e280, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e282);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e280, rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e282);
     }
     pub(crate) fn texel_extent(
         &self,
-        texel_3: impl rt::Into<rt::Scalar<i32>>,
-        n_14: impl rt::Into<rt::Scalar<i32>>,
+        texel_4: impl rt::Into<rt::Scalar<i32>>,
+        n_16: impl rt::Into<rt::Scalar<i32>>,
         level_53: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_3), rt::into(n_14), rt::into(level_53)))
+        rt::into(self.v_texel_extent(rt::into(texel_4), rt::into(n_16), rt::into(level_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_texel_extent(
         &self,
-        texel_3: rt::Scalar<i32>,
-        n_14: rt::Scalar<i32>,
+        texel_4: rt::Scalar<i32>,
+        n_16: rt::Scalar<i32>,
         level_53: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_93: rt::Scalar<bool>;
 
-        let _e3 = self.v_wrap_index(texel_3, n_14);
+        let _e3 = self.v_wrap_index(texel_4, n_16);
         let first_28 = ((_e3 >> level_53) << level_53);
-        let last_14 = (first_28 + (rt::Scalar(1i32) << level_53)).min(n_14);
-        if rt::Scalar::into_branch_condition((!texel_3.elementwise_eq(_e3))) {
+        let last_14 = (first_28 + (rt::Scalar(1i32) << level_53)).min(n_16);
+        if rt::Scalar::into_branch_condition((!texel_4.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_93 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
@@ -15152,45 +15391,45 @@ impl<'g> Resources<'g> {
         }
         let _e20 = local_93;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_3 - _e3) + first_28), ((texel_3 - _e3) + last_14));
+            return <rt::Vec2<i32>>::from_scalars(((texel_4 - _e3) + first_28), ((texel_4 - _e3) + last_14));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
-            let period_4 = (rt::Scalar(2i32) * n_14);
-            let folded_1 = (((texel_3 % period_4) + period_4) % period_4);
-            if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_14)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_3 - _e3) + first_28), ((texel_3 - _e3) + last_14));
+            let period_4 = (rt::Scalar(2i32) * n_16);
+            let folded_1 = (((texel_4 % period_4) + period_4) % period_4);
+            if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_16)) {
+                return <rt::Vec2<i32>>::from_scalars(((texel_4 - _e3) + first_28), ((texel_4 - _e3) + last_14));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_3 + _e3) - last_14) + rt::Scalar(1i32)), (((texel_3 + _e3) - first_28) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_4 + _e3) - last_14) + rt::Scalar(1i32)), (((texel_4 + _e3) - first_28) + rt::Scalar(1i32)));
         }
-        return <rt::Vec2<i32>>::from_scalars(texel_3, (texel_3 + rt::Scalar(1i32)));
+        return <rt::Vec2<i32>>::from_scalars(texel_4, (texel_4 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_77: Path,
-        params_98: impl rt::Into<rt::Vec4<f32>>,
+        path_80: Path,
+        params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_pyramid_texels(path_77, rt::into(params_98)))
+        rt::into(self.v_search_pyramid_texels(path_80, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_pyramid_texels(
         &self,
-        path_77: Path,
-        params_98: rt::Vec4<f32>,
+        path_80: Path,
+        params_100: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut level_54: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut texel_4: rt::Vec2<i32>;
+        let mut texel_5: rt::Vec2<i32>;
         let mut t_39: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_77.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_77.level));
-        let origin_8 = (path_77.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_77.level));
-        let step_8 = (path_77.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_80.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_80.level));
+        let origin_8 = (path_80.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_80.level));
+        let step_8 = (path_80.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_54;
@@ -15205,11 +15444,11 @@ impl<'g> Resources<'g> {
             }
         }
         let _e24 = self.v_cell_of(origin_8);
-        texel_4 = _e24.to_i32();
-        let limit_8 = params_98.x().to_u32();
+        texel_5 = _e24.to_i32();
+        let limit_8 = params_100.x().to_u32();
         let _e35 = level_54;
-        finest_1 = params_98.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_77.ray).elementwise_eq(RAY_SHADOW)) {
+        finest_1 = params_100.y().to_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_80.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -15222,9 +15461,9 @@ impl<'g> Resources<'g> {
                 {
                     let _e45 = cost_16;
                     cost_16 = (_e45 + STEP);
-                    let _e49 = texel_4.x();
+                    let _e49 = texel_5.x();
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
-                    let _e53 = texel_4.y();
+                    let _e53 = texel_5.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
                     let place_45 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
@@ -15239,36 +15478,36 @@ impl<'g> Resources<'g> {
                         let _e73 = level_54;
                         let node_3 = <rt::Vec2<i32>>::from_scalars((place_45.x() >> _e70), (place_45.y() >> _e73));
                         let _e76 = cost_16;
-                        let _e78 = self.v_map_read(path_77, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_80, rt::Scalar(1u32));
                         cost_16 = (_e76 + _e78);
                         let _e81 = level_54;
-                        let _e85 = self.v_search_texel(path_77, node_3, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_80, node_3, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
-                    let _e88 = texel_4.x();
+                    let _e88 = texel_5.x();
                     let _e90 = level_54;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
-                    let _e93 = texel_4.y();
+                    let _e93 = texel_5.y();
                     let _e95 = level_54;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_8.x(), step_8.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_8.y(), step_8.y(), _e96);
                     let leave_9 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
                     let _e109 = t_39;
-                    let end_20 = leave_9.x().min(leave_9.y()).min(rt::Scalar(path_77.exit)).max(_e109);
+                    let end_20 = leave_9.x().min(leave_9.y()).min(rt::Scalar(path_80.exit)).max(_e109);
                     let _e111 = t_39;
-                    let _e112 = self.v_path_height(path_77, _e111);
+                    let _e112 = self.v_path_height(path_80, _e111);
                     let _e113 = highest;
                     let _e115 = t_39;
-                    let _e116 = self.v_path_slope(path_77, _e115);
-                    let gap_7 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_77.h.z());
+                    let _e116 = self.v_path_slope(path_80, _e115);
+                    let gap_7 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_80.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_7.x().elementwise_gt(rt::Scalar(0f32))) {
                         let _e125 = t_39;
                         let _e127 = self.v_first_root(gap_7, (end_20 - _e125));
                         sinks = _e127;
                     }
-                    let low_11 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
+                    let low_10 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
                     let last_15 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
@@ -15286,20 +15525,20 @@ impl<'g> Resources<'g> {
                         level_54 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_39;
                         let _e160 = self.v_cell_of((origin_8 + (step_8 * _e157)));
-                        texel_4 = _e160.to_i32().clamp(low_11, last_15);
+                        texel_5 = _e160.to_i32().clamp(low_10, last_15);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_20.elementwise_ge(rt::Scalar(path_77.exit))) {
+                        if rt::Scalar::into_branch_condition(end_20.elementwise_ge(rt::Scalar(path_80.exit))) {
                             let _e166 = t_39;
                             let _e168 = cost_16;
-                            return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_77.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_80.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_8 + (step_8 * end_20)));
-                        texel_4 = _e174.to_i32().clamp(low_11, last_15);
+                        texel_5 = _e174.to_i32().clamp(low_10, last_15);
                         if rt::Scalar::into_branch_condition(leave_9.x().elementwise_le(end_20)) {
-                            texel_4.set_x((low_11.x() - rt::Scalar(1i32)).select(_e91.y(), step_8.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_5.set_x((low_10.x() - rt::Scalar(1i32)).select(_e91.y(), step_8.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_9.y().elementwise_le(end_20)) {
-                            texel_4.set_y((low_11.y() - rt::Scalar(1i32)).select(_e96.y(), step_8.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_5.set_y((low_10.y() - rt::Scalar(1i32)).select(_e96.y(), step_8.y().elementwise_gt(rt::Scalar(0f32))));
                         }
                         t_39 = end_20;
                     }
@@ -15308,7 +15547,7 @@ impl<'g> Resources<'g> {
         }
         let _e200 = t_39;
         let _e202 = cost_16;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_77.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_80.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -15334,16 +15573,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_78: Path,
-        params_99: impl rt::Into<rt::Vec4<f32>>,
+        path_81: Path,
+        params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_dilation_erosion(path_78, rt::into(params_99)))
+        rt::into(self.v_search_dilation_erosion(path_81, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_dilation_erosion(
         &self,
-        path_78: Path,
-        params_99: rt::Vec4<f32>,
+        path_81: Path,
+        params_101: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_37: rt::Vec2<f32>;
         let mut t_40: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15356,12 +15595,12 @@ impl<'g> Resources<'g> {
         let mut local_96: rt::Scalar<bool>;
         let mut local_97: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_78);
-        let _e4 = self.v_height_texels(rt::Scalar(path_78.level));
+        let _e2 = self.v_grid_of(path_81);
+        let _e4 = self.v_height_texels(rt::Scalar(path_81.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_37 = _e11;
-        let limit_9 = params_99.x().to_u32();
+        let limit_9 = params_101.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_17.x();
@@ -15374,12 +15613,12 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e24 + STEP);
                     let _e27 = cell_37;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_21 = _e28.x().min(_e28.y()).min(rt::Scalar(path_78.exit));
+                    let end_21 = _e28.x().min(_e28.y()).min(rt::Scalar(path_81.exit));
                     let _e34 = t_40;
                     let span_14 = (end_21 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_40;
                     next_5 = _e38;
-                    looks = params_99.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_101.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e44 = cell_37;
                     let _e45 = self.v_whole_cell(_e44);
                     let _e48 = self.v_image_of(_e45.x(), _e4.x());
@@ -15393,22 +15632,22 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e62) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e70 = self.v_search_texel(path_78, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_78.level).to_i32());
+                        let _e70 = self.v_search_texel(path_81, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_81.level).to_i32());
                         let _e71 = cost_17;
-                        let _e73 = self.v_map_read(path_78, rt::Scalar(1u32));
+                        let _e73 = self.v_map_read(path_81, rt::Scalar(1u32));
                         cost_17 = (_e71 + _e73);
                         let _e75 = cell_37;
-                        let _e77 = self.v_leaves_window(_e2, _e75, params_99.z());
+                        let _e77 = self.v_leaves_window(_e2, _e75, params_101.z());
                         let _e80 = t_40;
-                        let reach_6 = (_e77.min(rt::Scalar(path_78.exit)) - _e80).max(rt::Scalar(0f32));
+                        let reach_6 = (_e77.min(rt::Scalar(path_81.exit)) - _e80).max(rt::Scalar(0f32));
                         let _e84 = t_40;
                         let furthest_1 = (_e84 + reach_6);
-                        let rounded_1 = (path_78.h.x().abs() + (furthest_1 * (path_78.h.y().abs() + (furthest_1 * path_78.h.z().abs()))));
+                        let rounded_1 = (path_81.h.x().abs() + (furthest_1 * (path_81.h.y().abs() + (furthest_1 * path_81.h.z().abs()))));
                         let _e99 = t_40;
-                        let _e100 = self.v_path_height(path_78, _e99);
+                        let _e100 = self.v_path_height(path_81, _e99);
                         let _e106 = t_40;
-                        let _e107 = self.v_path_slope(path_78, _e106);
-                        let gap_8 = <rt::Vec3<f32>>::from_scalars(((_e100 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e107, path_78.h.z());
+                        let _e107 = self.v_path_slope(path_81, _e106);
+                        let gap_8 = <rt::Vec3<f32>>::from_scalars(((_e100 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e107, path_81.h.z());
                         if rt::Scalar::into_branch_condition(gap_8.x().elementwise_gt(rt::Scalar(0f32))) {
                             let _e114 = t_40;
                             safe_ = _e114;
@@ -15431,7 +15670,7 @@ impl<'g> Resources<'g> {
                         }
                         let _e132 = local_95;
                         if rt::Scalar::into_branch_condition(_e132) {
-                            let _e135 = self.v_path_height(path_78, end_21);
+                            let _e135 = self.v_path_height(path_81, end_21);
                             local_96 = _e135.elementwise_lt(_e70.x());
                         } else {
                             local_96 = rt::Scalar(false);
@@ -15440,7 +15679,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e139) {
                             let _e140 = safe_;
                             let _e141 = cost_17;
-                            let _e142 = self.v_bracket_between(path_78, _e140, end_21, _e141);
+                            let _e142 = self.v_bracket_between(path_81, _e140, end_21, _e141);
                             return _e142;
                         }
                     }
@@ -15457,10 +15696,10 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e153) {
                             let _e154 = cost_17;
                             cost_17 = (_e154 + HEIGHTS_READ);
-                            let _e158 = self.v_height_cell(_e45, rt::Scalar(path_78.level));
+                            let _e158 = self.v_height_cell(_e45, rt::Scalar(path_81.level));
                             let _e159 = cell_37;
                             let _e160 = t_40;
-                            let _e161 = self.v_gap_to(path_78, _e2, _e159, _e158, _e160);
+                            let _e161 = self.v_gap_to(path_81, _e2, _e159, _e158, _e160);
                             let _e162 = self.v_falls_in_cell(_e161, span_14);
                             if rt::Scalar::into_branch_condition(_e162) {
                                 let _e163 = t_40;
@@ -15474,10 +15713,10 @@ impl<'g> Resources<'g> {
                         next_5 = _e169.max(end_21);
                     }
                     let _e171 = next_5;
-                    if rt::Scalar::into_branch_condition(_e171.elementwise_ge(rt::Scalar(path_78.exit))) {
+                    if rt::Scalar::into_branch_condition(_e171.elementwise_ge(rt::Scalar(path_81.exit))) {
                         let _e175 = t_40;
                         let _e177 = cost_17;
-                        return <SearchResult>::new(FOUND_MISS, _e175, rt::Scalar(path_78.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e177);
+                        return <SearchResult>::new(FOUND_MISS, _e175, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e177);
                     }
                     let _e181 = cell_37;
                     let _e182 = next_5;
@@ -15490,20 +15729,20 @@ impl<'g> Resources<'g> {
         }
         let _e186 = t_40;
         let _e188 = cost_17;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e186, rt::Scalar(path_78.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e186, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_79: Path,
-        params_100: impl rt::Into<rt::Vec4<f32>>,
+        path_82: Path,
+        params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_sphere(path_79, rt::into(params_100)))
+        rt::into(self.v_search_sphere(path_82, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_sphere(
         &self,
-        path_79: Path,
-        params_100: rt::Vec4<f32>,
+        path_82: Path,
+        params_102: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_38: rt::Vec2<f32>;
         let mut t_41: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15511,19 +15750,19 @@ impl<'g> Resources<'g> {
         let mut next_6: rt::Scalar<f32>;
         let mut local_98: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_79);
+        let _e2 = self.v_grid_of(path_82);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_79, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_79, rt::Scalar(path_79.exit));
+        let _e9 = self.v_path_slope(path_82, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_82, rt::Scalar(path_82.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_79.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_82.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_17 = (path_79.uv.abs() + (path_79.duv.abs() * rt::Scalar(path_79.exit)));
-        let height_terms = (path_79.h.x().abs() + (rt::Scalar(path_79.exit) * (path_79.h.y().abs() + (rt::Scalar(path_79.exit) * path_79.h.z().abs()))));
+        let far_17 = (path_82.uv.abs() + (path_82.duv.abs() * rt::Scalar(path_82.exit)));
+        let height_terms = (path_82.h.x().abs() + (rt::Scalar(path_82.exit) * (path_82.h.y().abs() + (rt::Scalar(path_82.exit) * path_82.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_17.x() + far_17.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_38 = _e52;
-        let limit_10 = params_100.x().to_u32();
+        let limit_10 = params_102.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_18.x();
@@ -15536,18 +15775,18 @@ impl<'g> Resources<'g> {
                     cost_18 = (_e63 + STEP);
                     let _e66 = cell_38;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_22 = _e67.x().min(_e67.y()).min(rt::Scalar(path_79.exit));
+                    let end_22 = _e67.x().min(_e67.y()).min(rt::Scalar(path_82.exit));
                     let _e73 = t_41;
                     let span_15 = (end_22 - _e73).max(rt::Scalar(0f32));
                     let _e77 = t_41;
-                    let _e78 = self.v_path_uv(path_79, _e77);
+                    let _e78 = self.v_path_uv(path_82, _e77);
                     let _e79 = t_41;
-                    let _e80 = self.v_path_height(path_79, _e79);
-                    let _e82 = self.v_distance_at(path_79, _e78, _e80, params_100.z());
+                    let _e80 = self.v_path_height(path_82, _e79);
+                    let _e82 = self.v_distance_at(path_82, _e78, _e80, params_102.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_18;
-                    let _e86 = self.v_map_read(path_79, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_79, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_82, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_82, rt::Scalar(4u32));
                     cost_18 = ((_e84 + _e86) + _e89);
                     let _e91 = t_41;
                     next_6 = _e91;
@@ -15555,13 +15794,13 @@ impl<'g> Resources<'g> {
                         let _e95 = t_41;
                         next_6 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_100.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_102.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_6;
                         let _e102 = t_41;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_79.exit))))) {
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_82.exit))))) {
                             let _e110 = t_41;
                             let _e112 = cost_18;
-                            return <SearchResult>::new(FOUND_ABOVE, _e110, rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <SearchResult>::new(FOUND_ABOVE, _e110, rt::Scalar(path_82.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_6;
@@ -15578,9 +15817,9 @@ impl<'g> Resources<'g> {
                             let _e129 = cell_38;
                             let _e130 = cell_38;
                             let _e131 = self.v_whole_cell(_e130);
-                            let _e133 = self.v_height_cell(_e131, rt::Scalar(path_79.level));
+                            let _e133 = self.v_height_cell(_e131, rt::Scalar(path_82.level));
                             let _e134 = t_41;
-                            let _e135 = self.v_gap_to(path_79, _e2, _e129, _e133, _e134);
+                            let _e135 = self.v_gap_to(path_82, _e2, _e129, _e133, _e134);
                             let _e136 = self.v_falls_in_cell(_e135, span_15);
                             if rt::Scalar::into_branch_condition(_e136) {
                                 let _e137 = t_41;
@@ -15594,10 +15833,10 @@ impl<'g> Resources<'g> {
                         }
                     }
                     let _e145 = next_6;
-                    if rt::Scalar::into_branch_condition(_e145.elementwise_ge(rt::Scalar(path_79.exit))) {
+                    if rt::Scalar::into_branch_condition(_e145.elementwise_ge(rt::Scalar(path_82.exit))) {
                         let _e149 = t_41;
                         let _e151 = cost_18;
-                        return <SearchResult>::new(FOUND_MISS, _e149, rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+                        return <SearchResult>::new(FOUND_MISS, _e149, rt::Scalar(path_82.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
                     }
                     let _e155 = cell_38;
                     let _e156 = next_6;
@@ -15610,20 +15849,20 @@ impl<'g> Resources<'g> {
         }
         let _e160 = t_41;
         let _e162 = cost_18;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e160, rt::Scalar(path_79.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e162);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e160, rt::Scalar(path_82.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e162);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_80: Path,
-        params_101: impl rt::Into<rt::Vec4<f32>>,
+        path_83: Path,
+        params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cone_moved(path_80, rt::into(params_101)))
+        rt::into(self.v_search_cone_moved(path_83, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cone_moved(
         &self,
-        path_80: Path,
-        params_101: rt::Vec4<f32>,
+        path_83: Path,
+        params_103: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut t_42: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15632,11 +15871,11 @@ impl<'g> Resources<'g> {
         let mut k_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_99: rt::Scalar<bool>;
 
-        let aside_8 = path_80.duv.length();
+        let aside_8 = path_83.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_30;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_101.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_103.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -15644,7 +15883,7 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_19;
                     cost_19 = (_e17 + STEP);
                     let _e20 = t_42;
-                    let _e21 = self.v_path_gap(path_80, _e20);
+                    let _e21 = self.v_path_gap(path_83, _e20);
                     let _e22 = cost_19;
                     cost_19 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
@@ -15669,37 +15908,37 @@ impl<'g> Resources<'g> {
                     near_6 = _e47;
                     near_gap_3 = _e21;
                     let _e48 = t_42;
-                    let _e49 = self.v_path_uv(path_80, _e48);
-                    let _e51 = self.v_search_texel_between(path_80, _e49, rt::Scalar(0i32));
+                    let _e49 = self.v_path_uv(path_83, _e48);
+                    let _e51 = self.v_search_texel_between(path_83, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_19;
-                    let _e56 = self.v_map_read(path_80, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_83, rt::Scalar(4u32));
                     cost_19 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e61 = t_42;
-                    let rest_13 = (rt::Scalar(path_80.exit) - _e61);
+                    let rest_13 = (rt::Scalar(path_83.exit) - _e61);
                     let _e63 = t_42;
-                    let _e64 = self.v_path_slope(path_80, _e63);
-                    let rise_7 = (_e64 + (path_80.h.z().min(rt::Scalar(0f32)) * rest_13));
-                    let terms_1 = (path_80.h.x().abs() + (rt::Scalar(path_80.exit) * (path_80.h.y().abs() + (rt::Scalar(path_80.exit) * path_80.h.z().abs()))));
-                    let far_18 = (((path_80.uv.abs() + (path_80.duv.abs() * rt::Scalar(path_80.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let _e64 = self.v_path_slope(path_83, _e63);
+                    let rise_7 = (_e64 + (path_83.h.z().min(rt::Scalar(0f32)) * rest_13));
+                    let terms_1 = (path_83.h.x().abs() + (rt::Scalar(path_83.exit) * (path_83.h.y().abs() + (rt::Scalar(path_83.exit) * path_83.h.z().abs()))));
+                    let far_18 = (((path_83.uv.abs() + (path_83.duv.abs() * rt::Scalar(path_83.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_18.x()) + far_18.y()));
                     let nearing = ((_e53 * aside_8) - rise_7);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
                         let _e112 = t_42;
                         let _e114 = cost_19;
-                        return <SearchResult>::new(FOUND_MISS, _e112, rt::Scalar(path_80.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <SearchResult>::new(FOUND_MISS, _e112, rt::Scalar(path_83.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
                     let _e118 = t_42;
                     t_42 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
                     let _e124 = t_42;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_80.exit))) {
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_83.exit))) {
                         let _e128 = near_6;
                         let _e130 = cost_19;
-                        return <SearchResult>::new(FOUND_MISS, _e128, rt::Scalar(path_80.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <SearchResult>::new(FOUND_MISS, _e128, rt::Scalar(path_83.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
                     let _e134 = k_30;
                     k_30 = (_e134 + rt::Scalar(1f32));
@@ -15708,22 +15947,22 @@ impl<'g> Resources<'g> {
         }
         let _e138 = t_42;
         let _e140 = t_42;
-        let _e141 = self.v_path_height(path_80, _e140);
+        let _e141 = self.v_path_height(path_83, _e140);
         let _e142 = cost_19;
-        return <SearchResult>::new(FOUND_ABOVE, _e138, rt::Scalar(path_80.exit), _e141, rt::Scalar(0f32), _e142);
+        return <SearchResult>::new(FOUND_ABOVE, _e138, rt::Scalar(path_83.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_81: Path,
-        params_102: impl rt::Into<rt::Vec4<f32>>,
+        path_84: Path,
+        params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_relaxed_cone(path_81, rt::into(params_102)))
+        rt::into(self.v_search_relaxed_cone(path_84, rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_relaxed_cone(
         &self,
-        path_81: Path,
-        params_102: rt::Vec4<f32>,
+        path_84: Path,
+        params_104: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_39: rt::Vec2<f32>;
         let mut t_43: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15736,16 +15975,16 @@ impl<'g> Resources<'g> {
         let mut next_7: rt::Scalar<f32>;
         let mut local_101: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_81);
+        let _e2 = self.v_grid_of(path_84);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_9 = path_81.duv.length();
-        let _e11 = self.v_path_slope(path_81, rt::Scalar(0f32));
-        let terms_2 = (path_81.h.x().abs() + (rt::Scalar(path_81.exit) * path_81.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_81.level));
-        let far_19 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_81.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_9 = path_84.duv.length();
+        let _e11 = self.v_path_slope(path_84, rt::Scalar(0f32));
+        let terms_2 = (path_84.h.x().abs() + (rt::Scalar(path_84.exit) * path_84.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_84.level));
+        let far_19 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_84.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_39 = _e36;
-        let limit_11 = params_102.x().to_u32();
+        let limit_11 = params_104.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_20.x();
@@ -15758,15 +15997,15 @@ impl<'g> Resources<'g> {
                     cost_20 = (_e51 + STEP);
                     let _e54 = cell_39;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_23 = _e55.x().min(_e55.y()).min(rt::Scalar(path_81.exit));
+                    let end_23 = _e55.x().min(_e55.y()).min(rt::Scalar(path_84.exit));
                     let _e61 = t_43;
                     let span_16 = (end_23 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_39;
                     let _e66 = cell_39;
                     let _e67 = self.v_whole_cell(_e66);
-                    let _e69 = self.v_height_cell(_e67, rt::Scalar(path_81.level));
+                    let _e69 = self.v_height_cell(_e67, rt::Scalar(path_84.level));
                     let _e70 = t_43;
-                    let _e71 = self.v_gap_to(path_81, _e2, _e65, _e69, _e70);
+                    let _e71 = self.v_gap_to(path_84, _e2, _e65, _e69, _e70);
                     let _e72 = cost_20;
                     cost_20 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
@@ -15784,7 +16023,7 @@ impl<'g> Resources<'g> {
                             let _e89 = t_43;
                             let _e90 = near_gap_4;
                             let _e92 = cost_20;
-                            let _e93 = self.v_entered_once(path_81, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_84, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
                         let _e94 = t_43;
@@ -15796,7 +16035,7 @@ impl<'g> Resources<'g> {
                     let _e100 = t_43;
                     start_2 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_102.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_104.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = self.v_falls_in_cell(_e71, span_16);
                         if rt::Scalar::into_branch_condition(_e107) {
                             let _e108 = t_43;
@@ -15811,10 +16050,10 @@ impl<'g> Resources<'g> {
                         gap = _e116;
                     }
                     let _e117 = start_2;
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_81.exit))) {
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_84.exit))) {
                         let _e121 = t_43;
                         let _e123 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, _e121, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
+                        return <SearchResult>::new(FOUND_MISS, _e121, rt::Scalar(path_84.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
                     }
                     let _e127 = start_2;
                     near_7 = _e127;
@@ -15824,9 +16063,9 @@ impl<'g> Resources<'g> {
                     let _e131 = cell_39;
                     let _e134 = start_2;
                     let _e137 = self.v_nearest_corner(((_e2.origin - _e131) + (_e2.step * _e134)));
-                    let _e139 = self.v_cone_slope(path_81, (_e129 + _e137));
+                    let _e139 = self.v_cone_slope(path_84, (_e129 + _e137));
                     let _e140 = cost_20;
-                    let _e142 = self.v_map_read(path_81, rt::Scalar(1u32));
+                    let _e142 = self.v_map_read(path_84, rt::Scalar(1u32));
                     cost_20 = (_e140 + _e142);
                     let _e144 = start_2;
                     next_7 = _e144;
@@ -15841,10 +16080,10 @@ impl<'g> Resources<'g> {
                             next_7 = (_e165 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_102.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_104.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e175 = next_7;
                         let _e176 = t_43;
-                        local_101 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_81.exit))));
+                        local_101 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_84.exit))));
                     } else {
                         local_101 = rt::Scalar(false);
                     }
@@ -15853,23 +16092,23 @@ impl<'g> Resources<'g> {
                         let _e186 = t_43;
                         let _e188 = gap;
                         let _e189 = cost_20;
-                        return <SearchResult>::new(FOUND_ABOVE, _e186, rt::Scalar(path_81.exit), _e188, rt::Scalar(0f32), _e189);
+                        return <SearchResult>::new(FOUND_ABOVE, _e186, rt::Scalar(path_84.exit), _e188, rt::Scalar(0f32), _e189);
                     }
                     let _e192 = next_7;
-                    if rt::Scalar::into_branch_condition(_e192.elementwise_ge(rt::Scalar(path_81.exit))) {
-                        let _e196 = self.v_path_gap(path_81, rt::Scalar(path_81.exit));
+                    if rt::Scalar::into_branch_condition(_e192.elementwise_ge(rt::Scalar(path_84.exit))) {
+                        let _e196 = self.v_path_gap(path_84, rt::Scalar(path_84.exit));
                         let _e197 = cost_20;
                         cost_20 = (_e197 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e196.elementwise_le(rt::Scalar(0f32))) {
                             let _e202 = start_2;
                             let _e204 = gap;
                             let _e205 = cost_20;
-                            let _e206 = self.v_entered_once(path_81, _e2, _e202, rt::Scalar(path_81.exit), _e204, _e196, _e205);
+                            let _e206 = self.v_entered_once(path_84, _e2, _e202, rt::Scalar(path_84.exit), _e204, _e196, _e205);
                             return _e206;
                         }
                         let _e208 = start_2;
                         let _e210 = cost_20;
-                        return <SearchResult>::new(FOUND_MISS, _e208, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
+                        return <SearchResult>::new(FOUND_MISS, _e208, rt::Scalar(path_84.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
                     }
                     let _e214 = cell_39;
                     let _e215 = next_7;
@@ -15882,20 +16121,20 @@ impl<'g> Resources<'g> {
         }
         let _e219 = t_43;
         let _e221 = cost_20;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e219, rt::Scalar(path_81.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e221);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e219, rt::Scalar(path_84.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e221);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_82: Path,
-        params_103: impl rt::Into<rt::Vec4<f32>>,
+        path_85: Path,
+        params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_relaxed_cone_resting(path_82, rt::into(params_103)))
+        rt::into(self.v_search_relaxed_cone_resting(path_85, rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_relaxed_cone_resting(
         &self,
-        path_82: Path,
-        params_103: rt::Vec4<f32>,
+        path_85: Path,
+        params_105: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_40: rt::Vec2<f32>;
         let mut t_44: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15905,11 +16144,11 @@ impl<'g> Resources<'g> {
         let mut local_102: rt::Scalar<bool>;
         let mut next_8: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_82);
+        let _e2 = self.v_grid_of(path_85);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_40 = _e9;
-        let limit_12 = params_103.x().to_u32();
+        let limit_12 = params_105.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_21.x();
@@ -15922,17 +16161,17 @@ impl<'g> Resources<'g> {
                     cost_21 = (_e24 + STEP);
                     let _e27 = cell_40;
                     let _e28 = self.v_whole_cell(_e27);
-                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_82.level));
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_85.level));
                     let _e31 = cost_21;
                     cost_21 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_40;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_24 = _e35.x().min(_e35.y()).min(rt::Scalar(path_82.exit));
+                    let end_24 = _e35.x().min(_e35.y()).min(rt::Scalar(path_85.exit));
                     let _e41 = t_44;
                     let span_17 = (end_24 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_40;
                     let _e46 = t_44;
-                    let _e47 = self.v_gap_to(path_82, _e2, _e45, _e30, _e46);
+                    let _e47 = self.v_gap_to(path_85, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_8;
                         let _e52 = t_44;
@@ -15948,7 +16187,7 @@ impl<'g> Resources<'g> {
                             let _e62 = t_44;
                             let _e63 = near_gap_5;
                             let _e65 = cost_21;
-                            let _e66 = self.v_entered_once(path_82, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_85, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
                         let _e67 = t_44;
@@ -15967,10 +16206,10 @@ impl<'g> Resources<'g> {
                     }
                     let _e80 = t_44;
                     let start_8 = _e80.max(end_24);
-                    if rt::Scalar::into_branch_condition(start_8.elementwise_ge(rt::Scalar(path_82.exit))) {
+                    if rt::Scalar::into_branch_condition(start_8.elementwise_ge(rt::Scalar(path_85.exit))) {
                         let _e85 = t_44;
                         let _e87 = cost_21;
-                        return <SearchResult>::new(FOUND_MISS, _e85, rt::Scalar(path_82.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
+                        return <SearchResult>::new(FOUND_MISS, _e85, rt::Scalar(path_85.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
                     }
                     near_8 = start_8;
                     let _e91 = self.v_quadratic(_e47, span_17);
@@ -15979,32 +16218,32 @@ impl<'g> Resources<'g> {
                     let _e98 = self.v_nearest_corner(((_e2.origin - _e93) + (_e2.step * start_8)));
                     let _e99 = self.v_corner_height(_e30, _e98);
                     next_8 = start_8;
-                    let _e101 = self.v_path_height(path_82, start_8);
+                    let _e101 = self.v_path_height(path_85, start_8);
                     if rt::Scalar::into_branch_condition(_e101.elementwise_gt(_e99)) {
                         let _e103 = cell_40;
-                        let texel_10 = (_e103 + _e98);
-                        let _e105 = self.v_cone_slope(path_82, texel_10);
+                        let texel_12 = (_e103 + _e98);
+                        let _e105 = self.v_cone_slope(path_85, texel_12);
                         let _e106 = cost_21;
-                        let _e108 = self.v_map_read(path_82, rt::Scalar(1u32));
+                        let _e108 = self.v_map_read(path_85, rt::Scalar(1u32));
                         cost_21 = (_e106 + _e108);
                         if rt::Scalar::into_branch_condition(_e105.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e112 = self.v_stays_inside(path_82, _e2, texel_10, _e99, _e105, start_8);
+                            let _e112 = self.v_stays_inside(path_85, _e2, texel_12, _e99, _e105, start_8);
                             next_8 = (start_8 + _e112);
                         }
                     }
                     let _e114 = next_8;
-                    if rt::Scalar::into_branch_condition(_e114.elementwise_ge(rt::Scalar(path_82.exit))) {
-                        let _e118 = self.v_path_gap(path_82, rt::Scalar(path_82.exit));
+                    if rt::Scalar::into_branch_condition(_e114.elementwise_ge(rt::Scalar(path_85.exit))) {
+                        let _e118 = self.v_path_gap(path_85, rt::Scalar(path_85.exit));
                         let _e119 = cost_21;
                         cost_21 = (_e119 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e118.elementwise_le(rt::Scalar(0f32))) {
                             let _e125 = near_gap_5;
                             let _e126 = cost_21;
-                            let _e127 = self.v_entered_once(path_82, _e2, start_8, rt::Scalar(path_82.exit), _e125, _e118, _e126);
+                            let _e127 = self.v_entered_once(path_85, _e2, start_8, rt::Scalar(path_85.exit), _e125, _e118, _e126);
                             return _e127;
                         }
                         let _e130 = cost_21;
-                        return <SearchResult>::new(FOUND_MISS, start_8, rt::Scalar(path_82.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <SearchResult>::new(FOUND_MISS, start_8, rt::Scalar(path_85.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
                     let _e134 = cell_40;
                     let _e135 = next_8;
@@ -16017,20 +16256,20 @@ impl<'g> Resources<'g> {
         }
         let _e139 = t_44;
         let _e141 = cost_21;
-        return <SearchResult>::new(FOUND_EXHAUSTED, _e139, rt::Scalar(path_82.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e141);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e139, rt::Scalar(path_85.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e141);
     }
     pub(crate) fn search_voxels(
         &self,
-        path_83: Path,
-        params_104: impl rt::Into<rt::Vec4<f32>>,
+        path_86: Path,
+        params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_voxels(path_83, rt::into(params_104)))
+        rt::into(self.v_search_voxels(path_86, rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_voxels(
         &self,
-        path_83: Path,
-        params_104: rt::Vec4<f32>,
+        path_86: Path,
+        params_106: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut has_turned_4: rt::Scalar<bool> = rt::Scalar(false);
         let mut t_45: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -16038,12 +16277,12 @@ impl<'g> Resources<'g> {
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut local_103: rt::Scalar<bool>;
 
-        let _e2 = self.v_voxel_path(path_83);
+        let _e2 = self.v_voxel_path(path_86);
         let _e3 = self.v_turning_point(_e2);
         let _e8 = t_45;
         let _e9 = self.v_voxel_place_on(_e2, _e8);
         cell_41 = _e9.floor();
-        let limit_13 = params_104.x().to_u32();
+        let limit_13 = params_106.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = cost_22.y();
@@ -16054,14 +16293,14 @@ impl<'g> Resources<'g> {
                 {
                     let _e19 = cell_41;
                     let _e21 = self.v_voxel_texel(_e19.to_i32());
-                    let _e24 = self.v_search_texel(path_83, _e21, rt::Scalar(0i32), rt::Scalar(0i32));
+                    let _e24 = self.v_search_texel(path_86, _e21, rt::Scalar(0i32), rt::Scalar(0i32));
                     let empty_1 = _e24.x();
                     let _e26 = cost_22;
-                    let _e30 = self.v_map_read(path_83, rt::Scalar(1u32));
+                    let _e30 = self.v_map_read(path_86, rt::Scalar(1u32));
                     cost_22 = ((_e26 + STEP) + _e30);
                     let reach_7 = (empty_1 - rt::Scalar(1f32)).max(rt::Scalar(0f32));
                     let _e39 = has_turned_4;
-                    let end_of_part_1 = _e3.min(rt::Scalar(path_83.exit)).select(rt::Scalar(path_83.exit), _e39);
+                    let end_of_part_1 = _e3.min(rt::Scalar(path_86.exit)).select(rt::Scalar(path_86.exit), _e39);
                     let _e41 = cell_41;
                     let _e42 = has_turned_4;
                     let _e43 = self.v_voxel_leave(_e2, _e41, reach_7, _e42);
@@ -16092,7 +16331,7 @@ impl<'g> Resources<'g> {
                             return <SearchResult>::new(status, _e84, far_20, rt::Scalar(_e61.gap), rt::Scalar(_e61.gap).min(rt::Scalar(0f32)), _e89);
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_25.elementwise_ge(rt::Scalar(path_83.exit))) {
+                    if rt::Scalar::into_branch_condition(end_25.elementwise_ge(rt::Scalar(path_86.exit))) {
                         let _e94 = cost_22;
                         return <SearchResult>::new(FOUND_MISS, end_25, end_25, rt::Scalar(1f32), rt::Scalar(1f32), _e94);
                     }
@@ -16119,20 +16358,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn way_to_solid(
         &self,
-        path_84: Path,
+        path_87: Path,
         place_31: impl rt::Into<rt::Vec3<f32>>,
         direction_5: impl rt::Into<rt::Vec3<f32>>,
-        params_105: impl rt::Into<rt::Vec4<f32>>,
+        params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> WayToSolid {
-        rt::into(self.v_way_to_solid(path_84, rt::into(place_31), rt::into(direction_5), rt::into(params_105)))
+        rt::into(self.v_way_to_solid(path_87, rt::into(place_31), rt::into(direction_5), rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_way_to_solid(
         &self,
-        path_84: Path,
+        path_87: Path,
         place_31: rt::Vec3<f32>,
         direction_5: rt::Vec3<f32>,
-        params_105: rt::Vec4<f32>,
+        params_107: rt::Vec4<f32>,
     ) -> WayToSolid {
         let mut sum_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut weights_4: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -16142,18 +16381,18 @@ impl<'g> Resources<'g> {
         let last_16 = (_e4.z() - rt::Scalar(1f32));
         let inside_7 = <rt::Vec3<f32>>::new_21(place_31.xy(), place_31.z().clamp(rt::Scalar(0f32), last_16));
         let first_29 = inside_7.floor();
-        let part_30 = (inside_7 - first_29);
+        let part_31 = (inside_7 - first_29);
         let _e15 = self.v_volume_size();
         let size_6 = _e15.xy().to_i32();
         let cell_45 = first_29.to_i32();
         let _e21 = self.v_wrap_pair(cell_45.x(), size_6.x());
         let _e24 = self.v_wrap_pair(cell_45.y(), size_6.y());
-        let elevation_4 = ((rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * direction_5.z())) * (params_105.z() - rt::Scalar(1f32))).clamp(rt::Scalar(0f32), (params_105.z() - rt::Scalar(1f32)));
-        let below_8 = elevation_4.floor().min((params_105.z() - rt::Scalar(2f32)));
+        let elevation_4 = ((rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * direction_5.z())) * (params_107.z() - rt::Scalar(1f32))).clamp(rt::Scalar(0f32), (params_107.z() - rt::Scalar(1f32)));
+        let below_8 = elevation_4.floor().min((params_107.z() - rt::Scalar(2f32)));
         let _e45 = self.v_turn_of(direction_5.xy());
-        let turn_8 = (_e45 * params_105.y());
-        let before_13 = turn_8.floor();
-        let most_18 = (params_105.w() * rt::Scalar(0.998f32));
+        let turn_8 = (_e45 * params_107.y());
+        let before_14 = turn_8.floor();
+        let most_18 = (params_107.w() * rt::Scalar(0.998f32));
         'naga_break: loop {
             'naga_continue: {
                 let _e58 = k_31;
@@ -16167,30 +16406,30 @@ impl<'g> Resources<'g> {
                     let _e66 = k_31;
                     let is_above = (_e66 & rt::Scalar(2u32)).elementwise_eq(rt::Scalar(2u32));
                     let _e71 = k_31;
-                    let is_upper = (_e71 & rt::Scalar(4u32)).elementwise_eq(rt::Scalar(4u32));
-                    let behind_4 = (before_13 + rt::Scalar(1f32)).select(rt::Scalar(0f32), (before_13 + rt::Scalar(1f32)).elementwise_ge(params_105.y()));
-                    let azimuth_5 = before_13.select(behind_4, is_next);
-                    let layer_14 = (((azimuth_5 * params_105.z()) + below_8) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_above)).to_i32();
-                    let of_azimuth = (rt::Scalar(1f32) - (turn_8 - before_13)).select((turn_8 - before_13), is_next);
+                    let is_upper_1 = (_e71 & rt::Scalar(4u32)).elementwise_eq(rt::Scalar(4u32));
+                    let behind_4 = (before_14 + rt::Scalar(1f32)).select(rt::Scalar(0f32), (before_14 + rt::Scalar(1f32)).elementwise_ge(params_107.y()));
+                    let azimuth_5 = before_14.select(behind_4, is_next);
+                    let layer_18 = (((azimuth_5 * params_107.z()) + below_8) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_above)).to_i32();
+                    let of_azimuth = (rt::Scalar(1f32) - (turn_8 - before_14)).select((turn_8 - before_14), is_next);
                     let of_elevation = (rt::Scalar(1f32) - (elevation_4 - below_8)).select((elevation_4 - below_8), is_above);
-                    let of_slice = (rt::Scalar(1f32) - part_30.z()).select(part_30.z(), is_upper);
+                    let of_slice = (rt::Scalar(1f32) - part_31.z()).select(part_31.z(), is_upper_1);
                     let weight_2 = ((of_azimuth * of_elevation) * of_slice);
-                    let _e115 = self.v_slice_begin((cell_45.z() + rt::Scalar(0i32).select(rt::Scalar(1i32), is_upper)));
-                    let _e121 = self.v_search_texel(path_84, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.x())), layer_14, rt::Scalar(0i32));
-                    let _e128 = self.v_search_texel(path_84, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.x())), layer_14, rt::Scalar(0i32));
-                    let _e135 = self.v_search_texel(path_84, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.y())), layer_14, rt::Scalar(0i32));
-                    let _e142 = self.v_search_texel(path_84, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.y())), layer_14, rt::Scalar(0i32));
-                    let ways = <rt::Vec4<f32>>::from_scalars(_e121.x(), _e128.x(), _e135.x(), _e142.x());
-                    let beside_7 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) - part_30.x()), part_30.x());
-                    let corners_5 = (<rt::Vec4<f32>>::new_22((beside_7 * (rt::Scalar(1f32) - part_30.y())), (beside_7 * part_30.y())) * weight_2);
+                    let _e115 = self.v_slice_begin((cell_45.z() + rt::Scalar(0i32).select(rt::Scalar(1i32), is_upper_1)));
+                    let _e121 = self.v_search_texel(path_87, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.x())), layer_18, rt::Scalar(0i32));
+                    let _e128 = self.v_search_texel(path_87, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.x())), layer_18, rt::Scalar(0i32));
+                    let _e135 = self.v_search_texel(path_87, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.y())), layer_18, rt::Scalar(0i32));
+                    let _e142 = self.v_search_texel(path_87, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.y())), layer_18, rt::Scalar(0i32));
+                    let ways_1 = <rt::Vec4<f32>>::from_scalars(_e121.x(), _e128.x(), _e135.x(), _e142.x());
+                    let beside_7 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) - part_31.x()), part_31.x());
+                    let corners_5 = (<rt::Vec4<f32>>::new_22((beside_7 * (rt::Scalar(1f32) - part_31.y())), (beside_7 * part_31.y())) * weight_2);
                     let limit_14 = <rt::Vec4<f32>>::from_scalars(most_18, most_18, most_18, most_18);
                     let none_3 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let solid = none_3.select(corners_5, ways.elementwise_lt(limit_14));
-                    let way_28 = (solid * ways);
+                    let solid = none_3.select(corners_5, ways_1.elementwise_lt(limit_14));
+                    let way_29 = (solid * ways_1);
                     let _e167 = weights_4;
                     weights_4 = (_e167 + ((solid.x() + solid.y()) + (solid.z() + solid.w())));
                     let _e176 = sum_4;
-                    sum_4 = (_e176 + ((way_28.x() + way_28.y()) + (way_28.z() + way_28.w())));
+                    sum_4 = (_e176 + ((way_29.x() + way_29.y()) + (way_29.z() + way_29.w())));
                     let _e185 = k_31;
                     k_31 = (_e185 + rt::Scalar(1u32));
                 }
@@ -16202,26 +16441,26 @@ impl<'g> Resources<'g> {
             let _e193 = weights_4;
             return <WayToSolid>::new(rt::Scalar(1u32), (_e192 / _e193));
         }
-        return <WayToSolid>::new(rt::Scalar(0u32), params_105.w());
+        return <WayToSolid>::new(rt::Scalar(0u32), params_107.w());
     }
     pub(crate) fn search_generalised(
         &self,
-        path_85: Path,
-        params_106: impl rt::Into<rt::Vec4<f32>>,
+        path_88: Path,
+        params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_generalised(path_85, rt::into(params_106)))
+        rt::into(self.v_search_generalised(path_88, rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_generalised(
         &self,
-        path_85: Path,
-        params_106: rt::Vec4<f32>,
+        path_88: Path,
+        params_108: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut t_46: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_23: rt::Vec3<u32> = VOXELS_READ;
         let mut looked: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e2 = self.v_voxel_path(path_85);
+        let _e2 = self.v_voxel_path(path_88);
         let _e7 = t_46;
         let _e8 = self.v_voxel_place_on(_e2, _e7);
         let _e9 = self.v_field_at_voxel(_e8);
@@ -16233,7 +16472,7 @@ impl<'g> Resources<'g> {
         }
         let _e19 = self.v_volume_size();
         let last_17 = (_e19.z() - rt::Scalar(1f32));
-        let limit_15 = params_106.x().to_u32();
+        let limit_15 = params_108.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = looked;
@@ -16250,23 +16489,23 @@ impl<'g> Resources<'g> {
                     let _e43 = self.v_voxel_place_on(_e2, _e42);
                     let beyond_8 = (_e43.z() - _e43.z().clamp(rt::Scalar(0f32), last_17));
                     let is_inward = (beyond_8 * direction_10.z()).elementwise_lt(rt::Scalar(0f32));
-                    let before_14 = rt::Scalar(0f32).select((beyond_8 / direction_10.z()).abs(), is_inward);
-                    let _e60 = self.v_way_to_solid(path_85, (_e43 + (direction_10 * before_14)), direction_10, params_106);
+                    let before_15 = rt::Scalar(0f32).select((beyond_8 / direction_10.z()).abs(), is_inward);
+                    let _e60 = self.v_way_to_solid(path_88, (_e43 + (direction_10 * before_15)), direction_10, params_108);
                     let _e61 = cost_23;
-                    let _e65 = self.v_map_read(path_85, rt::Scalar(32u32));
+                    let _e65 = self.v_map_read(path_88, rt::Scalar(32u32));
                     cost_23 = ((_e61 + STEP) + _e65);
                     let _e67 = looked;
                     looked = (_e67 + rt::Scalar(1u32));
                     let _e70 = t_46;
-                    let far_21 = (_e70 + ((before_14 + rt::Scalar(_e60.way)) / speed_3));
-                    if rt::Scalar::into_branch_condition((!far_21.elementwise_lt(rt::Scalar(path_85.exit)))) {
+                    let far_21 = (_e70 + ((before_15 + rt::Scalar(_e60.way)) / speed_3));
+                    if rt::Scalar::into_branch_condition((!far_21.elementwise_lt(rt::Scalar(path_88.exit)))) {
                         let _e81 = cost_23;
-                        return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_85.exit), rt::Scalar(path_85.exit), rt::Scalar(1f32), rt::Scalar(1f32), _e81);
+                        return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_88.exit), rt::Scalar(path_88.exit), rt::Scalar(1f32), rt::Scalar(1f32), _e81);
                     }
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e60.is_solid).elementwise_eq(rt::Scalar(1u32))) {
                         let _e92 = t_46;
                         let _e95 = cost_23;
-                        return <SearchResult>::new(FOUND_ABOVE, (far_21 - (rt::Scalar(0.5f32) / speed_3)).max(_e92), rt::Scalar(path_85.exit), rt::Scalar(0f32), rt::Scalar(1f32), _e95);
+                        return <SearchResult>::new(FOUND_ABOVE, (far_21 - (rt::Scalar(0.5f32) / speed_3)).max(_e92), rt::Scalar(path_88.exit), rt::Scalar(0f32), rt::Scalar(1f32), _e95);
                     }
                     t_46 = far_21;
                 }
@@ -16293,15 +16532,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn path_axes(
         &self,
-        path_86: Path,
+        path_89: Path,
         depth_9: impl rt::Into<rt::Scalar<f32>>,
     ) -> PathAxes {
-        rt::into(self.v_path_axes(path_86, rt::into(depth_9)))
+        rt::into(self.v_path_axes(path_89, rt::into(depth_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_path_axes(
         &self,
-        path_86: Path,
+        path_89: Path,
         depth_9: rt::Scalar<f32>,
     ) -> PathAxes {
         let mut start_3: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -16310,18 +16549,18 @@ impl<'g> Resources<'g> {
         let mut local_104: rt::Scalar<bool>;
         let mut local_105: rt::Scalar<bool>;
 
-        let below_9 = (path_86.h.x() - rt::Scalar(1f32));
-        fall = (rt::Scalar(0f32) - path_86.h.y());
+        let below_9 = (path_89.h.x() - rt::Scalar(1f32));
+        fall = (rt::Scalar(0f32) - path_89.h.y());
         if rt::Scalar::into_branch_condition(below_9.elementwise_lt(rt::Scalar(0f32))) {
-            let discriminant_6 = ((path_86.h.y() * path_86.h.y()) - ((rt::Scalar(4f32) * path_86.h.z()) * below_9));
+            let discriminant_6 = ((path_89.h.y() * path_89.h.y()) - ((rt::Scalar(4f32) * path_89.h.z()) * below_9));
             fall = discriminant_6.max(rt::Scalar(0f32)).sqrt();
             let _e31 = fall;
-            start_3 = ((rt::Scalar(2f32) * below_9) / (_e31 - path_86.h.y()));
+            start_3 = ((rt::Scalar(2f32) * below_9) / (_e31 - path_89.h.y()));
         }
         let _e38 = fall;
         let _e39 = fall;
-        let bend_11 = (path_86.h.z() / (_e38 * _e39));
-        let speed_4 = path_86.duv.length();
+        let bend_11 = (path_89.h.z() / (_e38 * _e39));
+        let speed_4 = path_89.duv.length();
         way_21 = (rt::Scalar(1f32) / bend_11);
         if rt::Scalar::into_branch_condition(bend_11.elementwise_lt(rt::Scalar(0.25f32))) {
             way_21 = (rt::Scalar(2f32) / (rt::Scalar(1f32) + (rt::Scalar(1f32) - (rt::Scalar(4f32) * bend_11)).sqrt()));
@@ -16344,12 +16583,97 @@ impl<'g> Resources<'g> {
         }
         let comes_in = local_105;
         let _e84 = start_3;
-        let _e87 = self.v_upright((path_86.uv + (path_86.duv * _e84)));
-        let _e89 = self.v_turn_of((path_86.duv * _e87));
+        let _e87 = self.v_upright((path_89.uv + (path_89.duv * _e84)));
+        let _e89 = self.v_turn_of((path_89.duv * _e87));
         let _e90 = fall;
         let _e102 = start_3;
         let _e103 = fall;
         return <PathAxes>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), comes_in), _e89, (speed_4 / (speed_4 + (depth_9 * _e90))), (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * (bend_11 / (rt::Scalar(0.25f32) + bend_11.abs())))), _e102, whole_3, _e103);
+    }
+    pub(crate) fn views_around(
+        &self,
+        axes: PathAxes,
+        params_109: impl rt::Into<rt::Vec4<f32>>,
+    ) -> ViewsAround {
+        rt::into(self.v_views_around(axes, rt::into(params_109)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_views_around(
+        &self,
+        axes: PathAxes,
+        params_109: rt::Vec4<f32>,
+    ) -> ViewsAround {
+        let elevation_5 = ((rt::Scalar(axes.elevation) * params_109.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_109.y() - rt::Scalar(1f32)));
+        let below_10 = elevation_5.floor().min((params_109.y() - rt::Scalar(2f32)));
+        let bend_12 = ((rt::Scalar(axes.bend) * params_109.z()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_109.z() - rt::Scalar(1f32)));
+        let lower_5 = bend_12.floor().min((params_109.z() - rt::Scalar(2f32)).max(rt::Scalar(0f32)));
+        let turn_9 = ((rt::Scalar(axes.turn) * params_109.x()) - rt::Scalar(0.5f32));
+        let before_16 = turn_9.floor();
+        return <ViewsAround>::new(rt::Scalar(4u32).select(rt::Scalar(2u32), params_109.z().elementwise_eq(rt::Scalar(1f32))), before_16, params_109.x(), below_10, params_109.y(), lower_5, <rt::Vec3<f32>>::from_scalars((turn_9 - before_16), (elevation_5 - below_10), (bend_12 - lower_5)));
+    }
+    pub(crate) fn no_views(&self) -> JoinedViews {
+        rt::into(self.v_no_views())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_no_views(&self) -> JoinedViews {
+        return <JoinedViews>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+    }
+    pub(crate) fn view_pair(
+        &self,
+        views: ViewsAround,
+        k_32: impl rt::Into<rt::Scalar<u32>>,
+    ) -> ViewPair {
+        rt::into(self.v_view_pair(views, rt::into(k_32)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_view_pair(
+        &self,
+        views: ViewsAround,
+        k_32: rt::Scalar<u32>,
+    ) -> ViewPair {
+        let mut azimuth_2: rt::Scalar<f32>;
+
+        let is_next_1 = (k_32 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(1u32));
+        azimuth_2 = (rt::Scalar(views.before) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_next_1));
+        let _e12 = azimuth_2;
+        let _e13 = azimuth_2;
+        let _e16 = azimuth_2;
+        azimuth_2 = _e12.select((_e13 + rt::Scalar(views.azimuths)), _e16.elementwise_lt(rt::Scalar(0f32)));
+        let _e20 = azimuth_2;
+        let _e21 = azimuth_2;
+        let _e24 = azimuth_2;
+        azimuth_2 = _e20.select((_e21 - rt::Scalar(views.azimuths)), _e24.elementwise_ge(rt::Scalar(views.azimuths)));
+        let _e28 = azimuth_2;
+        let layer_19 = ((_e28 * rt::Scalar(views.elevations)) + rt::Scalar(views.below)).to_i32();
+        return <ViewPair>::new(layer_19, (rt::Scalar(views.lower) + rt::Scalar(0f32).select(rt::Scalar(1f32), k_32.elementwise_gt(rt::Scalar(1u32)))));
+    }
+    pub(crate) fn with_pair(
+        &self,
+        joined: JoinedViews,
+        views_1: ViewsAround,
+        k_33: impl rt::Into<rt::Scalar<u32>>,
+        ways: impl rt::Into<rt::Vec4<f32>>,
+    ) -> JoinedViews {
+        rt::into(self.v_with_pair(joined, views_1, rt::into(k_33), rt::into(ways)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_with_pair(
+        &self,
+        joined: JoinedViews,
+        views_1: ViewsAround,
+        k_33: rt::Scalar<u32>,
+        ways: rt::Vec4<f32>,
+    ) -> JoinedViews {
+        let of_below = <rt::Vec2<f32>>::from_scalars(ways.x(), ways.y());
+        let of_azimuth_1 = (of_below + ((<rt::Vec2<f32>>::from_scalars(ways.z(), ways.w()) - of_below) * views_1.part.y()));
+        let of_bend = (joined.first + ((of_azimuth_1 - joined.first) * views_1.part.x()));
+        if rt::Scalar::into_branch_condition(k_33.elementwise_eq(rt::Scalar(1u32))) {
+            return <JoinedViews>::new(of_azimuth_1, of_bend, of_bend);
+        }
+        return <JoinedViews>::new(of_azimuth_1, joined.low, of_bend);
     }
     pub(crate) fn row_of_bend(
         &self,
@@ -16371,178 +16695,156 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ways_of_texel(
         &self,
-        path_87: Path,
-        texel_5: impl rt::Into<rt::Vec2<i32>>,
-        layer_9: impl rt::Into<rt::Scalar<i32>>,
+        path_90: Path,
+        texel_6: impl rt::Into<rt::Vec2<i32>>,
+        layer_11: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_ways_of_texel(path_87, rt::into(texel_5), rt::into(layer_9)))
+        rt::into(self.v_ways_of_texel(path_90, rt::into(texel_6), rt::into(layer_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ways_of_texel(
         &self,
-        path_87: Path,
-        texel_5: rt::Vec2<i32>,
-        layer_9: rt::Scalar<i32>,
+        path_90: Path,
+        texel_6: rt::Vec2<i32>,
+        layer_11: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let level_65 = rt::Scalar(path_87.level).to_i32();
-        let _e5 = self.v_search_texel(path_87, texel_5, layer_9, level_65);
-        let below_10 = _e5.x();
-        let _e9 = self.v_search_texel(path_87, texel_5, (layer_9 + rt::Scalar(1i32)), level_65);
+        let level_68 = rt::Scalar(path_90.level).to_i32();
+        let _e5 = self.v_search_texel(path_90, texel_6, layer_11, level_68);
+        let below_11 = _e5.x();
+        let _e9 = self.v_search_texel(path_90, texel_6, (layer_11 + rt::Scalar(1i32)), level_68);
         let above_11 = _e9.x();
-        let is_below = below_10.elementwise_lt(rt::Scalar(0.998f32));
+        let is_below = below_11.elementwise_lt(rt::Scalar(0.998f32));
         let is_above_1 = above_11.elementwise_lt(rt::Scalar(0.998f32));
-        return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(below_10, is_below), rt::Scalar(0f32).select(rt::Scalar(1f32), is_below), rt::Scalar(0f32).select(above_11, is_above_1), rt::Scalar(0f32).select(rt::Scalar(1f32), is_above_1));
+        return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(below_11, is_below), rt::Scalar(0f32).select(rt::Scalar(1f32), is_below), rt::Scalar(0f32).select(above_11, is_above_1), rt::Scalar(0f32).select(rt::Scalar(1f32), is_above_1));
     }
     pub(crate) fn ways_of_bend(
         &self,
-        path_88: Path,
-        around: Around,
-        layer_10: impl rt::Into<rt::Scalar<i32>>,
+        path_91: Path,
+        around_1: Around,
+        layer_12: impl rt::Into<rt::Scalar<i32>>,
         bend_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_ways_of_bend(path_88, around, rt::into(layer_10), rt::into(bend_4)))
+        rt::into(self.v_ways_of_bend(path_91, around_1, rt::into(layer_12), rt::into(bend_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ways_of_bend(
         &self,
-        path_88: Path,
-        around: Around,
-        layer_10: rt::Scalar<i32>,
+        path_91: Path,
+        around_1: Around,
+        layer_12: rt::Scalar<i32>,
         bend_4: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let _e5 = self.v_height_texels(rt::Scalar(path_88.level));
+        let _e5 = self.v_height_texels(rt::Scalar(path_91.level));
         let rows_16 = _e5.y();
-        let _e9 = self.v_row_of_bend(around.rows.x(), bend_4, rows_16);
-        let _e12 = self.v_row_of_bend(around.rows.y(), bend_4, rows_16);
-        let _e16 = self.v_ways_of_texel(path_88, <rt::Vec2<i32>>::from_scalars(around.columns.x(), _e9), layer_10);
-        let _e20 = self.v_ways_of_texel(path_88, <rt::Vec2<i32>>::from_scalars(around.columns.y(), _e9), layer_10);
-        let _e24 = self.v_ways_of_texel(path_88, <rt::Vec2<i32>>::from_scalars(around.columns.x(), _e12), layer_10);
-        let _e28 = self.v_ways_of_texel(path_88, <rt::Vec2<i32>>::from_scalars(around.columns.y(), _e12), layer_10);
-        let _e30 = self.v_bilinear(_e16, _e20, _e24, _e28, around.part);
+        let _e9 = self.v_row_of_bend(around_1.rows.x(), bend_4, rows_16);
+        let _e12 = self.v_row_of_bend(around_1.rows.y(), bend_4, rows_16);
+        let _e16 = self.v_ways_of_texel(path_91, <rt::Vec2<i32>>::from_scalars(around_1.columns.x(), _e9), layer_12);
+        let _e20 = self.v_ways_of_texel(path_91, <rt::Vec2<i32>>::from_scalars(around_1.columns.y(), _e9), layer_12);
+        let _e24 = self.v_ways_of_texel(path_91, <rt::Vec2<i32>>::from_scalars(around_1.columns.x(), _e12), layer_12);
+        let _e28 = self.v_ways_of_texel(path_91, <rt::Vec2<i32>>::from_scalars(around_1.columns.y(), _e12), layer_12);
+        let _e30 = self.v_bilinear(_e16, _e20, _e24, _e28, around_1.part);
         return _e30;
     }
-    pub(crate) fn looked_up(
+    pub(crate) fn hit_on_way(
         &self,
-        path_89: Path,
-        axes: PathAxes,
-        params_107: impl rt::Into<rt::Vec4<f32>>,
-    ) -> LookedUp {
-        rt::into(self.v_looked_up(path_89, axes, rt::into(params_107)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_looked_up(
-        &self,
-        path_89: Path,
-        axes: PathAxes,
-        params_107: rt::Vec4<f32>,
-    ) -> LookedUp {
-        let mut first_4: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut low_2: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut high_2: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut azimuth_2: rt::Scalar<f32>;
-
-        let _e4 = self.v_path_uv(path_89, rt::Scalar(axes.start));
-        let _e6 = self.v_height_texels(rt::Scalar(path_89.level));
-        let _e7 = self.v_texels_around(_e4, _e6);
-        let elevation_5 = ((rt::Scalar(axes.elevation) * params_107.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_107.y() - rt::Scalar(1f32)));
-        let below_11 = elevation_5.floor().min((params_107.y() - rt::Scalar(2f32)));
-        let bend_12 = ((rt::Scalar(axes.bend) * params_107.z()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_107.z() - rt::Scalar(1f32)));
-        let lower_2 = bend_12.floor().min((params_107.z() - rt::Scalar(2f32)).max(rt::Scalar(0f32)));
-        let turn_9 = ((rt::Scalar(axes.turn) * params_107.x()) - rt::Scalar(0.5f32));
-        let before_15 = turn_9.floor();
-        let count_13 = rt::Scalar(4u32).select(rt::Scalar(2u32), params_107.z().elementwise_eq(rt::Scalar(1f32)));
-        'naga_break: loop {
-            'naga_continue: {
-                let _e66 = k_32;
-                if rt::Scalar::into_branch_condition(_e66.elementwise_lt(count_13)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e68 = k_32;
-                    let is_next_1 = (_e68 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(1u32));
-                    azimuth_2 = (before_15 + rt::Scalar(0f32).select(rt::Scalar(1f32), is_next_1));
-                    let _e78 = azimuth_2;
-                    let _e79 = azimuth_2;
-                    let _e82 = azimuth_2;
-                    azimuth_2 = _e78.select((_e79 + params_107.x()), _e82.elementwise_lt(rt::Scalar(0f32)));
-                    let _e86 = azimuth_2;
-                    let _e87 = azimuth_2;
-                    let _e90 = azimuth_2;
-                    azimuth_2 = _e86.select((_e87 - params_107.x()), _e90.elementwise_ge(params_107.x()));
-                    let _e94 = azimuth_2;
-                    let layer_15 = ((_e94 * params_107.y()) + below_11).to_i32();
-                    let _e99 = k_32;
-                    let _e106 = self.v_ways_of_bend(path_89, _e7, layer_15, (lower_2 + rt::Scalar(0f32).select(rt::Scalar(1f32), _e99.elementwise_gt(rt::Scalar(1u32)))));
-                    let of_below = <rt::Vec2<f32>>::from_scalars(_e106.x(), _e106.y());
-                    let of_azimuth_1 = (of_below + ((<rt::Vec2<f32>>::from_scalars(_e106.z(), _e106.w()) - of_below) * (elevation_5 - below_11)));
-                    let _e117 = first_4;
-                    let _e118 = first_4;
-                    let joined = (_e117 + ((of_azimuth_1 - _e118) * (turn_9 - before_15)));
-                    first_4 = of_azimuth_1;
-                    let _e123 = k_32;
-                    if rt::Scalar::into_branch_condition(_e123.elementwise_eq(rt::Scalar(1u32))) {
-                        low_2 = joined;
-                    }
-                    high_2 = joined;
-                    let _e126 = k_32;
-                    k_32 = (_e126 + rt::Scalar(1u32));
-                }
-            }
-        }
-        let _e129 = low_2;
-        let _e130 = high_2;
-        let _e131 = low_2;
-        let way_29 = (_e129 + ((_e130 - _e131) * (bend_12 - lower_2)));
-        if rt::Scalar::into_branch_condition(way_29.y().elementwise_ge(rt::Scalar(0.5f32))) {
-            return <LookedUp>::new(rt::Scalar(1u32), (way_29.x() / way_29.y()));
-        }
-        return <LookedUp>::new(rt::Scalar(0u32), rt::Scalar(1f32));
-    }
-    pub(crate) fn search_view_dependent(
-        &self,
-        path_90: Path,
-        params_108: impl rt::Into<rt::Vec4<f32>>,
+        path_92: Path,
+        axes_1: PathAxes,
+        way_22: impl rt::Into<rt::Vec2<f32>>,
+        cost_24: impl rt::Into<rt::Vec3<u32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_view_dependent(path_90, rt::into(params_108)))
+        rt::into(self.v_hit_on_way(path_92, axes_1, rt::into(way_22), rt::into(cost_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_search_view_dependent(
+    pub(super) fn v_hit_on_way(
         &self,
-        path_90: Path,
-        params_108: rt::Vec4<f32>,
+        path_92: Path,
+        axes_1: PathAxes,
+        way_22: rt::Vec2<f32>,
+        cost_24: rt::Vec3<u32>,
     ) -> SearchResult {
         let mut local_106: rt::Scalar<bool>;
         let mut local_107: rt::Scalar<bool>;
 
-        let _e3 = self.v_path_axes(path_90, params_108.w());
-        let texels_7 = rt::Scalar(32u32).select(rt::Scalar(16u32), params_108.z().elementwise_eq(rt::Scalar(1f32)));
-        let _e11 = self.v_map_read(path_90, texels_7);
-        let cost_33 = (STEP + _e11);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(0u32))) {
-            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_90.exit), rt::Scalar(path_90.exit), rt::Scalar(1f32), rt::Scalar(1f32), STEP);
-        }
-        let _e23 = self.v_looked_up(path_90, _e3, params_108);
-        let t_55 = (rt::Scalar(_e3.start) + (rt::Scalar(_e23.part) * rt::Scalar(_e3.whole)));
-        if rt::Scalar::into_branch_condition((!rt::Scalar(_e23.is_hit).elementwise_eq(rt::Scalar(0u32)))) {
+        let t_55 = (rt::Scalar(axes_1.start) + ((way_22.x() / way_22.y()) * rt::Scalar(axes_1.whole)));
+        if rt::Scalar::into_branch_condition((!way_22.y().elementwise_lt(rt::Scalar(0.5f32)))) {
             local_106 = t_55.elementwise_lt(rt::Scalar(0f32));
         } else {
             local_106 = rt::Scalar(true);
         }
-        let _e38 = local_106;
-        if rt::Scalar::into_branch_condition((!_e38)) {
-            local_107 = t_55.elementwise_gt(rt::Scalar(path_90.exit));
+        let _e20 = local_106;
+        if rt::Scalar::into_branch_condition((!_e20)) {
+            local_107 = t_55.elementwise_gt(rt::Scalar(path_92.exit));
         } else {
             local_107 = rt::Scalar(true);
         }
-        let _e45 = local_107;
-        if rt::Scalar::into_branch_condition(_e45) {
-            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_90.exit), rt::Scalar(path_90.exit), rt::Scalar(1f32), rt::Scalar(1f32), cost_33);
+        let _e27 = local_107;
+        if rt::Scalar::into_branch_condition(_e27) {
+            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_92.exit), rt::Scalar(path_92.exit), rt::Scalar(1f32), rt::Scalar(1f32), cost_24);
         }
-        return <SearchResult>::new(FOUND_ABOVE, t_55, rt::Scalar(path_90.exit), rt::Scalar(0f32), rt::Scalar(1f32), cost_33);
+        return <SearchResult>::new(FOUND_ABOVE, t_55, rt::Scalar(path_92.exit), rt::Scalar(0f32), rt::Scalar(1f32), cost_24);
+    }
+    pub(crate) fn joined_way(&self, joined_1: JoinedViews, views_2: ViewsAround) -> rt::Vec2<f32> {
+        rt::into(self.v_joined_way(joined_1, views_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_joined_way(&self, joined_1: JoinedViews, views_2: ViewsAround) -> rt::Vec2<f32> {
+        return (joined_1.low + ((joined_1.high - joined_1.low) * views_2.part.z()));
+    }
+    pub(crate) fn search_view_dependent(
+        &self,
+        path_93: Path,
+        params_110: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SearchResult {
+        rt::into(self.v_search_view_dependent(path_93, rt::into(params_110)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_view_dependent(
+        &self,
+        path_93: Path,
+        params_110: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let mut joined_2: JoinedViews;
+        let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e3 = self.v_path_axes(path_93, params_110.w());
+        let _e4 = self.v_views_around(_e3, params_110);
+        let _e9 = self.v_map_read(path_93, (rt::Scalar(_e4.pairs) * rt::Scalar(8u32)));
+        let cost_34 = (STEP + _e9);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(0u32))) {
+            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_93.exit), rt::Scalar(path_93.exit), rt::Scalar(1f32), rt::Scalar(1f32), STEP);
+        }
+        let _e22 = self.v_path_uv(path_93, rt::Scalar(_e3.start));
+        let _e24 = self.v_height_texels(rt::Scalar(path_93.level));
+        let _e25 = self.v_texels_around(_e22, _e24);
+        let _e26 = self.v_no_views();
+        joined_2 = _e26;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e30 = k_34;
+                if rt::Scalar::into_branch_condition(_e30.elementwise_lt(rt::Scalar(_e4.pairs))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e33 = k_34;
+                    let _e34 = self.v_view_pair(_e4, _e33);
+                    let _e35 = joined_2;
+                    let _e36 = k_34;
+                    let _e39 = self.v_ways_of_bend(path_93, _e25, rt::Scalar(_e34.layer), rt::Scalar(_e34.bend));
+                    let _e40 = self.v_with_pair(_e35, _e4, _e36, _e39);
+                    joined_2 = _e40;
+                    let _e41 = k_34;
+                    k_34 = (_e41 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e44 = joined_2;
+        let _e45 = self.v_joined_way(_e44, _e4);
+        let _e46 = self.v_hit_on_way(path_93, _e3, _e45, cost_34);
+        return _e46;
     }
     pub(crate) fn is_in_footprint(
         &self,
@@ -16622,57 +16924,57 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(count_6.elementwise_eq(rt::Scalar(1f32))) {
             return rt::Scalar(1f32);
         }
-        let low_12 = (((rt::Scalar(2f32) * bend_5) / count_6) - rt::Scalar(1f32));
-        let high_7 = (low_12 + (rt::Scalar(2f32) / count_6));
-        if rt::Scalar::into_branch_condition(high_7.elementwise_lt(rt::Scalar(0.500001f32))) {
-            return (rt::Scalar(2f32) / (rt::Scalar(1f32) + (rt::Scalar(1f32) - (high_7 / (rt::Scalar(1f32) - high_7.abs()))).max(rt::Scalar(0f32)).sqrt()));
+        let low_11 = (((rt::Scalar(2f32) * bend_5) / count_6) - rt::Scalar(1f32));
+        let high_6 = (low_11 + (rt::Scalar(2f32) / count_6));
+        if rt::Scalar::into_branch_condition(high_6.elementwise_lt(rt::Scalar(0.500001f32))) {
+            return (rt::Scalar(2f32) / (rt::Scalar(1f32) + (rt::Scalar(1f32) - (high_6 / (rt::Scalar(1f32) - high_6.abs()))).max(rt::Scalar(0f32)).sqrt()));
         }
-        let least_9 = low_12.max(rt::Scalar(0.5f32));
+        let least_9 = low_11.max(rt::Scalar(0.5f32));
         return ((rt::Scalar(4f32) * (rt::Scalar(1f32) - least_9)) / least_9);
     }
     pub(crate) fn free_way_of_step(
         &self,
-        path_91: Path,
-        axes_1: PathAxes,
+        path_94: Path,
+        axes_2: PathAxes,
         square_1: impl rt::Into<rt::Vec2<i32>>,
-        params_109: impl rt::Into<rt::Vec4<f32>>,
+        params_111: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_free_way_of_step(path_91, axes_1, rt::into(square_1), rt::into(params_109)))
+        rt::into(self.v_free_way_of_step(path_94, axes_2, rt::into(square_1), rt::into(params_111)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_free_way_of_step(
         &self,
-        path_91: Path,
-        axes_1: PathAxes,
+        path_94: Path,
+        axes_2: PathAxes,
         square_1: rt::Vec2<i32>,
-        params_109: rt::Vec4<f32>,
+        params_111: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_height_texels(rt::Scalar(path_91.level));
-        let _e8 = self.v_step_of_axis(rt::Scalar(axes_1.turn), params_109.x());
-        let _e11 = self.v_step_of_axis(rt::Scalar(axes_1.elevation), params_109.y());
-        let _e14 = self.v_step_of_axis(rt::Scalar(axes_1.bend), params_109.z());
+        let _e5 = self.v_height_texels(rt::Scalar(path_94.level));
+        let _e8 = self.v_step_of_axis(rt::Scalar(axes_2.turn), params_111.x());
+        let _e11 = self.v_step_of_axis(rt::Scalar(axes_2.elevation), params_111.y());
+        let _e14 = self.v_step_of_axis(rt::Scalar(axes_2.bend), params_111.z());
         let _e17 = self.v_wrap_index(square_1.y(), _e5.y());
         let _e19 = self.v_row_of_bend(_e17, _e14, _e5.y());
         let _e22 = self.v_wrap_index(square_1.x(), _e5.x());
         let at_186 = <rt::Vec2<i32>>::from_scalars(_e22, _e19);
-        let _e30 = self.v_search_texel(path_91, at_186, ((_e8 * params_109.y()) + _e11).to_i32(), rt::Scalar(path_91.level).to_i32());
-        let part_31 = _e30.x();
-        let _e33 = self.v_longest_of_step(_e14, params_109.z());
-        return (part_31 * _e33);
+        let _e30 = self.v_search_texel(path_94, at_186, ((_e8 * params_111.y()) + _e11).to_i32(), rt::Scalar(path_94.level).to_i32());
+        let part_32 = _e30.x();
+        let _e33 = self.v_longest_of_step(_e14, params_111.z());
+        return (part_32 * _e33);
     }
     pub(crate) fn search_view_dependent_free(
         &self,
-        path_92: Path,
-        params_110: impl rt::Into<rt::Vec4<f32>>,
+        path_95: Path,
+        params_112: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_view_dependent_free(path_92, rt::into(params_110)))
+        rt::into(self.v_search_view_dependent_free(path_95, rt::into(params_112)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_view_dependent_free(
         &self,
-        path_92: Path,
-        params_110: rt::Vec4<f32>,
+        path_95: Path,
+        params_112: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut local_112: rt::Scalar<bool>;
         let mut local_113: rt::Scalar<bool>;
@@ -16680,16 +16982,16 @@ impl<'g> Resources<'g> {
         let mut local_115: rt::Scalar<bool>;
         let mut local_116: rt::Scalar<bool>;
 
-        let _e3 = self.v_path_axes(path_92, params_110.w());
-        let _e6 = self.v_height_size(rt::Scalar(path_92.level));
-        let place_46 = (path_92.uv * _e6);
+        let _e3 = self.v_path_axes(path_95, params_112.w());
+        let _e6 = self.v_height_size(rt::Scalar(path_95.level));
+        let place_46 = (path_95.uv * _e6);
         let _e8 = self.v_cell_of(place_46);
         let inside_8 = (place_46 - _e8);
         let near_13 = inside_8.x().min((rt::Scalar(1f32) - inside_8.x())).min(inside_8.y().min((rt::Scalar(1f32) - inside_8.y())));
         let rounded_2 = (rt::Scalar(0.0000009536743f32) * (place_46.x().abs().max(place_46.y().abs()) + rt::Scalar(1f32)));
-        let _e31 = self.v_height_size(rt::Scalar(path_92.level));
+        let _e31 = self.v_height_size(rt::Scalar(path_95.level));
         let _e32 = self.v_is_in_footprint(_e8, _e31);
-        if rt::Scalar::into_branch_condition(path_92.h.x().elementwise_eq(rt::Scalar(1f32))) {
+        if rt::Scalar::into_branch_condition(path_95.h.x().elementwise_eq(rt::Scalar(1f32))) {
             local_112 = rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(1u32));
         } else {
             local_112 = rt::Scalar(false);
@@ -16708,8 +17010,8 @@ impl<'g> Resources<'g> {
         }
         let is_known = local_114;
         if rt::Scalar::into_branch_condition((!(!is_known))) {
-            if rt::Scalar::into_branch_condition(params_110.z().elementwise_eq(rt::Scalar(1f32))) {
-                local_116 = path_92.h.z().elementwise_ne(rt::Scalar(0f32));
+            if rt::Scalar::into_branch_condition(params_112.z().elementwise_eq(rt::Scalar(1f32))) {
+                local_116 = path_95.h.z().elementwise_ne(rt::Scalar(0f32));
             } else {
                 local_116 = rt::Scalar(false);
             }
@@ -16720,69 +17022,69 @@ impl<'g> Resources<'g> {
         }
         let _e69 = local_115;
         if rt::Scalar::into_branch_condition(_e69) {
-            return <SearchResult>::new(FOUND_ABOVE, rt::Scalar(0f32), rt::Scalar(path_92.exit), rt::Scalar(0f32), rt::Scalar(1f32), STEP);
+            return <SearchResult>::new(FOUND_ABOVE, rt::Scalar(0f32), rt::Scalar(path_95.exit), rt::Scalar(0f32), rt::Scalar(1f32), STEP);
         }
         let _e77 = self.v_whole_cell(_e8);
-        let _e78 = self.v_free_way_of_step(path_92, _e3, _e77, params_110);
+        let _e78 = self.v_free_way_of_step(path_95, _e3, _e77, params_112);
         let free_2 = (_e78 / rt::Scalar(_e3.fall));
-        let _e87 = self.v_map_read(path_92, rt::Scalar(1u32));
-        return <SearchResult>::new(FOUND_ABOVE, free_2.min(rt::Scalar(path_92.exit)), rt::Scalar(path_92.exit), rt::Scalar(0f32), rt::Scalar(1f32), (STEP + _e87));
+        let _e87 = self.v_map_read(path_95, rt::Scalar(1u32));
+        return <SearchResult>::new(FOUND_ABOVE, free_2.min(rt::Scalar(path_95.exit)), rt::Scalar(path_95.exit), rt::Scalar(0f32), rt::Scalar(1f32), (STEP + _e87));
     }
     pub(crate) fn search_translucent(
         &self,
-        path_93: Path,
-        params_111: impl rt::Into<rt::Vec4<f32>>,
+        path_96: Path,
+        params_113: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_translucent(path_93, rt::into(params_111)))
+        rt::into(self.v_search_translucent(path_96, rt::into(params_113)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_translucent(
         &self,
-        path_93: Path,
-        params_111: rt::Vec4<f32>,
+        path_96: Path,
+        params_113: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut part_13: CellPart;
-        let mut cost_24: rt::Vec3<u32> = NO_COST;
+        let mut part_14: CellPart;
+        let mut cost_25: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_voxel_path(path_93);
+        let _e2 = self.v_voxel_path(path_96);
         let _e3 = self.v_turning_point(_e2);
-        let limit_16 = params_111.z().to_u32();
-        let _e6 = self.v_first_part(path_93, _e2, _e3);
-        part_13 = _e6;
+        let limit_16 = params_113.z().to_u32();
+        let _e6 = self.v_first_part(path_96, _e2, _e3);
+        part_14 = _e6;
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = cost_24.y();
+                let _e11 = cost_25.y();
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(limit_16)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e13 = cost_24;
-                    let _e17 = self.v_map_read(path_93, rt::Scalar(1u32));
-                    cost_24 = ((_e13 + STEP) + _e17);
-                    let _e20 = rt::Scalar(part_13.empty);
+                    let _e13 = cost_25;
+                    let _e17 = self.v_map_read(path_96, rt::Scalar(1u32));
+                    cost_25 = ((_e13 + STEP) + _e17);
+                    let _e20 = rt::Scalar(part_14.empty);
                     if rt::Scalar::into_branch_condition(_e20.elementwise_lt(rt::Scalar(0f32))) {
-                        let _e25 = rt::Scalar(part_13.begin);
-                        let _e27 = rt::Scalar(part_13.begin);
-                        let _e28 = cost_24;
+                        let _e25 = rt::Scalar(part_14.begin);
+                        let _e27 = rt::Scalar(part_14.begin);
+                        let _e28 = cost_25;
                         return <SearchResult>::new(FOUND_ABOVE, _e25, _e27, rt::Scalar(0f32), rt::Scalar(1f32), _e28);
                     }
-                    let _e33 = rt::Scalar(part_13.is_last);
+                    let _e33 = rt::Scalar(part_14.is_last);
                     if rt::Scalar::into_branch_condition(_e33.elementwise_eq(rt::Scalar(1u32))) {
-                        let _e38 = rt::Scalar(part_13.end);
-                        let _e40 = rt::Scalar(part_13.end);
-                        let _e41 = cost_24;
+                        let _e38 = rt::Scalar(part_14.end);
+                        let _e40 = rt::Scalar(part_14.end);
+                        let _e41 = cost_25;
                         return <SearchResult>::new(FOUND_MISS, _e38, _e40, rt::Scalar(1f32), rt::Scalar(1f32), _e41);
                     }
-                    let _e45 = part_13;
-                    let _e46 = self.v_next_part(path_93, _e2, _e3, _e45);
-                    part_13 = _e46;
+                    let _e45 = part_14;
+                    let _e46 = self.v_next_part(path_96, _e2, _e3, _e45);
+                    part_14 = _e46;
                 }
             }
         }
-        let _e49 = rt::Scalar(part_13.begin);
-        let _e51 = rt::Scalar(part_13.begin);
-        let _e52 = cost_24;
+        let _e49 = rt::Scalar(part_14.begin);
+        let _e51 = rt::Scalar(part_14.begin);
+        let _e52 = cost_25;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e49, _e51, rt::Scalar(1f32), rt::Scalar(1f32), _e52);
     }
     pub(crate) fn with_axis_last(
@@ -16837,25 +17139,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn meets_box(
         &self,
         ray_8: MotifRay,
-        low_3: impl rt::Into<rt::Vec3<f32>>,
-        high_3: impl rt::Into<rt::Vec3<f32>>,
+        low_2: impl rt::Into<rt::Vec3<f32>>,
+        high_2: impl rt::Into<rt::Vec3<f32>>,
         near_9: impl rt::Into<rt::Scalar<f32>>,
         far_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_meets_box(ray_8, rt::into(low_3), rt::into(high_3), rt::into(near_9), rt::into(far_7)))
+        rt::into(self.v_meets_box(ray_8, rt::into(low_2), rt::into(high_2), rt::into(near_9), rt::into(far_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_meets_box(
         &self,
         ray_8: MotifRay,
-        low_3: rt::Vec3<f32>,
-        high_3: rt::Vec3<f32>,
+        low_2: rt::Vec3<f32>,
+        high_2: rt::Vec3<f32>,
         near_9: rt::Scalar<f32>,
         far_7: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let a_46 = ((low_3 - ray_8.origin) * ray_8.inverse);
-        let b_46 = ((high_3 - ray_8.origin) * ray_8.inverse);
+        let a_46 = ((low_2 - ray_8.origin) * ray_8.inverse);
+        let b_46 = ((high_2 - ray_8.origin) * ray_8.inverse);
         let first_30 = a_46.min(b_46);
         let last_18 = a_46.max(b_46);
         let enter_3 = first_30.x().max(first_30.y()).max(first_30.z().max(near_9));
@@ -16882,24 +17184,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn meets_triangle(
         &self,
         ray_10: MotifRay,
-        first_5: impl rt::Into<rt::Vec3<f32>>,
+        first_4: impl rt::Into<rt::Vec3<f32>>,
         second_1: impl rt::Into<rt::Vec3<f32>>,
         third: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_meets_triangle(ray_10, rt::into(first_5), rt::into(second_1), rt::into(third)))
+        rt::into(self.v_meets_triangle(ray_10, rt::into(first_4), rt::into(second_1), rt::into(third)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_meets_triangle(
         &self,
         ray_10: MotifRay,
-        first_5: rt::Vec3<f32>,
+        first_4: rt::Vec3<f32>,
         second_1: rt::Vec3<f32>,
         third: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         let mut local_117: rt::Scalar<bool>;
         let mut local_118: rt::Scalar<bool>;
 
-        let _e4 = self.v_seen_beside(ray_10, first_5);
+        let _e4 = self.v_seen_beside(ray_10, first_4);
         let _e5 = self.v_seen_beside(ray_10, second_1);
         let _e6 = self.v_seen_beside(ray_10, third);
         let left_7 = <rt::Vec3<f32>>::from_scalars((_e6.x() * _e5.y()), (_e4.x() * _e6.y()), (_e5.x() * _e4.y()));
@@ -16949,7 +17251,7 @@ impl<'g> Resources<'g> {
         far_8: rt::Scalar<f32>,
     ) -> MotifHit {
         let mut found_15: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
-        let mut cost_25: rt::Vec3<u32> = NO_COST;
+        let mut cost_26: rt::Vec3<u32> = NO_COST;
         let mut triangle_2: rt::Scalar<u32>;
         let mut local_119: rt::Scalar<bool>;
 
@@ -16968,8 +17270,8 @@ impl<'g> Resources<'g> {
                     let _e17 = self.v_motif_texel((_e14 + rt::Scalar(1u32)));
                     let _e18 = triangle_2;
                     let _e21 = self.v_motif_texel((_e18 + rt::Scalar(2u32)));
-                    let _e22 = cost_25;
-                    cost_25 = (_e22 + TRIANGLE_READ);
+                    let _e22 = cost_26;
+                    cost_26 = (_e22 + TRIANGLE_READ);
                     let _e28 = self.v_meets_triangle(ray_11, _e13.xyz(), _e17.xyz(), _e21.xyz());
                     if rt::Scalar::into_branch_condition(_e28.elementwise_ge(near_10)) {
                         let _e32 = found_15;
@@ -16987,7 +17289,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e45 = found_15;
-        let _e46 = cost_25;
+        let _e46 = cost_26;
         return <MotifHit>::new(_e45, _e46);
     }
     pub(crate) fn first_of_motif(
@@ -17009,18 +17311,18 @@ impl<'g> Resources<'g> {
         before_4: rt::Vec3<u32>,
         limit_1: rt::Scalar<u32>,
     ) -> MotifHit {
-        let mut cost_26: rt::Vec3<u32>;
+        let mut cost_27: rt::Vec3<u32>;
         let mut found_16: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
         let mut node_1: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut local_120: rt::Scalar<bool>;
         let mut next_9: rt::Scalar<u32>;
 
-        cost_26 = before_4;
+        cost_27 = before_4;
         'naga_break: loop {
             'naga_continue: {
                 let _e10 = node_1;
                 if rt::Scalar::into_branch_condition(_e10.elementwise_ne(rt::Scalar(0u32))) {
-                    let _e16 = cost_26.y();
+                    let _e16 = cost_27.y();
                     local_120 = _e16.elementwise_lt(limit_1);
                 } else {
                     local_120 = rt::Scalar(false);
@@ -17035,8 +17337,8 @@ impl<'g> Resources<'g> {
                     let _e21 = self.v_motif_texel(_e20);
                     let _e22 = node_1;
                     let _e25 = self.v_motif_texel((_e22 + rt::Scalar(1u32)));
-                    let _e26 = cost_26;
-                    cost_26 = ((_e26 + STEP) + NODE_READ);
+                    let _e26 = cost_27;
+                    cost_27 = ((_e26 + STEP) + NODE_READ);
                     let _e31 = found_16;
                     let best = _e31.min(far_9);
                     next_9 = _e21.w().to_u32();
@@ -17049,8 +17351,8 @@ impl<'g> Resources<'g> {
                             let _e47 = self.v_first_of_leaf(ray_12, _e25.w().to_u32(), near_11, best);
                             let _e48 = found_16;
                             found_16 = _e48.min(rt::Scalar(_e47.t));
-                            let _e51 = cost_26;
-                            cost_26 = (_e51 + _e47.cost);
+                            let _e51 = cost_27;
+                            cost_27 = (_e51 + _e47.cost);
                         }
                     }
                     let _e54 = next_9;
@@ -17059,65 +17361,65 @@ impl<'g> Resources<'g> {
             }
         }
         let _e55 = found_16;
-        let _e56 = cost_26;
+        let _e56 = cost_27;
         return <MotifHit>::new(_e55, _e56);
     }
     pub(crate) fn search_shell_map(
         &self,
-        path_94: Path,
-        params_112: impl rt::Into<rt::Vec4<f32>>,
+        path_97: Path,
+        params_114: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_shell_map(path_94, rt::into(params_112)))
+        rt::into(self.v_search_shell_map(path_97, rt::into(params_114)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_shell_map(
         &self,
-        path_94: Path,
-        params_112: rt::Vec4<f32>,
+        path_97: Path,
+        params_114: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut cost_27: rt::Vec3<u32> = NO_COST;
+        let mut cost_28: rt::Vec3<u32> = NO_COST;
         let mut tile: rt::Vec2<f32>;
         let mut t_47: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        let step_9 = <rt::Vec3<f32>>::new_21(path_94.duv, path_94.h.y());
+        let step_9 = <rt::Vec3<f32>>::new_21(path_97.duv, path_97.h.y());
         let slack_7 = (rt::Scalar(0.00002f32) / step_9.x().abs().max(step_9.y().abs()).max(step_9.z().abs()));
-        let limit_17 = params_112.x().to_u32();
-        tile = path_94.uv.floor();
+        let limit_17 = params_114.x().to_u32();
+        tile = path_97.uv.floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e26 = cost_27.y();
+                let _e26 = cost_28.y();
                 if rt::Scalar::into_branch_condition(_e26.elementwise_lt(limit_17)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e28 = tile;
-                    let ahead_3 = (_e28 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), path_94.duv.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)))));
-                    let beside_8 = ((ahead_3 - path_94.uv) / path_94.duv);
-                    let leave_12 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)).select(beside_8, path_94.duv.abs().elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+                    let ahead_3 = (_e28 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), path_97.duv.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)))));
+                    let beside_8 = ((ahead_3 - path_97.uv) / path_97.duv);
+                    let leave_12 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)).select(beside_8, path_97.duv.abs().elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
                     let _e61 = t_47;
-                    let end_26 = leave_12.x().min(leave_12.y()).min(rt::Scalar(path_94.exit)).max(_e61);
+                    let end_26 = leave_12.x().min(leave_12.y()).min(rt::Scalar(path_97.exit)).max(_e61);
                     let _e63 = t_47;
-                    let _e64 = self.v_path_uv(path_94, _e63);
+                    let _e64 = self.v_path_uv(path_97, _e63);
                     let _e65 = tile;
                     let _e67 = t_47;
-                    let _e68 = self.v_path_height(path_94, _e67);
+                    let _e68 = self.v_path_height(path_97, _e67);
                     let _e70 = self.v_motif_ray(<rt::Vec3<f32>>::new_21((_e64 - _e65), _e68), step_9);
                     let _e73 = t_47;
-                    let _e76 = cost_27;
+                    let _e76 = cost_28;
                     let _e77 = self.v_first_of_motif(_e70, (rt::Scalar(0f32) - slack_7), ((end_26 - _e73) + slack_7), _e76, limit_17);
-                    cost_27 = _e77.cost;
+                    cost_28 = _e77.cost;
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e77.t).elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e82 = t_47;
-                        let at_187 = (_e82 + rt::Scalar(_e77.t)).clamp(rt::Scalar(0f32), rt::Scalar(path_94.exit));
-                        let _e89 = cost_27;
+                        let at_187 = (_e82 + rt::Scalar(_e77.t)).clamp(rt::Scalar(0f32), rt::Scalar(path_97.exit));
+                        let _e89 = cost_28;
                         return <SearchResult>::new(FOUND_BRACKET, at_187, at_187, rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
-                    if rt::Scalar::into_branch_condition((!end_26.elementwise_lt(rt::Scalar(path_94.exit)))) {
-                        let _e97 = cost_27;
+                    if rt::Scalar::into_branch_condition((!end_26.elementwise_lt(rt::Scalar(path_97.exit)))) {
+                        let _e97 = cost_28;
                         return <SearchResult>::new(FOUND_MISS, end_26, end_26, rt::Scalar(1f32), rt::Scalar(1f32), _e97);
                     }
-                    let next_14 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(-1f32), rt::Scalar(-1f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), path_94.duv.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+                    let next_14 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(-1f32), rt::Scalar(-1f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), path_97.duv.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
                     if rt::Scalar::into_branch_condition(leave_12.x().elementwise_le(leave_12.y())) {
                         let _e118 = tile.x();
                         tile.set_x((_e118 + next_14.x()));
@@ -17131,182 +17433,460 @@ impl<'g> Resources<'g> {
         }
         let _e127 = t_47;
         let _e128 = t_47;
-        let _e129 = cost_27;
+        let _e129 = cost_28;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e127, _e128, rt::Scalar(1f32), rt::Scalar(1f32), _e129);
     }
-    pub(crate) fn search_stage(&self, path_95: Path) -> SearchResult {
-        rt::into(self.v_search_stage(path_95))
+    pub(crate) fn search_layers(&self, path_98: Path) -> u32 {
+        rt::into(self.v_search_layers(path_98))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_search_stage(&self, path_95: Path) -> SearchResult {
+    #[inline(always)]
+    pub(super) fn v_search_layers(&self, path_98: Path) -> rt::Scalar<u32> {
+        let slot_1 = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_98.ray).elementwise_eq(RAY_SHADOW));
+        let _e11 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot_1)].layers);
+        return _e11;
+    }
+    pub(crate) fn signed_factors(
+        &self,
+        path_99: Path,
+        texel_7: impl rt::Into<rt::Vec2<i32>>,
+        layer_13: impl rt::Into<rt::Scalar<i32>>,
+        level_55: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_signed_factors(path_99, rt::into(texel_7), rt::into(layer_13), rt::into(level_55)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_signed_factors(
+        &self,
+        path_99: Path,
+        texel_7: rt::Vec2<i32>,
+        layer_13: rt::Scalar<i32>,
+        level_55: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = self.v_search_texel(path_99, texel_7, layer_13, level_55);
+        return ((rt::Scalar(2f32) * _e4) - <rt::Vec4<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32)));
+    }
+    pub(crate) fn four_terms(
+        &self,
+        t00_: impl rt::Into<rt::Vec4<f32>>,
+        t10_: impl rt::Into<rt::Vec4<f32>>,
+        t01_: impl rt::Into<rt::Vec4<f32>>,
+        t11_: impl rt::Into<rt::Vec4<f32>>,
+    ) -> FourTerms {
+        rt::into(self.v_four_terms(rt::into(t00_), rt::into(t10_), rt::into(t01_), rt::into(t11_)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_four_terms(
+        &self,
+        t00_: rt::Vec4<f32>,
+        t10_: rt::Vec4<f32>,
+        t01_: rt::Vec4<f32>,
+        t11_: rt::Vec4<f32>,
+    ) -> FourTerms {
+        return <FourTerms>::new(<rt::Vec4<f32>>::from_scalars(t00_.x(), t10_.x(), t01_.x(), t11_.x()), <rt::Vec4<f32>>::from_scalars(t00_.y(), t10_.y(), t01_.y(), t11_.y()), <rt::Vec4<f32>>::from_scalars(t00_.z(), t10_.z(), t01_.z(), t11_.z()), <rt::Vec4<f32>>::from_scalars(t00_.w(), t10_.w(), t01_.w(), t11_.w()));
+    }
+    pub(crate) fn with_terms(
+        &self,
+        before_5: impl rt::Into<rt::Vec4<f32>>,
+        texels_4: FourTerms,
+        view_23: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_with_terms(rt::into(before_5), texels_4, rt::into(view_23)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_with_terms(
+        &self,
+        before_5: rt::Vec4<f32>,
+        texels_4: FourTerms,
+        view_23: rt::Vec4<f32>,
+    ) -> rt::Vec4<f32> {
+        let one_2 = (before_5 + (texels_4.first * view_23.x()));
+        let two_1 = (one_2 + (texels_4.second * view_23.y()));
+        let three = (two_1 + (texels_4.third * view_23.z()));
+        return (three + (texels_4.fourth * view_23.w()));
+    }
+    pub(crate) fn summed_ways(
+        &self,
+        path_100: Path,
+        around_2: Around,
+        pair_2: ViewPair,
+        params_115: impl rt::Into<rt::Vec4<f32>>,
+        layers_2: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_summed_ways(path_100, around_2, pair_2, rt::into(params_115), rt::into(layers_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_summed_ways(
+        &self,
+        path_100: Path,
+        around_2: Around,
+        pair_2: ViewPair,
+        params_115: rt::Vec4<f32>,
+        layers_2: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let mut lower_2: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let mut upper_2: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let mut layer_14: rt::Scalar<i32> = rt::Scalar(0i32);
+
+        let _e6 = self.v_height_texels(rt::Scalar(path_100.level));
+        let level_69 = rt::Scalar(path_100.level).to_i32();
+        let bends_1 = params_115.z().to_i32();
+        let lower_view_1 = ((rt::Scalar(pair_2.layer) * bends_1) + rt::Scalar(pair_2.bend).to_i32());
+        let _e16 = self.v_factor_place(lower_view_1, _e6);
+        let _e18 = self.v_factor_place((lower_view_1 + bends_1), _e6);
+        let scale_number = ((params_115.x() * params_115.y()).to_i32() * bends_1);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e38 = layer_14;
+                if rt::Scalar::into_branch_condition(_e38.elementwise_lt(layers_2.to_i32())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e41 = layer_14;
+                    let _e42 = self.v_term_scales(path_100, scale_number, _e6, _e41);
+                    let _e43 = layer_14;
+                    let _e44 = self.v_signed_factors(path_100, _e16, _e43, level_69);
+                    let a_47 = (_e44 * _e42);
+                    let _e46 = layer_14;
+                    let _e47 = self.v_signed_factors(path_100, _e18, _e46, level_69);
+                    let b_47 = (_e47 * _e42);
+                    let _e54 = layer_14;
+                    let _e55 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.x(), around_2.rows.x()), _e54, level_69);
+                    let _e61 = layer_14;
+                    let _e62 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.y(), around_2.rows.x()), _e61, level_69);
+                    let _e68 = layer_14;
+                    let _e69 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.x(), around_2.rows.y()), _e68, level_69);
+                    let _e75 = layer_14;
+                    let _e76 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.y(), around_2.rows.y()), _e75, level_69);
+                    let _e77 = self.v_four_terms(_e55, _e62, _e69, _e76);
+                    let _e78 = lower_2;
+                    let _e79 = self.v_with_terms(_e78, _e77, a_47);
+                    lower_2 = _e79;
+                    let _e80 = upper_2;
+                    let _e81 = self.v_with_terms(_e80, _e77, b_47);
+                    upper_2 = _e81;
+                    let _e82 = layer_14;
+                    layer_14 = (_e82 + rt::Scalar(1i32));
+                }
+            }
+        }
+        let _e85 = lower_2;
+        let _e86 = upper_2;
+        let _e88 = self.v_joined_texels(_e85, _e86, around_2.part);
+        return _e88;
+    }
+    pub(crate) fn texel_reads(
+        &self,
+        path_101: Path,
+        reads: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<u32> {
+        rt::into(self.v_texel_reads(path_101, rt::into(reads)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_texel_reads(
+        &self,
+        path_101: Path,
+        reads: rt::Scalar<u32>,
+    ) -> rt::Vec3<u32> {
+        let _e2 = self.v_map_read(path_101, reads);
+        return (_e2 + <rt::Vec3<u32>>::from_scalars((reads - rt::Scalar(1u32)), rt::Scalar(0u32), rt::Scalar(0u32)));
+    }
+    pub(crate) fn search_view_dependent_svd(
+        &self,
+        path_102: Path,
+        params_116: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SearchResult {
+        rt::into(self.v_search_view_dependent_svd(path_102, rt::into(params_116)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_view_dependent_svd(
+        &self,
+        path_102: Path,
+        params_116: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let mut joined_3: JoinedViews;
+        let mut k_35: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e3 = self.v_path_axes(path_102, params_116.w());
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(0u32))) {
+            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_102.exit), rt::Scalar(path_102.exit), rt::Scalar(1f32), rt::Scalar(1f32), STEP);
+        }
+        let _e14 = self.v_views_around(_e3, params_116);
+        let _e16 = self.v_path_uv(path_102, rt::Scalar(_e3.start));
+        let _e18 = self.v_height_texels(rt::Scalar(path_102.level));
+        let _e19 = self.v_texels_around(_e16, _e18);
+        let _e20 = self.v_search_layers(path_102);
+        let _e21 = self.v_no_views();
+        joined_3 = _e21;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e25 = k_35;
+                if rt::Scalar::into_branch_condition(_e25.elementwise_lt(rt::Scalar(_e14.pairs))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e28 = k_35;
+                    let _e29 = self.v_view_pair(_e14, _e28);
+                    let _e30 = self.v_summed_ways(path_102, _e19, _e29, params_116, _e20);
+                    let _e31 = joined_3;
+                    let _e32 = k_35;
+                    let _e33 = self.v_with_pair(_e31, _e14, _e32, _e30);
+                    joined_3 = _e33;
+                    let _e34 = k_35;
+                    k_35 = (_e34 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e42 = self.v_texel_reads(path_102, ((rt::Scalar(_e14.pairs) * _e20) * rt::Scalar(8u32)));
+        let cost_35 = (STEP + _e42);
+        let _e44 = joined_3;
+        let _e45 = self.v_joined_way(_e44, _e14);
+        let _e46 = self.v_hit_on_way(path_102, _e3, _e45, cost_35);
+        return _e46;
+    }
+    pub(crate) fn search_view_dependent_clusters(
+        &self,
+        path_103: Path,
+        params_117: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SearchResult {
+        rt::into(self.v_search_view_dependent_clusters(path_103, rt::into(params_117)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_view_dependent_clusters(
+        &self,
+        path_103: Path,
+        params_117: rt::Vec4<f32>,
+    ) -> SearchResult {
+        let mut joined_4: JoinedViews;
+        let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e3 = self.v_path_axes(path_103, params_117.w());
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(0u32))) {
+            return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_103.exit), rt::Scalar(path_103.exit), rt::Scalar(1f32), rt::Scalar(1f32), STEP);
+        }
+        let _e14 = self.v_views_around(_e3, params_117);
+        let _e16 = self.v_path_uv(path_103, rt::Scalar(_e3.start));
+        let _e18 = self.v_height_texels(rt::Scalar(path_103.level));
+        let _e19 = self.v_texels_around(_e16, _e18);
+        let _e20 = self.v_search_layers(path_103);
+        let _e21 = self.v_no_views();
+        joined_4 = _e21;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e25 = k_36;
+                if rt::Scalar::into_branch_condition(_e25.elementwise_lt(rt::Scalar(_e14.pairs))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e28 = k_36;
+                    let _e29 = self.v_view_pair(_e14, _e28);
+                    let _e30 = self.v_clustered_ways(path_103, _e19, _e29, params_117, _e20);
+                    let _e31 = joined_4;
+                    let _e32 = k_36;
+                    let _e33 = self.v_with_pair(_e31, _e14, _e32, _e30);
+                    joined_4 = _e33;
+                    let _e34 = k_36;
+                    k_36 = (_e34 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e48 = self.v_texel_reads(path_103, ((rt::Scalar(_e14.pairs) * rt::Scalar(4u32)) * (rt::Scalar(1u32) + ((_e20 - rt::Scalar(1u32)) * rt::Scalar(5u32)))));
+        let cost_36 = (STEP + _e48);
+        let _e50 = joined_4;
+        let _e51 = self.v_joined_way(_e50, _e14);
+        let _e52 = self.v_hit_on_way(path_103, _e3, _e51, cost_36);
+        return _e52;
+    }
+    pub(crate) fn search_stage(&self, path_104: Path) -> SearchResult {
+        rt::into(self.v_search_stage(path_104))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_search_stage(&self, path_104: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_95, _e10);
+                let _e11 = self.v_search_none(path_104, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_95, _e16);
+                let _e17 = self.v_search_linear(path_104, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_95, _e22);
+                let _e23 = self.v_search_cells(path_104, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_95, _e28);
+                let _e29 = self.v_search_frustum(path_104, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_95, _e34);
+                let _e35 = self.v_search_cone(path_104, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_95, _e40);
+                let _e41 = self.v_search_pyramid(path_104, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_95, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_104, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_95, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_104, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_95, _e58);
+                let _e59 = self.v_search_sphere(path_104, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_95, _e64);
+                let _e65 = self.v_search_cone_moved(path_104, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_95, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_104, _e70);
                 return _e71;
             }
             11u32 => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_95, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_104, _e76);
                 return _e77;
             }
             12u32 => {
                 let _e82 = self.surface_settings.choices[6usize].params;
-                let _e83 = self.v_search_voxels(path_95, _e82);
+                let _e83 = self.v_search_voxels(path_104, _e82);
                 return _e83;
             }
             13u32 => {
                 let _e88 = self.surface_settings.choices[6usize].params;
-                let _e89 = self.v_search_generalised(path_95, _e88);
+                let _e89 = self.v_search_generalised(path_104, _e88);
                 return _e89;
             }
             14u32 => {
                 let _e94 = self.surface_settings.choices[6usize].params;
-                let _e95 = self.v_search_view_dependent(path_95, _e94);
+                let _e95 = self.v_search_view_dependent(path_104, _e94);
                 return _e95;
             }
             15u32 => {
                 let _e100 = self.surface_settings.choices[6usize].params;
-                let _e101 = self.v_search_view_dependent_free(path_95, _e100);
+                let _e101 = self.v_search_view_dependent_free(path_104, _e100);
                 return _e101;
             }
             16u32 => {
                 let _e106 = self.surface_settings.choices[6usize].params;
-                let _e107 = self.v_search_translucent(path_95, _e106);
+                let _e107 = self.v_search_translucent(path_104, _e106);
                 return _e107;
             }
-            _ => {
+            17u32 => {
                 let _e112 = self.surface_settings.choices[6usize].params;
-                let _e113 = self.v_search_shell_map(path_95, _e112);
+                let _e113 = self.v_search_shell_map(path_104, _e112);
                 return _e113;
+            }
+            18u32 => {
+                let _e118 = self.surface_settings.choices[6usize].params;
+                let _e119 = self.v_search_view_dependent_svd(path_104, _e118);
+                return _e119;
+            }
+            _ => {
+                let _e124 = self.surface_settings.choices[6usize].params;
+                let _e125 = self.v_search_view_dependent_clusters(path_104, _e124);
+                return _e125;
             }
         }
     }
-    pub(crate) fn trace(&self, path_96: Path) -> Hit {
-        rt::into(self.v_trace(path_96))
+    pub(crate) fn trace(&self, path_105: Path) -> Hit {
+        rt::into(self.v_trace(path_105))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_trace(&self, path_96: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_96);
-        let _e2 = self.v_refine_stage(path_96, _e1);
+    pub(super) fn v_trace(&self, path_105: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_105);
+        let _e2 = self.v_refine_stage(path_105, _e1);
         return _e2;
     }
     pub(crate) fn object_none(
         &self,
         pixel_77: PixelIn,
         at_117: Entered,
-        params_113: impl rt::Into<rt::Vec4<f32>>,
+        params_118: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_77, at_117, rt::into(params_113)))
+        rt::into(self.v_object_none(pixel_77, at_117, rt::into(params_118)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_none(
         &self,
         pixel_77: PixelIn,
         at_117: Entered,
-        params_113: rt::Vec4<f32>,
+        params_118: rt::Vec4<f32>,
     ) -> FirstHit {
-        let mut cost_28: rt::Vec3<u32> = NO_COST;
-        let mut first_6: FirstHit;
-        let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_29: rt::Vec3<u32> = NO_COST;
+        let mut first_5: FirstHit;
+        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_121: rt::Scalar<bool>;
 
-        let _e5 = cost_28;
+        let _e5 = cost_29;
         let _e6 = self.v_miss(_e5);
-        first_6 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_5 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = k_33;
+                let _e13 = k_37;
                 if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_117.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e16 = k_33;
+                    let _e16 = k_37;
                     let _e17 = self.v_segment_of(pixel_77, at_117, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
-                        let _e22 = k_33;
+                        let _e22 = k_37;
                         let _e23 = self.v_hit_on_segment(pixel_77, at_117, _e17, _e21, _e22);
-                        let _e24 = cost_28;
-                        cost_28 = (_e24 + _e23.hit.cost);
+                        let _e24 = cost_29;
+                        cost_29 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
-                            let _e34 = rt::Scalar(first_6.hit.found);
+                            let _e34 = rt::Scalar(first_5.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
-                                let _e42 = rt::Scalar(first_6.key);
+                                let _e42 = rt::Scalar(first_5.key);
                                 local_121 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
                                 local_121 = rt::Scalar(true);
                             }
                             let _e45 = local_121;
                             if rt::Scalar::into_branch_condition(_e45) {
-                                first_6 = _e23;
+                                first_5 = _e23;
                             }
                             if rt::Scalar::into_branch_condition(rt::Scalar(pixel_77.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
                             }
                         }
                     }
-                    let _e50 = k_33;
-                    k_33 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_37;
+                    k_37 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e55 = cost_28;
-        first_6.hit.cost = _e55;
-        let _e56 = first_6;
+        let _e55 = cost_29;
+        first_5.hit.cost = _e55;
+        let _e56 = first_5;
         return _e56;
     }
     pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_118: Entered) -> FirstHit {
@@ -17314,19 +17894,19 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_118: Entered) -> FirstHit {
-        let mut cost_29: rt::Vec3<u32> = NO_COST;
-        let mut first_7: FirstHit;
+        let mut cost_30: rt::Vec3<u32> = NO_COST;
+        let mut first_6: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_122: rt::Scalar<bool>;
         let mut local_123: rt::Scalar<bool>;
         let mut local_124: rt::Scalar<bool>;
 
-        let _e4 = cost_29;
+        let _e4 = cost_30;
         let _e5 = self.v_miss(_e4);
-        first_7 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_6 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
         let most_20 = (rt::Scalar(at_118.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
@@ -17343,7 +17923,7 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = k_34;
+                    let _e30 = k_38;
                     let _e31 = self.v_segment_of(pixel_78, at_118, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
@@ -17356,27 +17936,27 @@ impl<'g> Resources<'g> {
                     }
                     let _e49 = local_123;
                     if rt::Scalar::into_branch_condition((!_e49)) {
-                        let _e52 = cost_29;
+                        let _e52 = cost_30;
                         let _e53 = self.v_miss(_e52);
-                        first_7.hit = _e53;
-                        let _e54 = first_7;
+                        first_6.hit = _e53;
+                        let _e54 = first_6;
                         return _e54;
                     }
                     let _e55 = self.v_beginning_at(_e31, passed);
                     let _e56 = self.v_trace(_e55);
-                    let _e57 = cost_29;
-                    cost_29 = (_e57 + _e56.cost);
+                    let _e57 = cost_30;
+                    cost_30 = (_e57 + _e56.cost);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e56.found).elementwise_eq(rt::Scalar(0u32))) {
-                        let _e64 = cost_29;
+                        let _e64 = cost_30;
                         let _e65 = self.v_miss(_e64);
-                        first_7.hit = _e65;
-                        let _e66 = first_7;
+                        first_6.hit = _e65;
+                        let _e66 = first_6;
                         return _e66;
                     }
                     let t_56 = (passed + rt::Scalar(_e56.t));
                     let _e70 = self.v_metres_on(_e31, t_56);
                     let at_m = (rt::Scalar(_e31.start) + _e70);
-                    let _e74 = rt::Scalar(first_7.hit.found);
+                    let _e74 = rt::Scalar(first_6.hit.found);
                     if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
                         let _e80 = reached_1;
                         let _e81 = reached_1;
@@ -17388,37 +17968,37 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e87) {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
-                        let _e93 = cost_29;
-                        let _e95 = k_34;
+                        let _e93 = cost_30;
+                        let _e95 = k_38;
                         let _e96 = self.v_hit_on_segment(pixel_78, at_118, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_56, _e93), _e95);
-                        first_7 = _e96;
-                        let _e99 = first_7.hit.cost;
-                        cost_29 = _e99;
+                        first_6 = _e96;
+                        let _e99 = first_6.hit.cost;
+                        cost_30 = _e99;
                     }
                     let _e100 = agreed;
                     agreed = (_e100 + rt::Scalar(1u32));
-                    let _e103 = k_34;
-                    let _e107 = k_34;
-                    k_34 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_118.segments)));
+                    let _e103 = k_38;
+                    let _e107 = k_38;
+                    k_38 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_118.segments)));
                     let _e113 = turns;
                     turns = (_e113 + rt::Scalar(1u32));
                 }
             }
         }
         let _e120 = agreed;
-        rt::Scalar(first_7.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_118.segments)));
-        let _e126 = cost_29;
-        first_7.hit.cost = _e126;
-        let _e127 = first_7;
+        rt::Scalar(first_6.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_118.segments)));
+        let _e126 = cost_30;
+        first_6.hit.cost = _e126;
+        let _e127 = first_6;
         return _e127;
     }
     pub(crate) fn object_depth(
         &self,
         pixel_79: PixelIn,
         at_119: Entered,
-        params_114: impl rt::Into<rt::Vec4<f32>>,
+        params_119: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_79, at_119, rt::into(params_114)))
+        rt::into(self.v_object_depth(pixel_79, at_119, rt::into(params_119)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17426,7 +18006,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_79: PixelIn,
         at_119: Entered,
-        params_114: rt::Vec4<f32>,
+        params_119: rt::Vec4<f32>,
     ) -> FirstHit {
         let _e3 = self.v_first_in_all(pixel_79, at_119);
         return _e3;
@@ -17435,9 +18015,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_80: PixelIn,
         at_120: Entered,
-        params_115: impl rt::Into<rt::Vec4<f32>>,
+        params_120: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_80, at_120, rt::into(params_115)))
+        rt::into(self.v_object_hull(pixel_80, at_120, rt::into(params_120)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17445,7 +18025,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_80: PixelIn,
         at_120: Entered,
-        params_115: rt::Vec4<f32>,
+        params_120: rt::Vec4<f32>,
     ) -> FirstHit {
         let _e3 = self.v_first_in_all(pixel_80, at_120);
         return _e3;
@@ -17459,11 +18039,11 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
         let at_188 = ((uv_33 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(at_188);
-        let part_32 = (at_188 - _e8);
+        let part_33 = (at_188 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_16 = (rt::Scalar(1f32) - part_32.x());
-        let y_11 = (rt::Scalar(1f32) - part_32.y());
-        let weights_8 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_32.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_32.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_32.x() * part_32.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let x_16 = (rt::Scalar(1f32) - part_33.x());
+        let y_11 = (rt::Scalar(1f32) - part_33.y());
+        let weights_8 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_33.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_33.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_33.x() * part_33.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
         let cover_2 = ((weights_8.x() + weights_8.y()) + (weights_8.z() + weights_8.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_8.dot(_e12) / cover_2));
@@ -17472,16 +18052,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn look_along(
         &self,
-        path_97: Path,
+        path_106: Path,
         image_11: Image,
         steps_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_look_along(path_97, image_11, rt::into(steps_1)))
+        rt::into(self.v_look_along(path_106, image_11, rt::into(steps_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_look_along(
         &self,
-        path_97: Path,
+        path_106: Path,
         image_11: Image,
         steps_1: rt::Scalar<u32>,
     ) -> rt::Vec2<f32> {
@@ -17491,8 +18071,8 @@ impl<'g> Resources<'g> {
 
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         let beyond_9 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
-        let low_13 = (image_11.corner - beyond_9);
-        let high_8 = ((image_11.corner + image_11.extent) + beyond_9);
+        let low_12 = (image_11.corner - beyond_9);
+        let high_7 = ((image_11.corner + image_11.extent) + beyond_9);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = step_5;
@@ -17502,8 +18082,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e23 = height_12;
-                    let _e30 = self.v_path_uv(path_97, ((_e23 - path_97.h.x()) / path_97.h.y()));
-                    let _e32 = self.v_look_into_frame(_e30.clamp(low_13, high_8));
+                    let _e30 = self.v_path_uv(path_106, ((_e23 - path_106.h.x()) / path_106.h.y()));
+                    let _e32 = self.v_look_into_frame(_e30.clamp(low_12, high_7));
                     cover = _e32.x();
                     let _e34 = height_12;
                     let _e36 = cover;
@@ -17521,48 +18101,48 @@ impl<'g> Resources<'g> {
         &self,
         pixel_81: PixelIn,
         at_121: Entered,
-        params_116: impl rt::Into<rt::Vec4<f32>>,
+        params_121: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_81, at_121, rt::into(params_116)))
+        rt::into(self.v_object_blend(pixel_81, at_121, rt::into(params_121)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_blend(
         &self,
         pixel_81: PixelIn,
         at_121: Entered,
-        params_116: rt::Vec4<f32>,
+        params_121: rt::Vec4<f32>,
     ) -> FirstHit {
-        let mut cost_30: rt::Vec3<u32> = NO_COST;
+        let mut cost_31: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut along_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut heaviest: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_35: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut first_8: FirstHit;
+        let mut k_39: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut first_7: FirstHit;
         let mut local_125: rt::Scalar<bool>;
 
         let toward_11 = (-pixel_81.direction.normalize());
         let _e6 = self.v_frames_around(toward_11);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_35;
+                let _e19 = k_39;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e22 = k_35;
+                    let _e22 = k_39;
                     let _e23 = self.v_frame_number(_e6, _e22);
                     let _e24 = self.v_image_of_object(_e23);
-                    let _e25 = k_35;
+                    let _e25 = k_39;
                     let _e26 = self.v_frame_weight(_e6, _e25);
                     if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_11).elementwise_ge(rt::Scalar(0.05f32))) {
-                        let _e31 = k_35;
+                        let _e31 = k_39;
                         let _e32 = self.v_segment_of(pixel_81, at_121, _e31);
-                        let _e35 = self.v_look_along(_e32, _e24, params_116.w().to_u32());
+                        let _e35 = self.v_look_along(_e32, _e24, params_121.w().to_u32());
                         let seen_10 = (_e26 * _e35.x());
-                        let _e38 = cost_30;
-                        cost_30 = (_e38 + (LOOK * (params_116.w().to_u32() + rt::Scalar(1u32))));
+                        let _e38 = cost_31;
+                        cost_31 = (_e38 + (LOOK * (params_121.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
                         cover_1 = (_e46 + seen_10);
                         let _e48 = along_18;
@@ -17570,18 +18150,18 @@ impl<'g> Resources<'g> {
                         let _e60 = most_2;
                         if rt::Scalar::into_branch_condition(seen_10.elementwise_gt(_e60)) {
                             most_2 = seen_10;
-                            let _e62 = k_35;
+                            let _e62 = k_39;
                             heaviest = _e62;
                         }
                     }
-                    let _e63 = k_35;
-                    k_35 = (_e63 + rt::Scalar(1u32));
+                    let _e63 = k_39;
+                    k_39 = (_e63 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e66 = cost_30;
+        let _e66 = cost_31;
         let _e67 = self.v_miss(_e66);
-        first_8 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_7 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
@@ -17591,7 +18171,7 @@ impl<'g> Resources<'g> {
         }
         let _e82 = local_125;
         if rt::Scalar::into_branch_condition(_e82) {
-            let _e83 = first_8;
+            let _e83 = first_7;
             return _e83;
         }
         let _e84 = heaviest;
@@ -17601,7 +18181,7 @@ impl<'g> Resources<'g> {
         let t_57 = ((_e86 / _e87) - rt::Scalar(_e85.start));
         let _e93 = self.v_path_uv(_e85, t_57);
         let _e94 = self.v_path_height(_e85, t_57);
-        let _e95 = cost_30;
+        let _e95 = cost_31;
         let hit_86 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_57, _e95);
         let _e97 = heaviest;
         let _e98 = self.v_hit_on_segment(pixel_81, at_121, _e85, hit_86, _e97);
@@ -17674,118 +18254,128 @@ impl<'g> Resources<'g> {
         sweep_5: Sweep,
         column_2: rt::Scalar<i32>,
     ) -> rt::Scalar<i32> {
-        let n_18 = sweep_5.parts.x();
+        let n_20 = sweep_5.parts.x();
         let m_6 = sweep_5.parts.y();
         let doubled = ((rt::Scalar(2i32) * column_2) - rt::Scalar(1i32));
         if rt::Scalar::into_branch_condition(column_2.elementwise_le(rt::Scalar(0i32))) {
             return rt::Scalar(0i32);
         }
         if rt::Scalar::into_branch_condition(column_2.elementwise_gt(sweep_5.end.x())) {
-            return ((n_18 + m_6) + rt::Scalar(1i32));
+            return ((n_20 + m_6) + rt::Scalar(1i32));
         }
         if rt::Scalar::into_branch_condition(doubled.elementwise_le((rt::Scalar(2i32) * sweep_5.apex.x()))) {
-            let _e29 = self.v_quotient_up((n_18 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
+            let _e29 = self.v_quotient_up((n_20 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
             return _e29;
         }
         let _e43 = self.v_quotient_up((m_6 * (doubled - (rt::Scalar(2i32) * sweep_5.apex.x()))), (rt::Scalar(2i32) * (sweep_5.end.x() - sweep_5.apex.x())));
-        return (n_18 + _e43);
+        return (n_20 + _e43);
     }
-    pub(crate) fn shadow_search_stage(&self, path_98: Path) -> SearchResult {
-        rt::into(self.v_shadow_search_stage(path_98))
+    pub(crate) fn shadow_search_stage(&self, path_107: Path) -> SearchResult {
+        rt::into(self.v_shadow_search_stage(path_107))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_shadow_search_stage(&self, path_98: Path) -> SearchResult {
+    pub(super) fn v_shadow_search_stage(&self, path_107: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[10usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[10usize].params;
-                let _e11 = self.v_search_none(path_98, _e10);
+                let _e11 = self.v_search_none(path_107, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[10usize].params;
-                let _e17 = self.v_search_linear(path_98, _e16);
+                let _e17 = self.v_search_linear(path_107, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[10usize].params;
-                let _e23 = self.v_search_cells(path_98, _e22);
+                let _e23 = self.v_search_cells(path_107, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[10usize].params;
-                let _e29 = self.v_search_frustum(path_98, _e28);
+                let _e29 = self.v_search_frustum(path_107, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[10usize].params;
-                let _e35 = self.v_search_cone(path_98, _e34);
+                let _e35 = self.v_search_cone(path_107, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[10usize].params;
-                let _e41 = self.v_search_pyramid(path_98, _e40);
+                let _e41 = self.v_search_pyramid(path_107, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[10usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_98, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_107, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[10usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_98, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_107, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[10usize].params;
-                let _e59 = self.v_search_sphere(path_98, _e58);
+                let _e59 = self.v_search_sphere(path_107, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[10usize].params;
-                let _e65 = self.v_search_cone_moved(path_98, _e64);
+                let _e65 = self.v_search_cone_moved(path_107, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[10usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_98, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_107, _e70);
                 return _e71;
             }
             11u32 => {
                 let _e76 = self.surface_settings.choices[10usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_98, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_107, _e76);
                 return _e77;
             }
             12u32 => {
                 let _e82 = self.surface_settings.choices[10usize].params;
-                let _e83 = self.v_search_voxels(path_98, _e82);
+                let _e83 = self.v_search_voxels(path_107, _e82);
                 return _e83;
             }
             13u32 => {
                 let _e88 = self.surface_settings.choices[10usize].params;
-                let _e89 = self.v_search_generalised(path_98, _e88);
+                let _e89 = self.v_search_generalised(path_107, _e88);
                 return _e89;
             }
             14u32 => {
                 let _e94 = self.surface_settings.choices[10usize].params;
-                let _e95 = self.v_search_view_dependent(path_98, _e94);
+                let _e95 = self.v_search_view_dependent(path_107, _e94);
                 return _e95;
             }
             15u32 => {
                 let _e100 = self.surface_settings.choices[10usize].params;
-                let _e101 = self.v_search_view_dependent_free(path_98, _e100);
+                let _e101 = self.v_search_view_dependent_free(path_107, _e100);
                 return _e101;
             }
             16u32 => {
                 let _e106 = self.surface_settings.choices[10usize].params;
-                let _e107 = self.v_search_translucent(path_98, _e106);
+                let _e107 = self.v_search_translucent(path_107, _e106);
                 return _e107;
             }
-            _ => {
+            17u32 => {
                 let _e112 = self.surface_settings.choices[10usize].params;
-                let _e113 = self.v_search_shell_map(path_98, _e112);
+                let _e113 = self.v_search_shell_map(path_107, _e112);
                 return _e113;
+            }
+            18u32 => {
+                let _e118 = self.surface_settings.choices[10usize].params;
+                let _e119 = self.v_search_view_dependent_svd(path_107, _e118);
+                return _e119;
+            }
+            _ => {
+                let _e124 = self.surface_settings.choices[10usize].params;
+                let _e125 = self.v_search_view_dependent_clusters(path_107, _e124);
+                return _e125;
             }
         }
     }
@@ -17832,67 +18422,67 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn rest_of_segment(
         &self,
-        path_99: Path,
+        path_108: Path,
         until_m: impl rt::Into<rt::Scalar<f32>>,
         reach_m: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_rest_of_segment(path_99, rt::into(until_m), rt::into(reach_m)))
+        rt::into(self.v_rest_of_segment(path_108, rt::into(until_m), rt::into(reach_m)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_rest_of_segment(
         &self,
-        path_99: Path,
+        path_108: Path,
         until_m: rt::Scalar<f32>,
         reach_m: rt::Scalar<f32>,
     ) -> Path {
         let mut rest_2: Path;
 
-        let _e7 = self.v_way_into_heights(path_99.h.x(), path_99.h.y());
-        let _e9 = self.v_path_height(path_99, rt::Scalar(path_99.exit));
-        let _e11 = self.v_path_slope(path_99, rt::Scalar(path_99.exit));
+        let _e7 = self.v_way_into_heights(path_108.h.x(), path_108.h.y());
+        let _e9 = self.v_path_height(path_108, rt::Scalar(path_108.exit));
+        let _e11 = self.v_path_slope(path_108, rt::Scalar(path_108.exit));
         let _e12 = self.v_way_into_heights(_e9, _e11);
-        let begin_12 = _e7.max((until_m - rt::Scalar(path_99.start)));
-        rest_2 = path_99;
+        let begin_12 = _e7.max((until_m - rt::Scalar(path_108.start)));
+        rest_2 = path_108;
         if rt::Scalar::into_branch_condition(begin_12.elementwise_gt(rt::Scalar(0f32))) {
-            let _e19 = self.v_beginning_at(path_99, begin_12);
+            let _e19 = self.v_beginning_at(path_108, begin_12);
             rest_2 = _e19;
         }
         let _e27 = rt::Scalar(rest_2.start);
-        rt::Scalar(rest_2.exit) = ((rt::Scalar(path_99.exit) - _e12) - begin_12.max(rt::Scalar(0f32))).min((reach_m - _e27));
+        rt::Scalar(rest_2.exit) = ((rt::Scalar(path_108.exit) - _e12) - begin_12.max(rt::Scalar(0f32))).min((reach_m - _e27));
         let _e30 = rest_2;
         return _e30;
     }
-    pub(crate) fn light_around(&self, at_125: Entered, path_100: Path) -> rt::Vec3<f32> {
-        rt::into(self.v_light_around(at_125, path_100))
+    pub(crate) fn light_around(&self, at_125: Entered, path_109: Path) -> rt::Vec3<f32> {
+        rt::into(self.v_light_around(at_125, path_109))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_light_around(&self, at_125: Entered, path_100: Path) -> rt::Vec3<f32> {
+    pub(super) fn v_light_around(&self, at_125: Entered, path_109: Path) -> rt::Vec3<f32> {
         let mut light_12: rt::Vec3<f32>;
-        let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let hit_87 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_100.uv, path_100.h.x(), rt::Scalar(0f32), NO_COST);
+        let hit_87 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_109.uv, path_109.h.x(), rt::Scalar(0f32), NO_COST);
         let zero_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let white_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let material_14 = <Material>::new(white_1, zero_2, zero_2, white_1, zero_2, rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
         light_12 = zero_2;
         'naga_break: loop {
             'naga_continue: {
-                let _e29 = k_36;
+                let _e29 = k_40;
                 if rt::Scalar::into_branch_condition(_e29.elementwise_lt(rt::Scalar(6u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e32 = k_36;
+                    let _e32 = k_40;
                     let along_42 = rt::Scalar(-1f32).select(rt::Scalar(1f32), (_e32 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32)));
-                    let _e40 = k_36;
+                    let _e40 = k_40;
                     let axis_8 = (_e40 >> rt::Scalar(1u32));
                     let normal_36 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32).select(along_42, axis_8.elementwise_eq(rt::Scalar(0u32))), rt::Scalar(0f32).select(along_42, axis_8.elementwise_eq(rt::Scalar(1u32))), rt::Scalar(0f32).select(along_42, axis_8.elementwise_eq(rt::Scalar(2u32))));
                     let _e56 = light_12;
                     let _e57 = self.v_ambient_stage(at_125, hit_87, normal_36, normal_36, material_14);
                     light_12 = (_e56 + _e57);
-                    let _e59 = k_36;
-                    k_36 = (_e59 + rt::Scalar(1u32));
+                    let _e59 = k_40;
+                    k_40 = (_e59 + rt::Scalar(1u32));
                 }
             }
         }
@@ -17931,11 +18521,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_84: PixelIn,
         at_127: Entered,
-        path_101: Path,
+        path_110: Path,
         hit_44: Hit,
-        params_117: impl rt::Into<rt::Vec4<f32>>,
+        params_122: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_84, at_127, path_101, hit_44, rt::into(params_117)))
+        rt::into(self.v_surface_plane_place(pixel_84, at_127, path_110, hit_44, rt::into(params_122)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17943,9 +18533,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_84: PixelIn,
         at_127: Entered,
-        path_101: Path,
+        path_110: Path,
         hit_44: Hit,
-        params_117: rt::Vec4<f32>,
+        params_122: rt::Vec4<f32>,
     ) -> Entered {
         let _e5 = self.v_placed_over(at_127, hit_44);
         return _e5;
@@ -17984,11 +18574,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_86: PixelIn,
         at_129: Entered,
-        path_102: Path,
+        path_111: Path,
         hit_45: Hit,
-        params_118: impl rt::Into<rt::Vec4<f32>>,
+        params_123: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_86, at_129, path_102, hit_45, rt::into(params_118)))
+        rt::into(self.v_surface_prism_place(pixel_86, at_129, path_111, hit_45, rt::into(params_123)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17996,17 +18586,17 @@ impl<'g> Resources<'g> {
         &self,
         pixel_86: PixelIn,
         at_129: Entered,
-        path_102: Path,
+        path_111: Path,
         hit_45: Hit,
-        params_118: rt::Vec4<f32>,
+        params_123: rt::Vec4<f32>,
     ) -> Entered {
         let along_43 = pixel_86.direction.normalize();
         let _e7 = self.v_middle_of(pixel_86, along_43);
-        let _e8 = self.v_prism_of(pixel_86, along_43, _e7, params_118);
-        let s_3 = ((rt::Scalar(path_102.start) + rt::Scalar(hit_45.t)) - _e7);
+        let _e8 = self.v_prism_of(pixel_86, along_43, _e7, params_123);
+        let s_3 = ((rt::Scalar(path_111.start) + rt::Scalar(hit_45.t)) - _e7);
         let _e15 = self.v_point_of_way(pixel_86, _e8, (along_43 * s_3), rt::Scalar(hit_45.height));
         let weights_9 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_86, at_129, weights_9, (pixel_86.origin + (along_43 * (rt::Scalar(path_102.start) + rt::Scalar(hit_45.t)))), hit_45.uv);
+        let _e24 = self.v_placed_at(pixel_86, at_129, weights_9, (pixel_86.origin + (along_43 * (rt::Scalar(path_111.start) + rt::Scalar(hit_45.t)))), hit_45.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
@@ -18061,11 +18651,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_87: PixelIn,
         at_131: Entered,
-        path_103: Path,
+        path_112: Path,
         hit_46: Hit,
-        params_119: impl rt::Into<rt::Vec4<f32>>,
+        params_124: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_87, at_131, path_103, hit_46, rt::into(params_119)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_87, at_131, path_112, hit_46, rt::into(params_124)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -18073,15 +18663,15 @@ impl<'g> Resources<'g> {
         &self,
         pixel_87: PixelIn,
         at_131: Entered,
-        path_103: Path,
+        path_112: Path,
         hit_46: Hit,
-        params_119: rt::Vec4<f32>,
+        params_124: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
         let _e8 = self.v_quadric_frame(at_131, (hit_46.uv - at_131.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_87.origin + (pixel_87.direction.normalize() * (rt::Scalar(path_103.start) + rt::Scalar(hit_46.t))));
+        placed_3.point = (pixel_87.origin + (pixel_87.direction.normalize() * (rt::Scalar(path_112.start) + rt::Scalar(hit_46.t))));
         placed_3.uv = hit_46.uv;
         let _e21 = placed_3;
         return _e21;
@@ -18090,20 +18680,20 @@ impl<'g> Resources<'g> {
         &self,
         pixel_88: PixelIn,
         at_132: Entered,
-        path_104: Path,
+        path_113: Path,
         hit_47: Hit,
-        params_120: impl rt::Into<rt::Vec4<f32>>,
+        params_125: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_88, at_132, path_104, hit_47, rt::into(params_120)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_88, at_132, path_113, hit_47, rt::into(params_125)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_place(
         &self,
         pixel_88: PixelIn,
         at_132: Entered,
-        path_104: Path,
+        path_113: Path,
         hit_47: Hit,
-        params_120: rt::Vec4<f32>,
+        params_125: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
@@ -18127,28 +18717,28 @@ impl<'g> Resources<'g> {
         &self,
         pixel_89: PixelIn,
         at_133: Entered,
-        path_105: Path,
+        path_114: Path,
         hit_48: Hit,
-        params_121: impl rt::Into<rt::Vec4<f32>>,
+        params_126: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_89, at_133, path_105, hit_48, rt::into(params_121)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_89, at_133, path_114, hit_48, rt::into(params_126)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_place(
         &self,
         pixel_89: PixelIn,
         at_133: Entered,
-        path_105: Path,
+        path_114: Path,
         hit_48: Hit,
-        params_121: rt::Vec4<f32>,
+        params_126: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest_2: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
-        let mut number_16: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut number_18: rt::Scalar<u32> = rt::Scalar(1u32);
 
         let along_44 = pixel_89.direction.normalize();
         let _e7 = self.v_middle_of(pixel_89, along_44);
-        let t_58 = ((rt::Scalar(path_105.start) + rt::Scalar(hit_48.t)) - _e7);
+        let t_58 = ((rt::Scalar(path_114.start) + rt::Scalar(hit_48.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_89, along_44, _e7, rt::Scalar(0u32));
         nearest_2 = _e13;
         let _e17 = nearest_2.inside.x();
@@ -18156,13 +18746,13 @@ impl<'g> Resources<'g> {
         beside_1 = (_e17 - t_58).max((t_58 - _e21));
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = number_16;
+                let _e27 = number_18;
                 if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = number_16;
+                    let _e30 = number_18;
                     let _e31 = self.v_tetrahedron(pixel_89, along_44, _e7, _e30);
                     let aside_12 = (_e31.inside.x() - t_58).max((t_58 - _e31.inside.y()));
                     let _e39 = beside_1;
@@ -18170,15 +18760,15 @@ impl<'g> Resources<'g> {
                         nearest_2 = _e31;
                         beside_1 = aside_12;
                     }
-                    let _e41 = number_16;
-                    number_16 = (_e41 + rt::Scalar(1u32));
+                    let _e41 = number_18;
+                    number_18 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
         let _e45 = nearest_2.weights;
         let _e47 = nearest_2.change;
         let weights_10 = (_e45 + (_e47 * t_58));
-        let point_33 = (pixel_89.origin + (along_44 * (rt::Scalar(path_105.start) + rt::Scalar(hit_48.t))));
+        let point_33 = (pixel_89.origin + (along_44 * (rt::Scalar(path_114.start) + rt::Scalar(hit_48.t))));
         let _e58 = self.v_placed_at(pixel_89, at_133, weights_10.xyz(), point_33, hit_48.uv);
         return _e58;
     }
@@ -18186,11 +18776,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_90: PixelIn,
         at_134: Entered,
-        path_106: Path,
+        path_115: Path,
         hit_49: Hit,
-        params_122: impl rt::Into<rt::Vec4<f32>>,
+        params_127: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_90, at_134, path_106, hit_49, rt::into(params_122)))
+        rt::into(self.v_surface_facets_place(pixel_90, at_134, path_115, hit_49, rt::into(params_127)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -18198,9 +18788,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_90: PixelIn,
         at_134: Entered,
-        path_106: Path,
+        path_115: Path,
         hit_49: Hit,
-        params_122: rt::Vec4<f32>,
+        params_127: rt::Vec4<f32>,
     ) -> Entered {
         return at_134;
     }
@@ -18208,11 +18798,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_91: PixelIn,
         at_135: Entered,
-        path_107: Path,
+        path_116: Path,
         hit_50: Hit,
-        params_123: impl rt::Into<rt::Vec4<f32>>,
+        params_128: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_91, at_135, path_107, hit_50, rt::into(params_123)))
+        rt::into(self.v_surface_slices_place(pixel_91, at_135, path_116, hit_50, rt::into(params_128)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -18220,9 +18810,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_91: PixelIn,
         at_135: Entered,
-        path_107: Path,
+        path_116: Path,
         hit_50: Hit,
-        params_123: rt::Vec4<f32>,
+        params_128: rt::Vec4<f32>,
     ) -> Entered {
         let _e5 = self.v_placed_over(at_135, hit_50);
         return _e5;
@@ -18237,8 +18827,8 @@ impl<'g> Resources<'g> {
         let at_189 = ((uv_35 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(at_189);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_33 = (at_189 - _e8);
-        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_33.y())) + ((_e11.w() - _e11.z()) * part_33.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_33.x())) + ((_e11.w() - _e11.y()) * part_33.x())));
+        let part_34 = (at_189 - _e8);
+        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_34.y())) + ((_e11.w() - _e11.z()) * part_34.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_34.x())) + ((_e11.w() - _e11.y()) * part_34.x())));
     }
     pub(crate) fn normal_of_mask(
         &self,
@@ -18267,16 +18857,16 @@ impl<'g> Resources<'g> {
         }
         return within;
     }
-    pub(crate) fn placed_in_image(&self, pixel_92: PixelIn, at_136: Entered, path_108: Path, hit_51: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_92, at_136, path_108, hit_51))
+    pub(crate) fn placed_in_image(&self, pixel_92: PixelIn, at_136: Entered, path_117: Path, hit_51: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_92, at_136, path_117, hit_51))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_placed_in_image(&self, pixel_92: PixelIn, at_136: Entered, path_108: Path, hit_51: Hit) -> Entered {
+    pub(super) fn v_placed_in_image(&self, pixel_92: PixelIn, at_136: Entered, path_117: Path, hit_51: Hit) -> Entered {
         let mut placed_5: Entered;
 
-        let _e6 = self.v_image_of_object(rt::Scalar(path_108.base).to_u32());
+        let _e6 = self.v_image_of_object(rt::Scalar(path_117.base).to_u32());
         placed_5 = at_136;
-        placed_5.point = (pixel_92.origin + (pixel_92.direction.normalize() * (rt::Scalar(path_108.start) + rt::Scalar(hit_51.t))));
+        placed_5.point = (pixel_92.origin + (pixel_92.direction.normalize() * (rt::Scalar(path_117.start) + rt::Scalar(hit_51.t))));
         placed_5.uv = hit_51.uv;
         let _e20 = placed_5.point;
         let _e21 = self.v_depth_in_image(_e6, _e20);
@@ -18293,7 +18883,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(rt::Scalar(1u32))) {
             placed_5.normal = _e6.toward;
         }
-        placed_5.metric = path_108.metric;
+        placed_5.metric = path_117.metric;
         placed_5.facing = _e6.toward;
         let _e53 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e53.elementwise_eq(CELLS_MASK)) {
@@ -18309,11 +18899,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_93: PixelIn,
         at_137: Entered,
-        path_109: Path,
+        path_118: Path,
         hit_52: Hit,
-        params_124: impl rt::Into<rt::Vec4<f32>>,
+        params_129: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_93, at_137, path_109, hit_52, rt::into(params_124)))
+        rt::into(self.v_surface_object_place(pixel_93, at_137, path_118, hit_52, rt::into(params_129)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -18321,11 +18911,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_93: PixelIn,
         at_137: Entered,
-        path_109: Path,
+        path_118: Path,
         hit_52: Hit,
-        params_124: rt::Vec4<f32>,
+        params_129: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_93, at_137, path_109, hit_52);
+        let _e5 = self.v_placed_in_image(pixel_93, at_137, path_118, hit_52);
         return _e5;
     }
     pub(crate) fn normal_of_frames(&self, at_138: Entered, frames_2: Frames) -> rt::Vec3<f32> {
@@ -18334,18 +18924,18 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normal_of_frames(&self, at_138: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_5: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_41: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_3: Entered;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e9 = k_37;
+                let _e9 = k_41;
                 if rt::Scalar::into_branch_condition(_e9.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_37;
+                    let _e12 = k_41;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
                     seen_3 = at_138;
@@ -18359,11 +18949,11 @@ impl<'g> Resources<'g> {
                     let _e25 = sum_5;
                     let _e26 = seen_3;
                     let _e27 = self.v_finest_normal(_e26, uv_47);
-                    let _e28 = k_37;
+                    let _e28 = k_41;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_5 = (_e25 + (_e27 * _e29));
-                    let _e32 = k_37;
-                    k_37 = (_e32 + rt::Scalar(1u32));
+                    let _e32 = k_41;
+                    k_41 = (_e32 + rt::Scalar(1u32));
                 }
             }
         }
@@ -18380,25 +18970,25 @@ impl<'g> Resources<'g> {
         &self,
         pixel_94: PixelIn,
         at_139: Entered,
-        path_110: Path,
+        path_119: Path,
         hit_53: Hit,
-        params_125: impl rt::Into<rt::Vec4<f32>>,
+        params_130: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_94, at_139, path_110, hit_53, rt::into(params_125)))
+        rt::into(self.v_surface_frames_place(pixel_94, at_139, path_119, hit_53, rt::into(params_130)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_frames_place(
         &self,
         pixel_94: PixelIn,
         at_139: Entered,
-        path_110: Path,
+        path_119: Path,
         hit_53: Hit,
-        params_125: rt::Vec4<f32>,
+        params_130: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
         let mut local_128: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_94, at_139, path_110, hit_53);
+        let _e5 = self.v_placed_in_image(pixel_94, at_139, path_119, hit_53);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
@@ -18421,34 +19011,34 @@ impl<'g> Resources<'g> {
         &self,
         pixel_95: PixelIn,
         at_140: Entered,
-        path_111: Path,
+        path_120: Path,
         hit_54: Hit,
-        params_126: impl rt::Into<rt::Vec4<f32>>,
+        params_131: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_95, at_140, path_111, hit_54, rt::into(params_126)))
+        rt::into(self.v_surface_object_slices_place(pixel_95, at_140, path_120, hit_54, rt::into(params_131)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_object_slices_place(
         &self,
         pixel_95: PixelIn,
         at_140: Entered,
-        path_111: Path,
+        path_120: Path,
         hit_54: Hit,
-        params_126: rt::Vec4<f32>,
+        params_131: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
         let mut placed_7: Entered;
 
         let _e6 = self.v_slice_at(at_140.point);
-        let number_27 = rt::Scalar(_e6.number);
-        of_image = path_111;
-        rt::Scalar(of_image.base) = number_27.to_f32();
+        let number_29 = rt::Scalar(_e6.number);
+        of_image = path_120;
+        rt::Scalar(of_image.base) = number_29.to_f32();
         let _e11 = of_image;
         let _e12 = self.v_placed_in_image(pixel_95, at_140, _e11, hit_54);
         placed_7 = _e12;
         let _e16 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e16.elementwise_eq(CELLS_MASK)) {
-            let _e20 = self.v_image_of_object(number_27);
+            let _e20 = self.v_image_of_object(number_29);
             let _e23 = self.v_normal_of_mask(_e20, hit_54.uv, at_140.normal);
             placed_7.normal = _e23;
             let _e26 = placed_7.normal;
@@ -18457,153 +19047,153 @@ impl<'g> Resources<'g> {
         let _e27 = placed_7;
         return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_96: PixelIn, at_141: Entered, path_112: Path, hit_55: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_96, at_141, path_112, hit_55))
+    pub(crate) fn surface_place_stage(&self, pixel_96: PixelIn, at_141: Entered, path_121: Path, hit_55: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_96, at_141, path_121, hit_55))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_place_stage(&self, pixel_96: PixelIn, at_141: Entered, path_112: Path, hit_55: Hit) -> Entered {
+    pub(super) fn v_surface_place_stage(&self, pixel_96: PixelIn, at_141: Entered, path_121: Path, hit_55: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_96, at_141, path_112, hit_55, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_96, at_141, path_121, hit_55, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_96, at_141, path_112, hit_55, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_96, at_141, path_121, hit_55, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_96, at_141, path_112, hit_55, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_96, at_141, path_121, hit_55, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_96, at_141, path_112, hit_55, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_96, at_141, path_121, hit_55, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_96, at_141, path_112, hit_55, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_96, at_141, path_121, hit_55, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_96, at_141, path_112, hit_55, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_96, at_141, path_121, hit_55, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_96, at_141, path_112, hit_55, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_96, at_141, path_121, hit_55, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_96, at_141, path_112, hit_55, _e55);
+                let _e56 = self.v_surface_object_place(pixel_96, at_141, path_121, hit_55, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_96, at_141, path_112, hit_55, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_96, at_141, path_121, hit_55, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_96, at_141, path_112, hit_55, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_96, at_141, path_121, hit_55, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_97: PixelIn, at_142: Entered, path_113: Path, hit_56: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_97, at_142, path_113, hit_56))
+    pub(crate) fn place_on_segment(&self, pixel_97: PixelIn, at_142: Entered, path_122: Path, hit_56: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_97, at_142, path_122, hit_56))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_place_on_segment(&self, pixel_97: PixelIn, at_142: Entered, path_113: Path, hit_56: Hit) -> Entered {
+    pub(super) fn v_place_on_segment(&self, pixel_97: PixelIn, at_142: Entered, path_122: Path, hit_56: Hit) -> Entered {
         let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_97, at_142, path_113, hit_56);
+        let _e4 = self.v_surface_place_stage(pixel_97, at_142, path_122, hit_56);
         placed_8 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_97, path_113, hit_56);
+        let _e7 = self.v_depth_on_ray(pixel_97, path_122, hit_56);
         rt::Scalar(placed_8.depth) = _e7;
         let _e8 = placed_8;
         return _e8;
     }
     pub(crate) fn toward_light(
         &self,
-        number_17: impl rt::Into<rt::Scalar<u32>>,
+        number_19: impl rt::Into<rt::Scalar<u32>>,
         position: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(rt::into(number_17), rt::into(position)))
+        rt::into(self.v_toward_light(rt::into(number_19), rt::into(position)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_toward_light(
         &self,
-        number_17: rt::Scalar<u32>,
+        number_19: rt::Scalar<u32>,
         position: rt::Vec3<f32>,
     ) -> Toward {
-        let light_27 = self.frame.lights[rt::Scalar::into_array_index(number_17)];
+        let light_27 = self.frame.lights[rt::Scalar::into_array_index(number_19)];
         if rt::Scalar::into_branch_condition(light_27.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
             let toward_12 = (light_27.place.xyz() - position);
             let squared_5 = toward_12.dot(toward_12);
             let distance_3 = squared_5.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_5.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_12.normalize(), falloff, distance_3, (light_27.color.w() / distance_3), number_17);
+            return <Toward>::new(toward_12.normalize(), falloff, distance_3, (light_27.color.w() / distance_3), number_19);
         }
-        return <Toward>::new(light_27.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_27.color.w(), number_17);
+        return <Toward>::new(light_27.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_27.color.w(), number_19);
     }
     pub(crate) fn scattered(
         &self,
         pixel_98: PixelIn,
         at_143: Entered,
-        path_114: Path,
+        path_123: Path,
         t_48: impl rt::Into<rt::Scalar<f32>>,
-        around_1: impl rt::Into<rt::Vec3<f32>>,
+        around_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_scattered(pixel_98, at_143, path_114, rt::into(t_48), rt::into(around_1)))
+        rt::into(self.v_scattered(pixel_98, at_143, path_123, rt::into(t_48), rt::into(around_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_scattered(
         &self,
         pixel_98: PixelIn,
         at_143: Entered,
-        path_114: Path,
+        path_123: Path,
         t_48: rt::Scalar<f32>,
-        around_1: rt::Vec3<f32>,
+        around_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let mut light_13: rt::Vec3<f32>;
-        let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_42: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e7 = self.v_path_uv(path_114, t_48);
-        let _e8 = self.v_path_height(path_114, t_48);
+        let _e7 = self.v_path_uv(path_123, t_48);
+        let _e8 = self.v_path_height(path_123, t_48);
         let hit_88 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e7, _e8, t_48, NO_COST);
-        let _e11 = self.v_place_on_segment(pixel_98, at_143, path_114, hit_88);
+        let _e11 = self.v_place_on_segment(pixel_98, at_143, path_123, hit_88);
         let _e14 = self.surface_settings.diffuse;
         let _e18 = self.v_color_or_white(hit_88.uv, rt::Scalar(at_143.footprint));
         let albedo = (_e14.xyz() * _e18);
-        light_13 = around_1;
+        light_13 = around_3;
         'naga_break: loop {
             'naga_continue: {
-                let _e23 = k_38;
+                let _e23 = k_42;
                 let _e26 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e23.elementwise_lt(_e26)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e28 = k_38;
+                    let _e28 = k_42;
                     let _e30 = self.v_toward_light(_e28, _e11.point);
                     let _e31 = self.v_arriving(_e11, hit_88, _e30);
-                    let part_34 = (_e31 * rt::Scalar(_e30.falloff));
+                    let part_35 = (_e31 * rt::Scalar(_e30.falloff));
                     let _e34 = light_13;
-                    let _e37 = k_38;
+                    let _e37 = k_42;
                     let _e40 = self.frame.lights[rt::Scalar::into_array_index(_e37)].color;
-                    light_13 = (_e34 + (_e40.xyz() * (rt::Scalar(0.25f32) * part_34)));
-                    let _e46 = k_38;
-                    k_38 = (_e46 + rt::Scalar(1u32));
+                    light_13 = (_e34 + (_e40.xyz() * (rt::Scalar(0.25f32) * part_35)));
+                    let _e46 = k_42;
+                    k_42 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -18613,60 +19203,60 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn looked_at(
         &self,
-        before_5: Gathering,
+        before_6: Gathering,
         pixel_99: PixelIn,
         at_144: Entered,
-        path_115: Path,
-        around_2: impl rt::Into<rt::Vec3<f32>>,
+        path_124: Path,
+        around_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> Gathering {
-        rt::into(self.v_looked_at(before_5, pixel_99, at_144, path_115, rt::into(around_2)))
+        rt::into(self.v_looked_at(before_6, pixel_99, at_144, path_124, rt::into(around_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_looked_at(
         &self,
-        before_5: Gathering,
+        before_6: Gathering,
         pixel_99: PixelIn,
         at_144: Entered,
-        path_115: Path,
-        around_2: rt::Vec3<f32>,
+        path_124: Path,
+        around_4: rt::Vec3<f32>,
     ) -> Gathering {
         let mut now: Gathering;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(before_5.part).elementwise_gt(rt::Scalar(0f32)))) {
-            return before_5;
+        if rt::Scalar::into_branch_condition((!rt::Scalar(before_6.part).elementwise_gt(rt::Scalar(0f32)))) {
+            return before_6;
         }
-        let _e12 = self.v_scattered(pixel_99, at_144, path_115, (rt::Scalar(before_5.places) / rt::Scalar(before_5.part)), around_2);
-        now = <Gathering>::new(before_5.seen, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        let _e12 = self.v_scattered(pixel_99, at_144, path_124, (rt::Scalar(before_6.places) / rt::Scalar(before_6.part)), around_4);
+        now = <Gathering>::new(before_6.seen, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
         let _e23 = now.seen.light;
         let _e27 = rt::Scalar(now.seen.pending);
-        now.seen.light = (_e23 + (_e12 * (rt::Scalar(before_5.part) + _e27)));
+        now.seen.light = (_e23 + (_e12 * (rt::Scalar(before_6.part) + _e27)));
         rt::Scalar(now.seen.pending) = rt::Scalar(0f32);
         let _e34 = now;
         return _e34;
     }
     pub(crate) fn gathered_in_cell(
         &self,
-        before_6: Gathering,
+        before_7: Gathering,
         pixel_100: PixelIn,
         at_145: Entered,
-        path_116: Path,
-        way_22: VoxelPath,
-        part_14: CellPart,
-        around_3: impl rt::Into<rt::Vec3<f32>>,
+        path_125: Path,
+        way_23: VoxelPath,
+        part_15: CellPart,
+        around_5: impl rt::Into<rt::Vec3<f32>>,
     ) -> Gathering {
-        rt::into(self.v_gathered_in_cell(before_6, pixel_100, at_145, path_116, way_22, part_14, rt::into(around_3)))
+        rt::into(self.v_gathered_in_cell(before_7, pixel_100, at_145, path_125, way_23, part_15, rt::into(around_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_gathered_in_cell(
         &self,
-        before_6: Gathering,
+        before_7: Gathering,
         pixel_100: PixelIn,
         at_145: Entered,
-        path_116: Path,
-        way_22: VoxelPath,
-        part_14: CellPart,
-        around_3: rt::Vec3<f32>,
+        path_125: Path,
+        way_23: VoxelPath,
+        part_15: CellPart,
+        around_5: rt::Vec3<f32>,
     ) -> Gathering {
         let mut now_1: Gathering;
         let mut begin_8: rt::Scalar<f32>;
@@ -18674,15 +19264,15 @@ impl<'g> Resources<'g> {
         let mut local_130: rt::Scalar<bool>;
         let mut local_131: rt::Scalar<bool>;
 
-        let params_149 = self.surface_settings.choices[6usize].params;
-        let _e14 = self.v_voxel_cell(part_14.cell.to_i32());
-        let share_1 = (rt::Scalar(1f32) / params_149.y());
-        now_1 = before_6;
-        begin_8 = rt::Scalar(part_14.begin);
+        let params_154 = self.surface_settings.choices[6usize].params;
+        let _e14 = self.v_voxel_cell(part_15.cell.to_i32());
+        let share_1 = (rt::Scalar(1f32) / params_154.y());
+        now_1 = before_7;
+        begin_8 = rt::Scalar(part_15.begin);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = begin_8;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(part_14.end))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(part_15.end))) {
                     let _e27 = now_1.seen;
                     let _e28 = self.v_goes_on(_e27);
                     local_129 = _e28;
@@ -18697,10 +19287,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = begin_8;
                     let _e35 = rt::Scalar(now_1.seen.transmittance);
-                    let _e37 = self.v_end_of_piece(way_22, part_14, _e14, _e31, params_149.x(), (share_1 / _e35));
+                    let _e37 = self.v_end_of_piece(way_23, part_15, _e14, _e31, params_154.x(), (share_1 / _e35));
                     let _e39 = begin_8;
-                    let _e40 = self.v_field_between(way_22, part_14.cell, _e14, _e39, _e37);
-                    let depth_14 = (_e40 * params_149.x());
+                    let _e40 = self.v_field_between(way_23, part_15.cell, _e14, _e39, _e37);
+                    let depth_14 = (_e40 * params_154.x());
                     if rt::Scalar::into_branch_condition(depth_14.elementwise_gt(rt::Scalar(0f32))) {
                         let _e49 = rt::Scalar(now_1.seen.entry);
                         local_130 = _e49.elementwise_eq(rt::Scalar(300000000000000000000000000000000000000f32));
@@ -18710,7 +19300,7 @@ impl<'g> Resources<'g> {
                     let _e53 = local_130;
                     if rt::Scalar::into_branch_condition(_e53) {
                         let _e61 = begin_8;
-                        let _e64 = self.v_depth_on_ray(pixel_100, path_116, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_116.uv, path_116.h.x(), _e61, NO_COST));
+                        let _e64 = self.v_depth_on_ray(pixel_100, path_125, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_125.uv, path_125.h.x(), _e61, NO_COST));
                         rt::Scalar(now_1.seen.entry) = _e64;
                     }
                     let _e65 = self.v_transmittance_of(depth_14);
@@ -18726,11 +19316,11 @@ impl<'g> Resources<'g> {
                     let _e92 = rt::Scalar(now_1.part);
                     if rt::Scalar::into_branch_condition(_e92.elementwise_ge(share_1)) {
                         let _e94 = now_1;
-                        let _e95 = self.v_looked_at(_e94, pixel_100, at_145, path_116, around_3);
+                        let _e95 = self.v_looked_at(_e94, pixel_100, at_145, path_125, around_5);
                         now_1 = _e95;
                     }
                     let _e97 = begin_8;
-                    begin_8 = rt::Scalar(part_14.end).select(_e37, _e37.elementwise_gt(_e97));
+                    begin_8 = rt::Scalar(part_15.end).select(_e37, _e37.elementwise_gt(_e97));
                 }
             }
         }
@@ -18746,7 +19336,7 @@ impl<'g> Resources<'g> {
         let _e117 = local_131;
         if rt::Scalar::into_branch_condition(_e117) {
             let _e118 = now_1;
-            let _e119 = self.v_looked_at(_e118, pixel_100, at_145, path_116, around_3);
+            let _e119 = self.v_looked_at(_e118, pixel_100, at_145, path_125, around_5);
             now_1 = _e119;
         }
         let _e120 = now_1;
@@ -18754,42 +19344,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn gather_segment(
         &self,
-        before_7: Gathered,
+        before_8: Gathered,
         pixel_101: PixelIn,
         at_146: Entered,
-        k_39: impl rt::Into<rt::Scalar<u32>>,
+        k_43: impl rt::Into<rt::Scalar<u32>>,
     ) -> Gathered {
-        rt::into(self.v_gather_segment(before_7, pixel_101, at_146, rt::into(k_39)))
+        rt::into(self.v_gather_segment(before_8, pixel_101, at_146, rt::into(k_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_gather_segment(
         &self,
-        before_7: Gathered,
+        before_8: Gathered,
         pixel_101: PixelIn,
         at_146: Entered,
-        k_39: rt::Scalar<u32>,
+        k_43: rt::Scalar<u32>,
     ) -> Gathered {
         let mut now_2: Gathering;
-        let mut part_15: CellPart;
+        let mut part_16: CellPart;
         let mut cells_1: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut goes_1: rt::Scalar<bool> = rt::Scalar(true);
         let mut local_132: rt::Scalar<bool>;
         let mut local_133: rt::Scalar<bool>;
 
-        let _e4 = self.v_segment_of(pixel_101, at_146, k_39);
-        let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_7.until_m), rt::Scalar(before_7.reach_m));
+        let _e4 = self.v_segment_of(pixel_101, at_146, k_43);
+        let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_8.until_m), rt::Scalar(before_8.reach_m));
         if rt::Scalar::into_branch_condition((!rt::Scalar(_e7.exit).elementwise_gt(rt::Scalar(0f32)))) {
-            return before_7;
+            return before_8;
         }
         let _e12 = self.v_voxel_path(_e7);
         let _e13 = self.v_turning_point(_e12);
         let _e19 = self.surface_settings.choices[6usize].params.z();
         let limit_18 = _e19.to_u32();
         let _e21 = self.v_light_around(at_146, _e7);
-        now_2 = <Gathering>::new(before_7, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        now_2 = <Gathering>::new(before_8, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
         rt::Scalar(now_2.seen.until_m) = (rt::Scalar(_e7.start) + rt::Scalar(_e7.exit));
         let _e32 = self.v_first_part(_e7, _e12, _e13);
-        part_15 = _e32;
+        part_16 = _e32;
         'naga_break: loop {
             'naga_continue: {
                 let _e38 = goes_1;
@@ -18798,10 +19388,10 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e40 = rt::Scalar(part_15.empty);
+                    let _e40 = rt::Scalar(part_16.empty);
                     if rt::Scalar::into_branch_condition(_e40.elementwise_lt(rt::Scalar(0f32))) {
                         let _e43 = now_2;
-                        let _e44 = part_15;
+                        let _e44 = part_16;
                         let _e45 = self.v_gathered_in_cell(_e43, pixel_101, at_146, _e7, _e12, _e44, _e21);
                         now_2 = _e45;
                     } else {
@@ -18812,7 +19402,7 @@ impl<'g> Resources<'g> {
                             now_2 = _e51;
                         }
                     }
-                    let _e53 = rt::Scalar(part_15.is_last);
+                    let _e53 = rt::Scalar(part_16.is_last);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_eq(rt::Scalar(0u32))) {
                         let _e58 = cells_1;
                         local_132 = _e58.elementwise_lt(limit_18);
@@ -18831,9 +19421,9 @@ impl<'g> Resources<'g> {
                     goes_1 = _e68;
                     let _e69 = goes_1;
                     if rt::Scalar::into_branch_condition(_e69) {
-                        let _e70 = part_15;
+                        let _e70 = part_16;
                         let _e71 = self.v_next_part(_e7, _e12, _e13, _e70);
-                        part_15 = _e71;
+                        part_16 = _e71;
                         let _e72 = cells_1;
                         cells_1 = (_e72 + rt::Scalar(1u32));
                     }
@@ -18870,9 +19460,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_sine_of(&self, turn_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_35 = (turn_5 - turn_5.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_35 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_35.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_36 = (turn_5 - turn_5.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_36 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_36.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned_1(&self, turn_6: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned_1(rt::into(turn_6)))
@@ -18895,19 +19485,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn gradient_at(
         &self,
         point_20: impl rt::Into<rt::Vec2<f32>>,
-        way_23: impl rt::Into<rt::Vec2<f32>>,
+        way_24: impl rt::Into<rt::Vec2<f32>>,
         count_7: impl rt::Into<rt::Scalar<f32>>,
         turns_1: impl rt::Into<rt::Scalar<f32>>,
         seed_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_at(rt::into(point_20), rt::into(way_23), rt::into(count_7), rt::into(turns_1), rt::into(seed_2)))
+        rt::into(self.v_gradient_at(rt::into(point_20), rt::into(way_24), rt::into(count_7), rt::into(turns_1), rt::into(seed_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gradient_at(
         &self,
         point_20: rt::Vec2<f32>,
-        way_23: rt::Vec2<f32>,
+        way_24: rt::Vec2<f32>,
         count_7: rt::Scalar<f32>,
         turns_1: rt::Scalar<f32>,
         seed_2: rt::Scalar<u32>,
@@ -18915,7 +19505,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_bits_of_point(point_20, count_7, seed_2);
         let _e6 = self.v_unit_of(_e5);
         let _e8 = self.v_turned_1((_e6 + turns_1));
-        return _e8.dot(way_23);
+        return _e8.dot(way_24);
     }
     pub(crate) fn gradient_noise(
         &self,
@@ -18936,14 +19526,14 @@ impl<'g> Resources<'g> {
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let cell_46 = at_147.floor();
-        let part_36 = (at_147 - cell_46);
-        let fade = (((part_36 * part_36) * part_36) * ((part_36 * ((part_36 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
+        let part_37 = (at_147 - cell_46);
+        let fade = (((part_37 * part_37) * part_37) * ((part_37 * ((part_37 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_6 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_46, part_36, count_8, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_46 + right_6), (part_36 - right_6), count_8, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_46 + down_1), (part_36 - down_1), count_8, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_46 + right_6) + down_1), ((part_36 - right_6) - down_1), count_8, turns_2, seed_3);
+        let _e24 = self.v_gradient_at(cell_46, part_37, count_8, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_46 + right_6), (part_37 - right_6), count_8, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_46 + down_1), (part_37 - down_1), count_8, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_46 + right_6) + down_1), ((part_37 - right_6) - down_1), count_8, turns_2, seed_3);
         let above_12 = (_e24 + ((_e27 - _e24) * fade.x()));
         let below_12 = (_e30 + ((_e35 - _e30) * fade.x()));
         return (above_12 + ((below_12 - above_12) * fade.y()));
@@ -18970,10 +19560,10 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<bool> {
         let mut local_134: rt::Scalar<bool>;
 
-        let low_14 = (plane_1.xyz().dot((position_1 + (direction_6 * low_m))) + plane_1.w());
-        let high_9 = (plane_1.xyz().dot((position_1 + (direction_6 * high_m))) + plane_1.w());
-        if rt::Scalar::into_branch_condition(low_14.elementwise_gt(rt::Scalar(0f32))) {
-            local_134 = high_9.elementwise_gt(rt::Scalar(0f32));
+        let low_13 = (plane_1.xyz().dot((position_1 + (direction_6 * low_m))) + plane_1.w());
+        let high_8 = (plane_1.xyz().dot((position_1 + (direction_6 * high_m))) + plane_1.w());
+        if rt::Scalar::into_branch_condition(low_13.elementwise_gt(rt::Scalar(0f32))) {
+            local_134 = high_8.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_134 = rt::Scalar(false);
         }
@@ -19001,22 +19591,22 @@ impl<'g> Resources<'g> {
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_44: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_135: rt::Scalar<bool>;
         let mut local_136: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_40;
+                let _e8 = k_44;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_40;
+                    let _e12 = k_44;
                     let plane_3 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_40;
-                    k_40 = (_e14 + rt::Scalar(1u32));
+                    let _e14 = k_44;
+                    k_44 = (_e14 + rt::Scalar(1u32));
                     let _e19 = self.v_is_before(plane_3, a_18.position, a_18.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_3, b_18.position, b_18.direction, low_m_1, high_m_1);
@@ -19040,13 +19630,13 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(false);
     }
-    pub(crate) fn magnitude(&self, number_18: impl rt::Into<rt::Scalar<i32>>) -> u32 {
-        rt::into(self.v_magnitude(rt::into(number_18)))
+    pub(crate) fn magnitude(&self, number_20: impl rt::Into<rt::Scalar<i32>>) -> u32 {
+        rt::into(self.v_magnitude(rt::into(number_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_magnitude(&self, number_18: rt::Scalar<i32>) -> rt::Scalar<u32> {
-        return number_18.abs().to_u32();
+    pub(super) fn v_magnitude(&self, number_20: rt::Scalar<i32>) -> rt::Scalar<u32> {
+        return number_20.abs().to_u32();
     }
     pub(crate) fn stretch_of(&self, a_19: SweptPoint, b_19: SweptPoint) -> u32 {
         rt::into(self.v_stretch_of(a_19, b_19))
@@ -19084,9 +19674,9 @@ impl<'g> Resources<'g> {
         a_21: Voxel,
         b_21: Voxel,
         c_15: Voxel,
-        level_55: impl rt::Into<rt::Scalar<u32>>,
+        level_56: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_21, b_21, c_15, rt::into(level_55)))
+        rt::into(self.v_is_swept(grid_11, a_21, b_21, c_15, rt::into(level_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_is_swept(
@@ -19095,14 +19685,14 @@ impl<'g> Resources<'g> {
         a_21: Voxel,
         b_21: Voxel,
         c_15: Voxel,
-        level_55: rt::Scalar<u32>,
+        level_56: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
         let mut local_137: rt::Scalar<bool>;
         let mut local_138: rt::Scalar<bool>;
 
-        let _e6 = self.v_coarser_voxel(a_21.at, level_55);
-        let _e8 = self.v_coarser_voxel(b_21.at, level_55);
-        let _e10 = self.v_coarser_voxel(c_15.at, level_55);
+        let _e6 = self.v_coarser_voxel(a_21.at, level_56);
+        let _e8 = self.v_coarser_voxel(b_21.at, level_56);
+        let _e10 = self.v_coarser_voxel(c_15.at, level_56);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
@@ -19125,12 +19715,12 @@ impl<'g> Resources<'g> {
         &self,
         at_148: Entered,
         hit_57: Hit,
-        number_19: impl rt::Into<rt::Scalar<u32>>,
+        number_21: impl rt::Into<rt::Scalar<u32>>,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
         filter_texels_1: impl rt::Into<rt::Scalar<f32>>,
         bias_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_148, hit_57, rt::into(number_19), rt::into(toward_2), rt::into(filter_texels_1), rt::into(bias_2)))
+        rt::into(self.v_light_seen(at_148, hit_57, rt::into(number_21), rt::into(toward_2), rt::into(filter_texels_1), rt::into(bias_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19138,12 +19728,12 @@ impl<'g> Resources<'g> {
         &self,
         at_148: Entered,
         hit_57: Hit,
-        number_19: rt::Scalar<u32>,
+        number_21: rt::Scalar<u32>,
         toward_2: rt::Vec3<f32>,
         filter_texels_1: rt::Scalar<f32>,
         bias_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e10 = rt::Scalar(self.frame.lights[rt::Scalar::into_array_index(number_19)].views);
+        let _e10 = rt::Scalar(self.frame.lights[rt::Scalar::into_array_index(number_21)].views);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
@@ -19151,7 +19741,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_2).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e20 = self.v_patch_seen(at_148, _e14, number_19, filter_texels_1, bias_2);
+        let _e20 = self.v_patch_seen(at_148, _e14, number_21, filter_texels_1, bias_2);
         return _e20;
     }
     pub(crate) fn main_axis(
@@ -19185,9 +19775,9 @@ impl<'g> Resources<'g> {
         at_149: Entered,
         hit_58: Hit,
         light_14: Toward,
-        params_127: impl rt::Into<rt::Vec4<f32>>,
+        params_132: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_149, hit_58, light_14, rt::into(params_127)))
+        rt::into(self.v_shadow_ray(at_149, hit_58, light_14, rt::into(params_132)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19196,7 +19786,7 @@ impl<'g> Resources<'g> {
         at_149: Entered,
         hit_58: Hit,
         light_14: Toward,
-        params_127: rt::Vec4<f32>,
+        params_132: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_free_way(at_149, hit_58, light_14);
         return _e4;
@@ -19206,9 +19796,9 @@ impl<'g> Resources<'g> {
         at_150: Entered,
         hit_59: Hit,
         light_15: Toward,
-        params_128: impl rt::Into<rt::Vec4<f32>>,
+        params_133: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_150, hit_59, light_15, rt::into(params_128)))
+        rt::into(self.v_shadow_none(at_150, hit_59, light_15, rt::into(params_133)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19217,7 +19807,7 @@ impl<'g> Resources<'g> {
         at_150: Entered,
         hit_59: Hit,
         light_15: Toward,
-        params_128: rt::Vec4<f32>,
+        params_133: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -19226,9 +19816,9 @@ impl<'g> Resources<'g> {
         at_151: Entered,
         hit_60: Hit,
         light_16: Toward,
-        params_129: impl rt::Into<rt::Vec4<f32>>,
+        params_134: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_151, hit_60, light_16, rt::into(params_129)))
+        rt::into(self.v_shadow_entry(at_151, hit_60, light_16, rt::into(params_134)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_entry(
@@ -19236,7 +19826,7 @@ impl<'g> Resources<'g> {
         at_151: Entered,
         hit_60: Hit,
         light_16: Toward,
-        params_129: rt::Vec4<f32>,
+        params_134: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_from_hit(at_151, hit_60, light_16);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -19257,7 +19847,7 @@ impl<'g> Resources<'g> {
         }
         let _e52 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_5 = ((_e42.uv - _e4.uv).abs() * _e52);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_5.x().max(apart_5.y()).elementwise_le(params_129.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_5.x().max(apart_5.y()).elementwise_le(params_134.x()));
     }
     pub(crate) fn seed_of(&self, hit_61: Hit) -> u32 {
         rt::into(self.v_seed_of(hit_61))
@@ -19274,10 +19864,10 @@ impl<'g> Resources<'g> {
         &self,
         light_17: Toward,
         seed_4: impl rt::Into<rt::Scalar<u32>>,
-        k_41: impl rt::Into<rt::Scalar<u32>>,
+        k_45: impl rt::Into<rt::Scalar<u32>>,
         count_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_17, rt::into(seed_4), rt::into(k_41), rt::into(count_9)))
+        rt::into(self.v_point_of_disc(light_17, rt::into(seed_4), rt::into(k_45), rt::into(count_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19285,14 +19875,14 @@ impl<'g> Resources<'g> {
         &self,
         light_17: Toward,
         seed_4: rt::Scalar<u32>,
-        k_41: rt::Scalar<u32>,
+        k_45: rt::Scalar<u32>,
         count_9: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_4 + k_41) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_4 + k_45) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_41.to_f32() + _e9) / count_9.to_f32());
+        let ring = ((k_45.to_f32() + _e9) / count_9.to_f32());
         let _e16 = self.v_unit_of(seed_4);
-        let _e18 = self.v_turned_1(((k_41.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let _e18 = self.v_turned_1(((k_45.to_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_49 = (_e18 * (ring.sqrt() * rt::Scalar(light_17.radius)));
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_17.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_7 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_17.direction).normalize();
@@ -19306,9 +19896,9 @@ impl<'g> Resources<'g> {
         at_152: Entered,
         hit_62: Hit,
         light_18: Toward,
-        params_130: impl rt::Into<rt::Vec4<f32>>,
+        params_135: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_152, hit_62, light_18, rt::into(params_130)))
+        rt::into(self.v_shadow_soft(at_152, hit_62, light_18, rt::into(params_135)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_soft(
@@ -19316,28 +19906,28 @@ impl<'g> Resources<'g> {
         at_152: Entered,
         hit_62: Hit,
         light_18: Toward,
-        params_130: rt::Vec4<f32>,
+        params_135: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_42: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_46: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_14 = params_130.x().to_u32();
+        let count_14 = params_135.x().to_u32();
         let _e6 = self.v_seed_of(hit_62);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_42;
+                let _e11 = k_46;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_14)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_42;
+                    let _e14 = k_46;
                     let _e15 = self.v_point_of_disc(light_18, _e6, _e14, count_14);
                     let _e16 = self.v_free_way(at_152, hit_62, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_42;
-                    k_42 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_46;
+                    k_46 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -19349,9 +19939,9 @@ impl<'g> Resources<'g> {
         at_153: Entered,
         hit_63: Hit,
         light_19: Toward,
-        params_131: impl rt::Into<rt::Vec4<f32>>,
+        params_136: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_153, hit_63, light_19, rt::into(params_131)))
+        rt::into(self.v_shadow_heuristic(at_153, hit_63, light_19, rt::into(params_136)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_heuristic(
@@ -19359,10 +19949,10 @@ impl<'g> Resources<'g> {
         at_153: Entered,
         hit_63: Hit,
         light_19: Toward,
-        params_131: rt::Vec4<f32>,
+        params_136: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_3: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_43: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_47: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e4 = self.v_from_hit(at_153, hit_63, light_19);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -19371,42 +19961,42 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_way_out(_e4, light_19);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_43;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_131.x())) {
+                let _e16 = k_47;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_136.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_43;
-                    let part_37 = (_e19 / params_131.x());
+                    let _e19 = k_47;
+                    let part_38 = (_e19 / params_136.x());
                     let _e22 = most_3;
-                    let _e24 = self.v_path_gap(_e4, (part_37 * _e11));
-                    most_3 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_37)));
-                    let _e31 = k_43;
-                    k_43 = (_e31 + rt::Scalar(1f32));
+                    let _e24 = self.v_path_gap(_e4, (part_38 * _e11));
+                    most_3 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_38)));
+                    let _e31 = k_47;
+                    k_47 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_3;
-        return (rt::Scalar(1f32) - (params_131.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_136.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
         place_33: impl rt::Into<rt::Vec2<i32>>,
-        layer_11: impl rt::Into<rt::Scalar<i32>>,
-        level_56: impl rt::Into<rt::Scalar<i32>>,
+        layer_15: impl rt::Into<rt::Scalar<i32>>,
+        level_57: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_33), rt::into(layer_11), rt::into(level_56)))
+        rt::into(self.v_shadow_texel(rt::into(place_33), rt::into(layer_15), rt::into(level_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_texel(
         &self,
         place_33: rt::Vec2<i32>,
-        layer_11: rt::Scalar<i32>,
-        level_56: rt::Scalar<i32>,
+        layer_15: rt::Scalar<i32>,
+        level_57: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_33, rt::Scalar::into_inner(layer_11), 0i32, rt::Scalar::into_inner(level_56));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_33, rt::Scalar::into_inner(layer_15), 0i32, rt::Scalar::into_inner(level_57));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -19414,46 +20004,46 @@ impl<'g> Resources<'g> {
     pub(crate) fn shadow_texel_between(
         &self,
         uv_37: impl rt::Into<rt::Vec2<f32>>,
-        layer_12: impl rt::Into<rt::Scalar<i32>>,
-        level_57: impl rt::Into<rt::Scalar<u32>>,
+        layer_16: impl rt::Into<rt::Scalar<i32>>,
+        level_58: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_37), rt::into(layer_12), rt::into(level_57)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_37), rt::into(layer_16), rt::into(level_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_texel_between(
         &self,
         uv_37: rt::Vec2<f32>,
-        layer_12: rt::Scalar<i32>,
-        level_57: rt::Scalar<u32>,
+        layer_16: rt::Scalar<i32>,
+        level_58: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_57);
+        let _e3 = self.v_height_texels(level_58);
         let _e4 = self.v_texels_around(uv_37, _e3);
-        let k_61 = level_57.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_12, k_61);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_12, k_61);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_12, k_61);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_12, k_61);
+        let k_65 = level_58.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_16, k_65);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_16, k_65);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_16, k_65);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_16, k_65);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
-    pub(crate) fn own_slope(&self, way_24: Path) -> f32 {
-        rt::into(self.v_own_slope(way_24))
+    pub(crate) fn own_slope(&self, way_25: Path) -> f32 {
+        rt::into(self.v_own_slope(way_25))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_own_slope(&self, way_24: Path) -> rt::Scalar<f32> {
-        let mut level_58: Path;
+    pub(super) fn v_own_slope(&self, way_25: Path) -> rt::Scalar<f32> {
+        let mut level_59: Path;
 
-        let _e1 = self.v_grid_of(way_24);
+        let _e1 = self.v_grid_of(way_25);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_27 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_58 = way_24;
-        level_58.h = <rt::Vec3<f32>>::from_scalars(way_24.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_58.exit) = end_27;
-        let _e18 = level_58;
-        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_24.level));
+        level_59 = way_25;
+        level_59.h = <rt::Vec3<f32>>::from_scalars(way_25.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_59.exit) = end_27;
+        let _e18 = level_59;
+        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_25.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_27))));
     }
@@ -19472,9 +20062,9 @@ impl<'g> Resources<'g> {
         at_154: Entered,
         hit_64: Hit,
         light_20: Toward,
-        params_132: impl rt::Into<rt::Vec4<f32>>,
+        params_137: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_154, hit_64, light_20, rt::into(params_132)))
+        rt::into(self.v_shadow_horizon(at_154, hit_64, light_20, rt::into(params_137)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_horizon(
@@ -19482,21 +20072,21 @@ impl<'g> Resources<'g> {
         at_154: Entered,
         hit_64: Hit,
         light_20: Toward,
-        params_132: rt::Vec4<f32>,
+        params_137: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e5 = self.v_climb(at_154, light_20.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_48 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_48);
-        let azimuth_6 = (_e13 * params_132.x());
+        let azimuth_6 = (_e13 * params_137.x());
         let first_31 = azimuth_6.floor();
-        let count_15 = params_132.x().to_i32();
-        let before_16 = (first_31.to_i32() % count_15);
-        let part_38 = (azimuth_6 - first_31);
-        let _e24 = self.v_shadow_texel_between(hit_64.uv, before_16, rt::Scalar(at_154.level));
-        let low_15 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_64.uv, ((before_16 + rt::Scalar(1i32)) % count_15), rt::Scalar(at_154.level));
-        let sine_1 = (low_15 + ((_e31.x() - low_15) * part_38));
+        let count_15 = params_137.x().to_i32();
+        let before_17 = (first_31.to_i32() % count_15);
+        let part_39 = (azimuth_6 - first_31);
+        let _e24 = self.v_shadow_texel_between(hit_64.uv, before_17, rt::Scalar(at_154.level));
+        let low_14 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_64.uv, ((before_17 + rt::Scalar(1i32)) % count_15), rt::Scalar(at_154.level));
+        let sine_1 = (low_14 + ((_e31.x() - low_14) * part_39));
         let squared_6 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_22 = (squared_6 * along_48.dot(along_48)).sqrt();
         let _e48 = self.v_from_hit(at_154, hit_64, light_20);
@@ -19544,9 +20134,9 @@ impl<'g> Resources<'g> {
         at_156: Entered,
         hit_66: Hit,
         light_21: Toward,
-        params_133: impl rt::Into<rt::Vec4<f32>>,
+        params_138: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_156, hit_66, light_21, rt::into(params_133)))
+        rt::into(self.v_shadow_visibility(at_156, hit_66, light_21, rt::into(params_138)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_visibility(
@@ -19554,7 +20144,7 @@ impl<'g> Resources<'g> {
         at_156: Entered,
         hit_66: Hit,
         light_21: Toward,
-        params_133: rt::Vec4<f32>,
+        params_138: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e5 = self.v_climb(at_156, light_21.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
@@ -19565,14 +20155,14 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_29 = (_e5.z() * _e21);
         let squared_7 = ((height_29 * height_29) / (along_49.dot(along_49) + (height_29 * height_29)));
-        let azimuths = params_133.x().to_i32();
-        let elevations_1 = params_133.y().to_i32();
+        let azimuths = params_138.x().to_i32();
+        let elevations_1 = params_138.y().to_i32();
         let _e32 = self.v_turn_of(along_49);
-        let azimuth_7 = (_e32 * params_133.x());
-        let elevation_6 = ((squared_7 * params_133.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_133.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_133.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_47 = ((azimuth_7 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_156, hit_66, a_47, (elevation_6 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+        let azimuth_7 = (_e32 * params_138.x());
+        let elevation_6 = ((squared_7 * params_138.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_138.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_138.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_48 = ((azimuth_7 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
+            let _e56 = self.v_open_part(at_156, hit_66, a_48, (elevation_6 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_2 = (azimuth_7.floor().to_i32() % azimuths);
@@ -19595,9 +20185,9 @@ impl<'g> Resources<'g> {
         at_157: Entered,
         hit_67: Hit,
         light_22: Toward,
-        params_134: impl rt::Into<rt::Vec4<f32>>,
+        params_139: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_157, hit_67, light_22, rt::into(params_134)))
+        rt::into(self.v_shadow_map(at_157, hit_67, light_22, rt::into(params_139)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19606,9 +20196,9 @@ impl<'g> Resources<'g> {
         at_157: Entered,
         hit_67: Hit,
         light_22: Toward,
-        params_134: rt::Vec4<f32>,
+        params_139: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e8 = self.v_light_seen(at_157, hit_67, rt::Scalar(light_22.number), light_22.direction, params_134.z(), params_134.w());
+        let _e8 = self.v_light_seen(at_157, hit_67, rt::Scalar(light_22.number), light_22.direction, params_139.z(), params_139.w());
         return _e8;
     }
     pub(crate) fn shadow_scene(
@@ -19616,9 +20206,9 @@ impl<'g> Resources<'g> {
         at_158: Entered,
         hit_68: Hit,
         light_23: Toward,
-        params_135: impl rt::Into<rt::Vec4<f32>>,
+        params_140: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_158, hit_68, light_23, rt::into(params_135)))
+        rt::into(self.v_shadow_scene(at_158, hit_68, light_23, rt::into(params_140)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19627,7 +20217,7 @@ impl<'g> Resources<'g> {
         at_158: Entered,
         hit_68: Hit,
         light_23: Toward,
-        params_135: rt::Vec4<f32>,
+        params_140: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -19711,10 +20301,10 @@ impl<'g> Resources<'g> {
         &self,
         at_161: Entered,
         hit_71: Hit,
-        view_23: impl rt::Into<rt::Vec3<f32>>,
-        params_136: impl rt::Into<rt::Vec4<f32>>,
+        view_24: impl rt::Into<rt::Vec3<f32>>,
+        params_141: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_161, hit_71, rt::into(view_23), rt::into(params_136)))
+        rt::into(self.v_object_blend_color(at_161, hit_71, rt::into(view_24), rt::into(params_141)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19722,20 +20312,20 @@ impl<'g> Resources<'g> {
         &self,
         at_161: Entered,
         hit_71: Hit,
-        view_23: rt::Vec3<f32>,
-        params_136: rt::Vec4<f32>,
+        view_24: rt::Vec3<f32>,
+        params_141: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_161, view_23, params_136.z());
+        let _e5 = self.v_color_of_object(at_161, view_24, params_141.z());
         return _e5;
     }
     pub(crate) fn object_none_color(
         &self,
         at_162: Entered,
         hit_72: Hit,
-        view_24: impl rt::Into<rt::Vec3<f32>>,
-        params_137: impl rt::Into<rt::Vec4<f32>>,
+        view_25: impl rt::Into<rt::Vec3<f32>>,
+        params_142: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_162, hit_72, rt::into(view_24), rt::into(params_137)))
+        rt::into(self.v_object_none_color(at_162, hit_72, rt::into(view_25), rt::into(params_142)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19743,8 +20333,8 @@ impl<'g> Resources<'g> {
         &self,
         at_162: Entered,
         hit_72: Hit,
-        view_24: rt::Vec3<f32>,
-        params_137: rt::Vec4<f32>,
+        view_25: rt::Vec3<f32>,
+        params_142: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e6 = self.v_color_or_white(hit_72.uv, rt::Scalar(at_162.footprint));
         return _e6;
@@ -19753,10 +20343,10 @@ impl<'g> Resources<'g> {
         &self,
         at_163: Entered,
         hit_73: Hit,
-        view_25: impl rt::Into<rt::Vec3<f32>>,
-        params_138: impl rt::Into<rt::Vec4<f32>>,
+        view_26: impl rt::Into<rt::Vec3<f32>>,
+        params_143: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_163, hit_73, rt::into(view_25), rt::into(params_138)))
+        rt::into(self.v_object_depth_color(at_163, hit_73, rt::into(view_26), rt::into(params_143)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19764,20 +20354,20 @@ impl<'g> Resources<'g> {
         &self,
         at_163: Entered,
         hit_73: Hit,
-        view_25: rt::Vec3<f32>,
-        params_138: rt::Vec4<f32>,
+        view_26: rt::Vec3<f32>,
+        params_143: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_163, view_25, params_138.z());
+        let _e5 = self.v_color_of_object(at_163, view_26, params_143.z());
         return _e5;
     }
     pub(crate) fn object_hull_color(
         &self,
         at_164: Entered,
         hit_74: Hit,
-        view_26: impl rt::Into<rt::Vec3<f32>>,
-        params_139: impl rt::Into<rt::Vec4<f32>>,
+        view_27: impl rt::Into<rt::Vec3<f32>>,
+        params_144: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_164, hit_74, rt::into(view_26), rt::into(params_139)))
+        rt::into(self.v_object_hull_color(at_164, hit_74, rt::into(view_27), rt::into(params_144)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19785,47 +20375,47 @@ impl<'g> Resources<'g> {
         &self,
         at_164: Entered,
         hit_74: Hit,
-        view_26: rt::Vec3<f32>,
-        params_139: rt::Vec4<f32>,
+        view_27: rt::Vec3<f32>,
+        params_144: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_164, view_26, params_139.z());
+        let _e5 = self.v_color_of_object(at_164, view_27, params_144.z());
         return _e5;
     }
     pub(crate) fn object_color_stage(
         &self,
         at_165: Entered,
         hit_75: Hit,
-        view_27: impl rt::Into<rt::Vec3<f32>>,
+        view_28: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color_stage(at_165, hit_75, rt::into(view_27)))
+        rt::into(self.v_object_color_stage(at_165, hit_75, rt::into(view_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_color_stage(
         &self,
         at_165: Entered,
         hit_75: Hit,
-        view_27: rt::Vec3<f32>,
+        view_28: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[3usize].params;
-                let _e13 = self.v_object_none_color(at_165, hit_75, view_27, _e12);
+                let _e13 = self.v_object_none_color(at_165, hit_75, view_28, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[3usize].params;
-                let _e19 = self.v_object_depth_color(at_165, hit_75, view_27, _e18);
+                let _e19 = self.v_object_depth_color(at_165, hit_75, view_28, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[3usize].params;
-                let _e25 = self.v_object_hull_color(at_165, hit_75, view_27, _e24);
+                let _e25 = self.v_object_hull_color(at_165, hit_75, view_28, _e24);
                 return _e25;
             }
             _ => {
                 let _e30 = self.surface_settings.choices[3usize].params;
-                let _e31 = self.v_object_blend_color(at_165, hit_75, view_27, _e30);
+                let _e31 = self.v_object_blend_color(at_165, hit_75, view_28, _e30);
                 return _e31;
             }
         }
@@ -19855,9 +20445,9 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: impl rt::Into<rt::Vec2<f32>>,
-        level_59: impl rt::Into<rt::Scalar<u32>>,
+        level_60: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_59)))
+        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19865,19 +20455,19 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: rt::Vec2<f32>,
-        level_59: rt::Scalar<u32>,
+        level_60: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let both_2 = (along_19 * grid_12.parts_of_uv);
-        let parts_7 = ((both_2.x().max(both_2.y()) / (rt::Scalar(1u32) << level_59).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
+        let both_3 = (along_19 * grid_12.parts_of_uv);
+        let parts_7 = ((both_3.x().max(both_3.y()) / (rt::Scalar(1u32) << level_60).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
         return parts_7.clamp(rt::Scalar(1f32), rt::Scalar(32767f32)).to_u32();
     }
     pub(crate) fn parts_by_voxels(
         &self,
         a_22: Voxel,
         b_22: Voxel,
-        level_60: impl rt::Into<rt::Scalar<u32>>,
+        level_61: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_voxels(a_22, b_22, rt::into(level_60)))
+        rt::into(self.v_parts_by_voxels(a_22, b_22, rt::into(level_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19885,10 +20475,10 @@ impl<'g> Resources<'g> {
         &self,
         a_22: Voxel,
         b_22: Voxel,
-        level_60: rt::Scalar<u32>,
+        level_61: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_coarser_voxel(b_22.at, level_60);
-        let _e6 = self.v_coarser_voxel(a_22.at, level_60);
+        let _e4 = self.v_coarser_voxel(b_22.at, level_61);
+        let _e6 = self.v_coarser_voxel(a_22.at, level_61);
         let _e8 = self.v_longest_of((_e4 - _e6));
         return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
     }
@@ -19898,9 +20488,9 @@ impl<'g> Resources<'g> {
         a_23: Voxel,
         b_23: Voxel,
         along_20: impl rt::Into<rt::Vec2<f32>>,
-        level_61: impl rt::Into<rt::Scalar<u32>>,
+        level_62: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(grid_13, a_23, b_23, rt::into(along_20), rt::into(level_61)))
+        rt::into(self.v_parts_between(grid_13, a_23, b_23, rt::into(along_20), rt::into(level_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19910,40 +20500,40 @@ impl<'g> Resources<'g> {
         a_23: Voxel,
         b_23: Voxel,
         along_20: rt::Vec2<f32>,
-        level_61: rt::Scalar<u32>,
+        level_62: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         if rt::Scalar::into_branch_condition(grid_13.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))) {
-            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_61);
+            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_62);
             return _e9;
         }
-        let _e10 = self.v_parts_by_voxels(a_23, b_23, level_61);
+        let _e10 = self.v_parts_by_voxels(a_23, b_23, level_62);
         return _e10;
     }
     pub(crate) fn pass_segment(
         &self,
-        before_8: Gathered,
+        before_9: Gathered,
         pixel_103: PixelIn,
         at_166: Entered,
-        k_44: impl rt::Into<rt::Scalar<u32>>,
+        k_48: impl rt::Into<rt::Scalar<u32>>,
     ) -> Gathered {
-        rt::into(self.v_pass_segment(before_8, pixel_103, at_166, rt::into(k_44)))
+        rt::into(self.v_pass_segment(before_9, pixel_103, at_166, rt::into(k_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_pass_segment(
         &self,
-        before_8: Gathered,
+        before_9: Gathered,
         pixel_103: PixelIn,
         at_166: Entered,
-        k_44: rt::Scalar<u32>,
+        k_48: rt::Scalar<u32>,
     ) -> Gathered {
         let mut seen_4: Gathered;
 
-        let _e4 = self.v_segment_of(pixel_103, at_166, k_44);
-        let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_8.until_m), rt::Scalar(before_8.reach_m));
+        let _e4 = self.v_segment_of(pixel_103, at_166, k_48);
+        let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_9.until_m), rt::Scalar(before_9.reach_m));
         if rt::Scalar::into_branch_condition((!rt::Scalar(_e7.exit).elementwise_gt(rt::Scalar(0f32)))) {
-            return before_8;
+            return before_9;
         }
-        seen_4 = before_8;
+        seen_4 = before_9;
         rt::Scalar(seen_4.until_m) = (rt::Scalar(_e7.start) + rt::Scalar(_e7.exit));
         let _e19 = rt::Scalar(seen_4.transmittance);
         let _e20 = self.v_optical_depth(_e7);
@@ -20015,11 +20605,11 @@ impl<'g> Resources<'g> {
         &self,
         at_168: Entered,
         hit_77: Hit,
-        number_20: impl rt::Into<rt::Scalar<u32>>,
-        k_45: impl rt::Into<rt::Scalar<u32>>,
+        number_22: impl rt::Into<rt::Scalar<u32>>,
+        k_49: impl rt::Into<rt::Scalar<u32>>,
         count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_168, hit_77, rt::into(number_20), rt::into(k_45), rt::into(count_10)))
+        rt::into(self.v_point_of_light(at_168, hit_77, rt::into(number_22), rt::into(k_49), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20027,14 +20617,14 @@ impl<'g> Resources<'g> {
         &self,
         at_168: Entered,
         hit_77: Hit,
-        number_20: rt::Scalar<u32>,
-        k_45: rt::Scalar<u32>,
+        number_22: rt::Scalar<u32>,
+        k_49: rt::Scalar<u32>,
         count_10: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_20, at_168.point);
+        let _e6 = self.v_toward_light(number_22, at_168.point);
         if rt::Scalar::into_branch_condition(count_10.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_77);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_45, count_10);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_49, count_10);
             return _e10;
         }
         return _e6;
@@ -20074,9 +20664,9 @@ impl<'g> Resources<'g> {
         place_34: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
-        params_140: impl rt::Into<rt::Vec4<f32>>,
+        params_145: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_34), rt::into(time), rt::into(seed_5), rt::into(params_140)))
+        rt::into(self.v_procedure_bumps(rt::into(place_34), rt::into(time), rt::into(seed_5), rt::into(params_145)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_bumps(
@@ -20084,40 +20674,40 @@ impl<'g> Resources<'g> {
         place_34: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
-        params_140: rt::Vec4<f32>,
+        params_145: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_15: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_46: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_50: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_190 = (place_34 * params_140.x());
+        let at_190 = (place_34 * params_145.x());
         let own_1 = at_190.floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_46;
+                let _e11 = k_50;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(rt::Scalar(9u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e14 = k_46;
-                    let _e18 = k_46;
+                    let _e14 = k_50;
+                    let _e18 = k_50;
                     let cell_47 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_47, params_140.x(), seed_5);
+                    let _e29 = self.v_bits_of_point(cell_47, params_145.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
                     let beside_10 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_18 = ((cell_47 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_10 * (rt::Scalar(0.5f32) * params_140.z())));
-                    let away_2 = ((at_190 - middle_18) / rt::Vec2::splat_from_scalar(params_140.y()));
+                    let middle_18 = ((cell_47 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_10 * (rt::Scalar(0.5f32) * params_145.z())));
+                    let away_2 = ((at_190 - middle_18) / rt::Vec2::splat_from_scalar(params_145.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
                     let _e58 = self.v_sine_of((time + _e56));
                     let wave = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e58));
-                    let high_10 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
+                    let high_9 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
                     let _e67 = height_15;
-                    height_15 = _e67.max((high_10 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
-                    let _e76 = k_46;
-                    k_46 = (_e76 + rt::Scalar(1u32));
+                    height_15 = _e67.max((high_9 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
+                    let _e76 = k_50;
+                    k_50 = (_e76 + rt::Scalar(1u32));
                 }
             }
         }
@@ -20129,9 +20719,9 @@ impl<'g> Resources<'g> {
         place_35: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
-        params_141: impl rt::Into<rt::Vec4<f32>>,
+        params_146: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_35), rt::into(time_1), rt::into(seed_6), rt::into(params_141)))
+        rt::into(self.v_procedure_fbm(rt::into(place_35), rt::into(time_1), rt::into(seed_6), rt::into(params_146)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_fbm(
@@ -20139,7 +20729,7 @@ impl<'g> Resources<'g> {
         place_35: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
-        params_141: rt::Vec4<f32>,
+        params_146: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_16: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_6: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -20147,11 +20737,11 @@ impl<'g> Resources<'g> {
         let mut count_11: rt::Scalar<f32>;
         let mut octave: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        count_11 = params_141.x();
+        count_11 = params_146.x();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = octave;
-                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_141.y())) {
+                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_146.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -20169,7 +20759,7 @@ impl<'g> Resources<'g> {
                     let _e34 = strength;
                     sum_6 = (_e33 + _e34);
                     let _e36 = strength;
-                    strength = (_e36 * params_141.z());
+                    strength = (_e36 * params_146.z());
                     let _e39 = count_11;
                     count_11 = (_e39 * rt::Scalar(2f32));
                     let _e42 = octave;
@@ -20186,9 +20776,9 @@ impl<'g> Resources<'g> {
         place_36: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
-        params_142: impl rt::Into<rt::Vec4<f32>>,
+        params_147: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_36), rt::into(time_2), rt::into(seed_7), rt::into(params_142)))
+        rt::into(self.v_procedure_waves(rt::into(place_36), rt::into(time_2), rt::into(seed_7), rt::into(params_147)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_waves(
@@ -20196,40 +20786,40 @@ impl<'g> Resources<'g> {
         place_36: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
-        params_142: rt::Vec4<f32>,
+        params_147: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_17: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_7: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_47: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_51: rt::Scalar<u32> = rt::Scalar(0u32);
 
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_47;
-                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_142.y())) {
+                let _e10 = k_51;
+                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_147.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_47;
+                    let _e15 = k_51;
                     let _e18 = self.v_mixed((seed_7 + (rt::Scalar(4u32) * _e15)));
-                    let _e19 = k_47;
-                    let part_39 = (_e19.to_f32() / params_142.y());
-                    let size_8 = (params_142.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_39) * part_39)));
+                    let _e19 = k_51;
+                    let part_40 = (_e19.to_f32() / params_147.y());
+                    let size_8 = (params_147.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_40) * part_40)));
                     let along_50 = (size_8 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e39 = self.v_unit_of(_e18);
-                    let across_13 = ((((rt::Scalar(2f32) * size_8) * params_142.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
+                    let across_13 = ((((rt::Scalar(2f32) * size_8) * params_147.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
                     let length = ((along_50 * along_50) + (across_13 * across_13)).sqrt();
-                    let pace_1 = ((rt::Scalar(2f32) * (length / params_142.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let pace_1 = ((rt::Scalar(2f32) * (length / params_147.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
                     let _e72 = self.v_sine_of(((((along_50 * place_36.x()) + (across_13 * place_36.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
                     let _e77 = height_17;
-                    height_17 = (_e77 + ((crest + (params_142.w() * ((crest * crest) - crest))) / length));
+                    height_17 = (_e77 + ((crest + (params_147.w() * ((crest * crest) - crest))) / length));
                     let _e85 = sum_7;
                     sum_7 = (_e85 + (rt::Scalar(1f32) / length));
-                    let _e89 = k_47;
-                    k_47 = (_e89 + rt::Scalar(1u32));
+                    let _e89 = k_51;
+                    k_51 = (_e89 + rt::Scalar(1u32));
                 }
             }
         }
@@ -20239,35 +20829,35 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_height(
         &self,
-        number_21: impl rt::Into<rt::Scalar<u32>>,
+        number_23: impl rt::Into<rt::Scalar<u32>>,
         place_37: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
-        params_143: impl rt::Into<rt::Vec4<f32>>,
+        params_148: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_21), rt::into(place_37), rt::into(time_3), rt::into(seed_8), rt::into(params_143)))
+        rt::into(self.v_procedure_height(rt::into(number_23), rt::into(place_37), rt::into(time_3), rt::into(seed_8), rt::into(params_148)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_procedure_height(
         &self,
-        number_21: rt::Scalar<u32>,
+        number_23: rt::Scalar<u32>,
         place_37: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
-        params_143: rt::Vec4<f32>,
+        params_148: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        match rt::Scalar::into_inner(number_21) {
+        match rt::Scalar::into_inner(number_23) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_37, time_3, seed_8, params_143);
+                let _e5 = self.v_procedure_waves(place_37, time_3, seed_8, params_148);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_37, time_3, seed_8, params_143);
+                let _e6 = self.v_procedure_fbm(place_37, time_3, seed_8, params_148);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_37, time_3, seed_8, params_143);
+                let _e7 = self.v_procedure_bumps(place_37, time_3, seed_8, params_148);
                 return _e7;
             }
         }
@@ -20294,11 +20884,11 @@ impl<'g> Resources<'g> {
         &self,
         at_169: Entered,
         hit_78: Hit,
-        number_22: impl rt::Into<rt::Scalar<u32>>,
-        k_48: impl rt::Into<rt::Scalar<u32>>,
+        number_24: impl rt::Into<rt::Scalar<u32>>,
+        k_52: impl rt::Into<rt::Scalar<u32>>,
         count_12: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_169, hit_78, rt::into(number_22), rt::into(k_48), rt::into(count_12)))
+        rt::into(self.v_ray_to_light(at_169, hit_78, rt::into(number_24), rt::into(k_52), rt::into(count_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20306,11 +20896,11 @@ impl<'g> Resources<'g> {
         &self,
         at_169: Entered,
         hit_78: Hit,
-        number_22: rt::Scalar<u32>,
-        k_48: rt::Scalar<u32>,
+        number_24: rt::Scalar<u32>,
+        k_52: rt::Scalar<u32>,
         count_12: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_169, hit_78, number_22, k_48, count_12);
+        let _e5 = self.v_point_of_light(at_169, hit_78, number_24, k_52, count_12);
         let _e6 = self.v_field_light_ray_stage(at_169, hit_78, _e5);
         return _e6;
     }
@@ -20338,11 +20928,11 @@ impl<'g> Resources<'g> {
         hit_79: Hit,
         normal_22: impl rt::Into<rt::Vec3<f32>>,
         mean_3: impl rt::Into<rt::Scalar<f32>>,
-        view_28: impl rt::Into<rt::Vec3<f32>>,
+        view_29: impl rt::Into<rt::Vec3<f32>>,
         color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_144: impl rt::Into<rt::Vec4<f32>>,
+        params_149: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_blinn_phong_material(at_170, hit_79, rt::into(normal_22), rt::into(mean_3), rt::into(view_28), rt::into(color_1), rt::into(params_144)))
+        rt::into(self.v_shade_blinn_phong_material(at_170, hit_79, rt::into(normal_22), rt::into(mean_3), rt::into(view_29), rt::into(color_1), rt::into(params_149)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20352,9 +20942,9 @@ impl<'g> Resources<'g> {
         hit_79: Hit,
         normal_22: rt::Vec3<f32>,
         mean_3: rt::Scalar<f32>,
-        view_28: rt::Vec3<f32>,
+        view_29: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
-        params_144: rt::Vec4<f32>,
+        params_149: rt::Vec4<f32>,
     ) -> Material {
         let transmission = rt::Scalar(self.surface_settings.transmission);
         let _e12 = self.surface_settings.diffuse;
@@ -20371,11 +20961,11 @@ impl<'g> Resources<'g> {
         hit_80: Hit,
         normal_23: impl rt::Into<rt::Vec3<f32>>,
         mean_4: impl rt::Into<rt::Scalar<f32>>,
-        view_29: impl rt::Into<rt::Vec3<f32>>,
+        view_30: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
-        params_145: impl rt::Into<rt::Vec4<f32>>,
+        params_150: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_metallic_roughness_material(at_171, hit_80, rt::into(normal_23), rt::into(mean_4), rt::into(view_29), rt::into(color_2), rt::into(params_145)))
+        rt::into(self.v_shade_metallic_roughness_material(at_171, hit_80, rt::into(normal_23), rt::into(mean_4), rt::into(view_30), rt::into(color_2), rt::into(params_150)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_material(
@@ -20384,9 +20974,9 @@ impl<'g> Resources<'g> {
         hit_80: Hit,
         normal_23: rt::Vec3<f32>,
         mean_4: rt::Scalar<f32>,
-        view_29: rt::Vec3<f32>,
+        view_30: rt::Vec3<f32>,
         color_2: rt::Vec3<f32>,
-        params_145: rt::Vec4<f32>,
+        params_150: rt::Vec4<f32>,
     ) -> Material {
         let mut roughness_1: rt::Scalar<f32>;
         let mut alpha_1: rt::Scalar<f32>;
@@ -20419,7 +21009,7 @@ impl<'g> Resources<'g> {
             let _e74 = alpha_1;
             roughness_1 = _e74.sqrt();
         }
-        let upright_5 = normal_23.dot(view_29).max(rt::Scalar(0.0001f32));
+        let upright_5 = normal_23.dot(view_30).max(rt::Scalar(0.0001f32));
         let aside_13 = (rt::Scalar(1f32) - (upright_5 * upright_5)).max(rt::Scalar(0f32));
         let _e85 = squared_alpha;
         let masking = ((upright_5 * upright_5) + (_e85 * aside_13)).sqrt();
@@ -20442,10 +21032,10 @@ impl<'g> Resources<'g> {
         hit_81: Hit,
         normal_24: impl rt::Into<rt::Vec3<f32>>,
         mean_5: impl rt::Into<rt::Scalar<f32>>,
-        view_30: impl rt::Into<rt::Vec3<f32>>,
+        view_31: impl rt::Into<rt::Vec3<f32>>,
         color_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_material_stage(at_172, hit_81, rt::into(normal_24), rt::into(mean_5), rt::into(view_30), rt::into(color_3)))
+        rt::into(self.v_shade_material_stage(at_172, hit_81, rt::into(normal_24), rt::into(mean_5), rt::into(view_31), rt::into(color_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20455,19 +21045,19 @@ impl<'g> Resources<'g> {
         hit_81: Hit,
         normal_24: rt::Vec3<f32>,
         mean_5: rt::Scalar<f32>,
-        view_30: rt::Vec3<f32>,
+        view_31: rt::Vec3<f32>,
         color_3: rt::Vec3<f32>,
     ) -> Material {
         let _e10 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e10) {
             0u32 => {
                 let _e15 = self.surface_settings.choices[8usize].params;
-                let _e16 = self.v_shade_blinn_phong_material(at_172, hit_81, normal_24, mean_5, view_30, color_3, _e15);
+                let _e16 = self.v_shade_blinn_phong_material(at_172, hit_81, normal_24, mean_5, view_31, color_3, _e15);
                 return _e16;
             }
             _ => {
                 let _e21 = self.surface_settings.choices[8usize].params;
-                let _e22 = self.v_shade_metallic_roughness_material(at_172, hit_81, normal_24, mean_5, view_30, color_3, _e21);
+                let _e22 = self.v_shade_metallic_roughness_material(at_172, hit_81, normal_24, mean_5, view_31, color_3, _e21);
                 return _e22;
             }
         }
@@ -20519,9 +21109,9 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_to_tangent_space(at_173, toward_4);
         let middle_19 = seen_5.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_19, seen_5.along.dot(_e10), seen_5.across.dot(_e10));
-        let one_2 = (rt::Scalar(seen_5.middle_seen) * middle_19.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let one_3 = (rt::Scalar(seen_5.middle_seen) * middle_19.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen_5.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
-        let _e28 = self.v_mean_of_five(one_2, others);
+        let _e28 = self.v_mean_of_five(one_3, others);
         cosine_6 = _e28;
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_5.table_part).elementwise_gt(rt::Scalar(0f32))) {
             let _e33 = cosine_6;
@@ -20592,11 +21182,11 @@ impl<'g> Resources<'g> {
         normal_25: impl rt::Into<rt::Vec3<f32>>,
         mean_6: impl rt::Into<rt::Scalar<f32>>,
         cosine_7: impl rt::Into<rt::Scalar<f32>>,
-        view_31: impl rt::Into<rt::Vec3<f32>>,
+        view_32: impl rt::Into<rt::Vec3<f32>>,
         toward_5: impl rt::Into<rt::Vec3<f32>>,
-        params_146: impl rt::Into<rt::Vec4<f32>>,
+        params_151: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_25), rt::into(mean_6), rt::into(cosine_7), rt::into(view_31), rt::into(toward_5), rt::into(params_146)))
+        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_25), rt::into(mean_6), rt::into(cosine_7), rt::into(view_32), rt::into(toward_5), rt::into(params_151)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_blinn_phong_light(
@@ -20605,9 +21195,9 @@ impl<'g> Resources<'g> {
         normal_25: rt::Vec3<f32>,
         mean_6: rt::Scalar<f32>,
         cosine_7: rt::Scalar<f32>,
-        view_31: rt::Vec3<f32>,
+        view_32: rt::Vec3<f32>,
         toward_5: rt::Vec3<f32>,
-        params_146: rt::Vec4<f32>,
+        params_151: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_3: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -20622,7 +21212,7 @@ impl<'g> Resources<'g> {
                 exponent_3 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_25.dot((toward_5 + view_31).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_25.dot((toward_5 + view_32).normalize()).max(rt::Scalar(0f32));
             let _e42 = exponent_3;
             let _e43 = self.v_whole_power(lobe, _e42);
             let _e44 = dimmed;
@@ -20637,11 +21227,11 @@ impl<'g> Resources<'g> {
         normal_26: impl rt::Into<rt::Vec3<f32>>,
         mean_7: impl rt::Into<rt::Scalar<f32>>,
         cosine_8: impl rt::Into<rt::Scalar<f32>>,
-        view_32: impl rt::Into<rt::Vec3<f32>>,
+        view_33: impl rt::Into<rt::Vec3<f32>>,
         toward_6: impl rt::Into<rt::Vec3<f32>>,
-        params_147: impl rt::Into<rt::Vec4<f32>>,
+        params_152: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_26), rt::into(mean_7), rt::into(cosine_8), rt::into(view_32), rt::into(toward_6), rt::into(params_147)))
+        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_26), rt::into(mean_7), rt::into(cosine_8), rt::into(view_33), rt::into(toward_6), rt::into(params_152)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_light(
@@ -20650,20 +21240,20 @@ impl<'g> Resources<'g> {
         normal_26: rt::Vec3<f32>,
         mean_7: rt::Scalar<f32>,
         cosine_8: rt::Scalar<f32>,
-        view_32: rt::Vec3<f32>,
+        view_33: rt::Vec3<f32>,
         toward_6: rt::Vec3<f32>,
-        params_147: rt::Vec4<f32>,
+        params_152: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         if rt::Scalar::into_branch_condition(cosine_8.elementwise_gt(rt::Scalar(0f32))) {
-            let sum_15 = (toward_6 + view_32);
+            let sum_15 = (toward_6 + view_33);
             let squared_sum = sum_15.dot(sum_15).max(rt::Scalar(0.000001f32));
             let along_51 = normal_26.dot(sum_15);
             let across_14 = normal_26.cross(sum_15);
-            let a_48 = rt::Scalar(material_12.squared_alpha);
-            let spread_1 = ((((along_51 * along_51) * a_48) + across_14.dot(across_14)) / squared_sum);
-            let shadowing = ((cosine_8 * cosine_8) + (a_48 * (rt::Scalar(1f32) - (cosine_8 * cosine_8)).max(rt::Scalar(0f32)))).sqrt();
+            let a_49 = rt::Scalar(material_12.squared_alpha);
+            let spread_1 = ((((along_51 * along_51) * a_49) + across_14.dot(across_14)) / squared_sum);
+            let shadowing = ((cosine_8 * cosine_8) + (a_49 * (rt::Scalar(1f32) - (cosine_8 * cosine_8)).max(rt::Scalar(0f32)))).sqrt();
             let visible_3 = ((cosine_8 * rt::Scalar(material_12.masking)) + (rt::Scalar(material_12.upright) * shadowing));
-            let facets = ((rt::Scalar(0.5f32) * a_48) / ((spread_1 * spread_1) * visible_3));
+            let facets = ((rt::Scalar(0.5f32) * a_49) / ((spread_1 * spread_1) * visible_3));
             let rest_14 = (rt::Scalar(1f32) - (rt::Scalar(0.5f32) * squared_sum.sqrt())).max(rt::Scalar(0f32));
             let squared_rest = (rest_14 * rest_14);
             let white_3 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
@@ -20680,10 +21270,10 @@ impl<'g> Resources<'g> {
         normal_27: impl rt::Into<rt::Vec3<f32>>,
         mean_8: impl rt::Into<rt::Scalar<f32>>,
         cosine_9: impl rt::Into<rt::Scalar<f32>>,
-        view_33: impl rt::Into<rt::Vec3<f32>>,
+        view_34: impl rt::Into<rt::Vec3<f32>>,
         toward_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_light_stage(material_13, rt::into(normal_27), rt::into(mean_8), rt::into(cosine_9), rt::into(view_33), rt::into(toward_7)))
+        rt::into(self.v_shade_light_stage(material_13, rt::into(normal_27), rt::into(mean_8), rt::into(cosine_9), rt::into(view_34), rt::into(toward_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20693,19 +21283,19 @@ impl<'g> Resources<'g> {
         normal_27: rt::Vec3<f32>,
         mean_8: rt::Scalar<f32>,
         cosine_9: rt::Scalar<f32>,
-        view_33: rt::Vec3<f32>,
+        view_34: rt::Vec3<f32>,
         toward_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e10 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e10) {
             0u32 => {
                 let _e15 = self.surface_settings.choices[8usize].params;
-                let _e16 = self.v_shade_blinn_phong_light(material_13, normal_27, mean_8, cosine_9, view_33, toward_7, _e15);
+                let _e16 = self.v_shade_blinn_phong_light(material_13, normal_27, mean_8, cosine_9, view_34, toward_7, _e15);
                 return _e16;
             }
             _ => {
                 let _e21 = self.surface_settings.choices[8usize].params;
-                let _e22 = self.v_shade_metallic_roughness_light(material_13, normal_27, mean_8, cosine_9, view_33, toward_7, _e21);
+                let _e22 = self.v_shade_metallic_roughness_light(material_13, normal_27, mean_8, cosine_9, view_34, toward_7, _e21);
                 return _e22;
             }
         }
@@ -20715,11 +21305,11 @@ impl<'g> Resources<'g> {
         at_174: Entered,
         hit_82: Hit,
         seen_6: SeenNormals,
-        view_34: impl rt::Into<rt::Vec3<f32>>,
+        view_35: impl rt::Into<rt::Vec3<f32>>,
         color_4: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_174, hit_82, seen_6, rt::into(view_34), rt::into(color_4), visible))
+        rt::into(self.v_reflected_light(at_174, hit_82, seen_6, rt::into(view_35), rt::into(color_4), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_reflected_light(
@@ -20727,36 +21317,36 @@ impl<'g> Resources<'g> {
         at_174: Entered,
         hit_82: Hit,
         seen_6: SeenNormals,
-        view_34: rt::Vec3<f32>,
+        view_35: rt::Vec3<f32>,
         color_4: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_25: rt::Vec3<f32>;
-        let mut k_49: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_53: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e8 = self.v_shade_material_stage(at_174, hit_82, seen_6.normal, rt::Scalar(seen_6.length), view_34, color_4);
-        let _e12 = self.v_ambient_stage(at_174, hit_82, (seen_6.normal * rt::Scalar(seen_6.length)), view_34, _e8);
+        let _e8 = self.v_shade_material_stage(at_174, hit_82, seen_6.normal, rt::Scalar(seen_6.length), view_35, color_4);
+        let _e12 = self.v_ambient_stage(at_174, hit_82, (seen_6.normal * rt::Scalar(seen_6.length)), view_35, _e8);
         light_25 = ((_e12 * rt::Scalar(_e8.occlusion)) + _e8.emission);
         'naga_break: loop {
             'naga_continue: {
-                let _e20 = k_49;
+                let _e20 = k_53;
                 let _e23 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e20.elementwise_lt(_e23)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e25 = k_49;
+                    let _e25 = k_53;
                     let _e27 = self.v_toward_light(_e25, at_174.point);
                     let _e29 = self.v_seen_cosine(at_174, seen_6, _e27.direction);
-                    let _e33 = self.v_shade_light_stage(_e8, seen_6.normal, rt::Scalar(seen_6.length), _e29, view_34, _e27.direction);
+                    let _e33 = self.v_shade_light_stage(_e8, seen_6.normal, rt::Scalar(seen_6.length), _e29, view_35, _e27.direction);
                     let _e34 = light_25;
-                    let _e37 = k_49;
+                    let _e37 = k_53;
                     let _e40 = self.frame.lights[rt::Scalar::into_array_index(_e37)].color;
-                    let _e44 = k_49;
+                    let _e44 = k_53;
                     light_25 = (_e34 + ((_e33 * _e40.xyz()) * (rt::Scalar(_e27.falloff) * visible[rt::Scalar::into_array_index(_e44)].x())));
-                    let _e50 = k_49;
-                    k_49 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_53;
+                    k_53 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
@@ -20807,8 +21397,8 @@ impl<'g> Resources<'g> {
         behind: rt::Vec4<f32>,
         seen_7: Gathered,
     ) -> rt::Vec4<f32> {
-        let part_40 = (rt::Scalar(1f32) - rt::Scalar(seen_7.transmittance));
-        return <rt::Vec4<f32>>::new_31((seen_7.light + (behind.xyz() * rt::Scalar(seen_7.transmittance))), (part_40 + (behind.w() * rt::Scalar(seen_7.transmittance))));
+        let part_41 = (rt::Scalar(1f32) - rt::Scalar(seen_7.transmittance));
+        return <rt::Vec4<f32>>::new_31((seen_7.light + (behind.xyz() * rt::Scalar(seen_7.transmittance))), (part_41 + (behind.w() * rt::Scalar(seen_7.transmittance))));
     }
     pub(crate) fn z_of(&self, depth_11: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_z_of(rt::into(depth_11)))
@@ -20847,10 +21437,10 @@ impl<'g> Resources<'g> {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_83.cost.x(), hit_83.cost.y(), hit_83.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(1f32));
         }
         let _e46 = self.v_field_height_stage(hit_83.uv, rt::Scalar(hit_83.height), rt::Scalar(at_176.level));
-        let view_37 = (origin_3 - at_176.point).normalize();
-        let _e50 = self.v_field_normals_stage(at_176, hit_83, view_37);
-        let _e51 = self.v_object_color_stage(at_176, hit_83, view_37);
-        let _e52 = self.v_reflected_light(at_176, hit_83, _e50, view_37, _e51, visible_1);
+        let view_38 = (origin_3 - at_176.point).normalize();
+        let _e50 = self.v_field_normals_stage(at_176, hit_83, view_38);
+        let _e51 = self.v_object_color_stage(at_176, hit_83, view_38);
+        let _e52 = self.v_reflected_light(at_176, hit_83, _e50, view_38, _e51, visible_1);
         let _e57 = self.frame.forward;
         let depth_15 = (at_176.point - origin_3).dot(_e57.xyz());
         let _e62 = self.v_height_size(rt::Scalar(0u32));
@@ -20863,9 +21453,9 @@ impl<'g> Resources<'g> {
         &self,
         at_177: Entered,
         hit_84: Hit,
-        number_23: impl rt::Into<rt::Scalar<u32>>,
+        number_25: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_177, hit_84, rt::into(number_23)))
+        rt::into(self.v_visible_light(at_177, hit_84, rt::into(number_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20873,9 +21463,9 @@ impl<'g> Resources<'g> {
         &self,
         at_177: Entered,
         hit_84: Hit,
-        number_23: rt::Scalar<u32>,
+        number_25: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_23, at_177.point);
+        let _e4 = self.v_toward_light(number_25, at_177.point);
         let _e5 = self.v_shadow_stage(at_177, hit_84, _e4);
         return _e5;
     }
@@ -20885,7 +21475,7 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_visible_lights(&self, at_178: Entered, hit_85: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_50: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_54: rt::Scalar<u32> = rt::Scalar(0u32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_85.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
@@ -20893,19 +21483,19 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_50;
+                let _e10 = k_54;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_50;
-                    let _e17 = k_50;
+                    let _e15 = k_54;
+                    let _e17 = k_54;
                     let _e18 = self.v_visible_light(at_178, hit_85, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e23 = k_50;
-                    k_50 = (_e23 + rt::Scalar(1u32));
+                    let _e23 = k_54;
+                    k_54 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
@@ -20925,13 +21515,13 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_shade_hit(pixel_106.origin, _e5, _e2.hit, _e9);
         return _e10;
     }
-    pub(crate) fn sign_of(&self, number_24: impl rt::Into<rt::Scalar<i32>>) -> i32 {
-        rt::into(self.v_sign_of(rt::into(number_24)))
+    pub(crate) fn sign_of(&self, number_26: impl rt::Into<rt::Scalar<i32>>) -> i32 {
+        rt::into(self.v_sign_of(rt::into(number_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_sign_of(&self, number_24: rt::Scalar<i32>) -> rt::Scalar<i32> {
-        return number_24.clamp(rt::Scalar(-1i32), rt::Scalar(1i32));
+    pub(super) fn v_sign_of(&self, number_26: rt::Scalar<i32>) -> rt::Scalar<i32> {
+        return number_26.clamp(rt::Scalar(-1i32), rt::Scalar(1i32));
     }
     pub(crate) fn weighted_site(
         &self,
@@ -21029,7 +21619,7 @@ impl<'g> Resources<'g> {
         b_28: rt::Vec3<i32>,
         c_19: rt::Vec3<i32>,
     ) -> Sweep {
-        let mut first_9: rt::Vec3<i32>;
+        let mut first_8: rt::Vec3<i32>;
         let mut end_4: rt::Vec3<i32>;
         let mut corners_4: rt::Vec3<u32>;
 
@@ -21037,13 +21627,13 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_axis_of(b_28, _e4);
         let _e6 = self.v_axis_of(a_28, _e4);
         let is_back_1 = _e5.elementwise_lt(_e6);
-        first_9 = a_28;
+        first_8 = a_28;
         end_4 = b_28;
         let _e11 = self.v_around_three(primary, rt::Scalar(1u32));
         let _e13 = self.v_around_three(primary, rt::Scalar(2u32));
         corners_4 = <rt::Vec3<u32>>::from_scalars(primary, _e11, _e13);
         if rt::Scalar::into_branch_condition(is_back_1) {
-            first_9 = b_28;
+            first_8 = b_28;
             end_4 = a_28;
             let _e17 = corners_4.y();
             let _e19 = corners_4.x();
@@ -21051,16 +21641,16 @@ impl<'g> Resources<'g> {
             corners_4 = <rt::Vec3<u32>>::from_scalars(_e17, _e19, _e21);
         }
         let _e23 = end_4;
-        let _e24 = first_9;
+        let _e24 = first_8;
         let _e26 = self.v_seen_along((_e23 - _e24), _e4);
-        let _e27 = first_9;
+        let _e27 = first_8;
         let _e29 = self.v_seen_along((c_19 - _e27), _e4);
         let in_first = ((_e26.x() * _e29.y()) - (_e26.y() * _e29.x()));
         let in_second = ((_e26.x() * _e29.z()) - (_e26.z() * _e29.x()));
         let is_first_3 = in_first.abs().elementwise_ge(in_second.abs());
         let upward_1 = rt::Scalar(1i32).select(rt::Scalar(-1i32), in_second.select(in_first, is_first_3).elementwise_lt(rt::Scalar(0i32)));
         let _e53 = corners_4;
-        let _e66 = first_9;
+        let _e66 = first_8;
         let _e68 = self.v_longest_of((c_19 - _e66));
         let _e71 = end_4;
         let _e73 = self.v_longest_of((c_19 - _e71));
@@ -21108,9 +21698,9 @@ impl<'g> Resources<'g> {
         a_30: Voxel,
         b_30: Voxel,
         c_21: Voxel,
-        level_62: impl rt::Into<rt::Scalar<u32>>,
+        level_63: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_30, b_30, c_21, rt::into(level_62)))
+        rt::into(self.v_sweep_on(a_30, b_30, c_21, rt::into(level_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -21119,11 +21709,11 @@ impl<'g> Resources<'g> {
         a_30: Voxel,
         b_30: Voxel,
         c_21: Voxel,
-        level_62: rt::Scalar<u32>,
+        level_63: rt::Scalar<u32>,
     ) -> Sweep {
-        let _e5 = self.v_coarser_voxel(a_30.at, level_62);
-        let _e7 = self.v_coarser_voxel(b_30.at, level_62);
-        let _e9 = self.v_coarser_voxel(c_21.at, level_62);
+        let _e5 = self.v_coarser_voxel(a_30.at, level_63);
+        let _e7 = self.v_coarser_voxel(b_30.at, level_63);
+        let _e9 = self.v_coarser_voxel(c_21.at, level_63);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }
@@ -21131,9 +21721,9 @@ impl<'g> Resources<'g> {
         &self,
         sweep_7: Sweep,
         column_4: SweptColumn,
-        way_25: impl rt::Into<rt::Scalar<u32>>,
+        way_26: impl rt::Into<rt::Scalar<u32>>,
     ) -> SweptChain {
-        rt::into(self.v_swept_chain(sweep_7, column_4, rt::into(way_25)))
+        rt::into(self.v_swept_chain(sweep_7, column_4, rt::into(way_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -21141,44 +21731,44 @@ impl<'g> Resources<'g> {
         &self,
         sweep_7: Sweep,
         column_4: SweptColumn,
-        way_25: rt::Scalar<u32>,
+        way_26: rt::Scalar<u32>,
     ) -> SweptChain {
-        if rt::Scalar::into_branch_condition(way_25.elementwise_eq(ROOF_UP)) {
+        if rt::Scalar::into_branch_condition(way_26.elementwise_eq(ROOF_UP)) {
             let _e5 = self.v_roof_left(sweep_7, column_4);
-            return <SweptChain>::new(column_4, way_25, (rt::Scalar(1i32) + _e5));
+            return <SweptChain>::new(column_4, way_26, (rt::Scalar(1i32) + _e5));
         }
-        if rt::Scalar::into_branch_condition(way_25.elementwise_eq(ROOF_DOWN)) {
+        if rt::Scalar::into_branch_condition(way_26.elementwise_eq(ROOF_DOWN)) {
             let _e12 = self.v_roof_left(sweep_7, column_4);
-            return <SweptChain>::new(column_4, way_25, (rt::Scalar(column_4.of_top) - _e12));
+            return <SweptChain>::new(column_4, way_26, (rt::Scalar(column_4.of_top) - _e12));
         }
-        let of_top = rt::Scalar(column_4.of_top).min(rt::Scalar(1i32)).select(rt::Scalar(column_4.of_top), rt::Scalar(column_4.top).elementwise_eq(way_25));
-        return <SweptChain>::new(column_4, way_25, ((rt::Scalar(1i32) + rt::Scalar(column_4.inner)) + of_top));
+        let of_top = rt::Scalar(column_4.of_top).min(rt::Scalar(1i32)).select(rt::Scalar(column_4.of_top), rt::Scalar(column_4.top).elementwise_eq(way_26));
+        return <SweptChain>::new(column_4, way_26, ((rt::Scalar(1i32) + rt::Scalar(column_4.inner)) + of_top));
     }
     pub(crate) fn swept_column(
         &self,
         sweep_8: Sweep,
         column_5: impl rt::Into<rt::Scalar<i32>>,
-        first_10: impl rt::Into<rt::Scalar<u32>>,
+        first_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> SweptColumn {
-        rt::into(self.v_swept_column(sweep_8, rt::into(column_5), rt::into(first_10)))
+        rt::into(self.v_swept_column(sweep_8, rt::into(column_5), rt::into(first_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_swept_column(
         &self,
         sweep_8: Sweep,
         column_5: rt::Scalar<i32>,
-        first_10: rt::Scalar<u32>,
+        first_9: rt::Scalar<u32>,
     ) -> SweptColumn {
         let mut local_142: rt::Scalar<bool>;
 
-        let n_19 = sweep_8.parts.x();
+        let n_21 = sweep_8.parts.x();
         let m_8 = sweep_8.parts.y();
         let _e7 = self.v_first_of_top(sweep_8, column_5);
         let _e10 = self.v_first_of_top(sweep_8, (column_5 + rt::Scalar(1i32)));
-        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_19);
-        let top_12 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_19)), is_behind);
+        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_21);
+        let top_12 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_21)), is_behind);
         let from_top = _e7.max(rt::Scalar(1i32));
-        let of_top_1 = (_e10.min((n_19 + m_8)) - from_top);
+        let of_top_1 = (_e10.min((n_21 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
             local_142 = column_5.elementwise_ge(sweep_8.end.x());
         } else {
@@ -21186,7 +21776,7 @@ impl<'g> Resources<'g> {
         }
         let _e34 = local_142;
         if rt::Scalar::into_branch_condition(_e34) {
-            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_10, from_top, of_top_1, top_12);
+            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_9, from_top, of_top_1, top_12);
         }
         let _e43 = self.v_quotient_near((sweep_8.end.y() * column_5), sweep_8.end.x());
         let inside_9 = (_e43 + rt::Scalar(1i32));
@@ -21195,7 +21785,7 @@ impl<'g> Resources<'g> {
         let _e53 = self.v_quotient_near(rt::Scalar(_e46.y), rt::Scalar(_e46.w));
         let _e56 = self.v_quotient_near(rt::Scalar(_e50.y), rt::Scalar(_e50.w));
         let above_13 = _e53.min(_e56);
-        return <SweptColumn>::new(column_5, inside_9, (above_13 - inside_9).max(rt::Scalar(0i32)), first_10, from_top, of_top_1, top_12);
+        return <SweptColumn>::new(column_5, inside_9, (above_13 - inside_9).max(rt::Scalar(0i32)), first_9, from_top, of_top_1, top_12);
     }
     pub(crate) fn swept_points_of(&self, sweep_9: Sweep) -> u32 {
         rt::into(self.v_swept_points_of(sweep_9))

@@ -56,6 +56,11 @@ pub const MODULES: &[Module] = &[
 // roughness 0.045 to 1. The sum of both differs by at most 0.65 %, the rest by at most 0.007 up to 88
 // degrees.
 "# },
+    Module { path: "shared/factors", head: r#"// Ways of compressed view-dependent maps: sums of products, a factor of the texel times a factor of the view.
+//
+// A layer has four terms. Below the factors of the texels lie the views' factors, row after row, and the scales of the
+// terms. relief-bake's module `view_dependent` has the layout.
+"# },
     Module { path: "shared/folded", head: r#"// Ways of a ray through a shell that overlaps itself.
 //
 // The points of a shell that are as far out along the interpolated normals are a flat triangle. The
@@ -246,6 +251,11 @@ pub const MODULES: &[Module] = &[
 // linker.
 "# },
     Module { path: "shared/under", head: r#"// Paths that begin under the surface, such as rays that enter a shell from the inside of a mesh.
+"# },
+    Module { path: "shared/views", head: r#"// The steps of a view-dependent map's axes around a path: the views between which its way is joined.
+//
+// A view is a direction and a bend. Ways are joined along the elevations first, then along the azimuths, then along
+// the bends.
 "# },
     Module { path: "shared/volume", head: r#"// The trilinear field of a volume: values and normals at a place, and rays from a hit toward a light.
 "# },
@@ -518,6 +528,13 @@ pub const MODULES: &[Module] = &[
 // `view-dependent`, a layer a direction. `params.x`, `params.y` and `params.z` are its azimuths, elevations and bends,
 // and `params.w` is its depth.
 "# },
+    Module { path: "search/view_dependent_clusters", head: r#"// The first hit of paths by place, azimuth, elevation and bend, out of non-negative factors of groups of texels.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 6.3, after Wang and Dana 2005. As `view-dependent`, but each way is a sum
+// of products, and texels that are alike have factors of views in common. The map is relief-bake's kind
+// `view-dependent` with a rank and clusters. `params.x`, `params.y` and `params.z` are its azimuths, elevations and
+// bends, and `params.w` is its depth.
+"# },
     Module { path: "search/view_dependent_free", head: r#"// Over the way on which all rays are free that come in over the same texel in nearly the same direction, by one read.
 //
 // Published here first. The map is relief-bake's kind `view-dependent-free`, whose head has the proof; a layer is a
@@ -525,6 +542,12 @@ pub const MODULES: &[Module] = &[
 // top, that bend where the map holds straight paths alone, or that come in so near to the side of a texel's square that
 // rounding may take the other one, do not use the map. `params.x`, `params.y` and `params.z` are its azimuths,
 // elevations and bends, and `params.w` is its depth.
+"# },
+    Module { path: "search/view_dependent_svd", head: r#"// The first hit of paths by place, azimuth, elevation and bend, out of factors by a singular value decomposition.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 6.3. As `view-dependent`, but each way is a sum of products. The map is
+// relief-bake's kind `view-dependent` with a rank. `params.x`, `params.y` and `params.z` are its azimuths, elevations
+// and bends, and `params.w` is its depth.
 "# },
     Module { path: "search/voxels", head: r#"// The dual cells of a volume along the path, in order, but for the empty ones that the baked distances skip.
 //
@@ -2814,6 +2837,130 @@ fn facet_reflection(cosine: f32, alpha: f32, roughness: f32) -> vec2f {
 }"#,
     },
     Declaration {
+        module: "shared/factors",
+        name: "MOST_SCALE",
+        sampling: None,
+        uses: &[],
+        text: r#"// Greatest scale of a term.
+const MOST_SCALE = 512.0;"#,
+    },
+    Declaration {
+        module: "shared/factors",
+        name: "NO_HIT_SUM",
+        sampling: None,
+        uses: &[],
+        text: r#"// Sums from here on say that nothing is hit.
+const NO_HIT_SUM = 1.125;"#,
+    },
+    Declaration {
+        module: "shared/factors",
+        name: "LAST_WAY",
+        sampling: None,
+        uses: &[],
+        text: r#"// The last way that a map has for a hit, as a part of the whole way.
+const LAST_WAY = 0.99607843;"#,
+    },
+    Declaration {
+        module: "shared/factors",
+        name: "factor_place",
+        sampling: None,
+        uses: &[],
+        text: r#"// The texel with that number below the factors of the texels, of a map of n columns and rows of these.
+fn factor_place(number: i32, n: vec2i) -> vec2i {
+    let row = i32((f32(number) + 0.5) / f32(n.x));
+    return vec2i(number - row * n.x, n.y + row);
+}"#,
+    },
+    Declaration {
+        module: "shared/factors",
+        name: "term_scales",
+        sampling: None,
+        uses: &["MOST_SCALE", "Path", "factor_place", "search_texel"],
+        text: r#"// The scales of a layer's terms, from the texel with that number and the next.
+fn term_scales(path: Path, number: i32, n: vec2i, layer: i32) -> vec4f {
+    let level = i32(path.level);
+    let high = search_texel(path, factor_place(number, n), layer, level);
+    let low = search_texel(path, factor_place(number + 1, n), layer, level);
+    let root = high + low * 0.003921569;
+    return root * root * MOST_SCALE;
+}"#,
+    },
+    Declaration {
+        module: "shared/factors",
+        name: "FourTerms",
+        sampling: None,
+        uses: &[],
+        text: r#"// Factors of four terms, each for four texels.
+struct FourTerms {
+    first: vec4f,
+    second: vec4f,
+    third: vec4f,
+    fourth: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "shared/factors",
+        name: "four_terms",
+        sampling: None,
+        uses: &["FourTerms"],
+        text: r#"// The factors of four texels, term by term.
+fn four_terms(t00: vec4f, t10: vec4f, t01: vec4f, t11: vec4f) -> FourTerms {
+    return FourTerms(
+        vec4f(t00.x, t10.x, t01.x, t11.x),
+        vec4f(t00.y, t10.y, t01.y, t11.y),
+        vec4f(t00.z, t10.z, t01.z, t11.z),
+        vec4f(t00.w, t10.w, t01.w, t11.w),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/factors",
+        name: "with_terms",
+        sampling: None,
+        uses: &["FourTerms"],
+        text: r#"// Sums of four texels with four terms more. They are added one by one: compilers may change the order of other sums.
+fn with_terms(before: vec4f, texels: FourTerms, view: vec4f) -> vec4f {
+    let one = before + texels.first * view.x;
+    let two = one + texels.second * view.y;
+    let three = two + texels.third * view.z;
+    return three + texels.fourth * view.w;
+}"#,
+    },
+    Declaration {
+        module: "shared/factors",
+        name: "joined_texels",
+        sampling: None,
+        uses: &["bilinear", "flagged_ways"],
+        text: r#"// Ways of the four texels around, at the lower and the upper elevation: joined between the texels, each with the weight
+// of the texels that are hits.
+fn joined_texels(lower: vec4f, upper: vec4f, part: vec2f) -> vec4f {
+    return bilinear(
+        flagged_ways(lower.x, upper.x),
+        flagged_ways(lower.y, upper.y),
+        flagged_ways(lower.z, upper.z),
+        flagged_ways(lower.w, upper.w),
+        part,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/factors",
+        name: "flagged_ways",
+        sampling: None,
+        uses: &["LAST_WAY", "NO_HIT_SUM"],
+        text: r#"// Two sums as ways with their weights: 1 for a hit, and 0 for none.
+fn flagged_ways(lower: f32, upper: f32) -> vec4f {
+    let is_lower = lower < NO_HIT_SUM;
+    let is_upper = upper < NO_HIT_SUM;
+    return vec4f(
+        select(0.0, clamp(lower, 0.0, LAST_WAY), is_lower),
+        select(0.0, 1.0, is_lower),
+        select(0.0, clamp(upper, 0.0, LAST_WAY), is_upper),
+        select(0.0, 1.0, is_upper),
+    );
+}"#,
+    },
+    Declaration {
         module: "shared/folded",
         name: "MOST_PIECES",
         sampling: None,
@@ -4457,6 +4604,17 @@ fn search_texel(path: Path, place: vec2i, layer: i32, level: i32) -> vec4f {
     },
     Declaration {
         module: "shared/maps",
+        name: "search_layers",
+        sampling: None,
+        uses: &["Path", "RAY_SHADOW", "SLOT_SEARCH", "SLOT_SHADOW_SEARCH", "surface_settings"],
+        text: r#"// The layers of that map.
+fn search_layers(path: Path) -> u32 {
+    let slot = select(SLOT_SEARCH, SLOT_SHADOW_SEARCH, path.ray == RAY_SHADOW);
+    return surface_settings.maps[slot].layers;
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
         name: "map_read",
         sampling: None,
         uses: &["Path", "RAY_SHADOW", "SLOT_SEARCH", "SLOT_SHADOW_SEARCH", "surface_settings"],
@@ -4464,6 +4622,16 @@ fn search_texel(path: Path, place: vec2i, layer: i32, level: i32) -> vec4f {
 fn map_read(path: Path, texels: u32) -> vec3u {
     let slot = select(SLOT_SEARCH, SLOT_SHADOW_SEARCH, path.ray == RAY_SHADOW);
     return vec3u(1u, 0u, texels * surface_settings.maps[slot].texel_bytes);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
+        name: "texel_reads",
+        sampling: None,
+        uses: &["Path", "map_read"],
+        text: r#"// The cost of that many reads of one texel of that map.
+fn texel_reads(path: Path, reads: u32) -> vec3u {
+    return map_read(path, reads) + vec3u(reads - 1u, 0u, 0u);
 }"#,
     },
     Declaration {
@@ -10735,6 +10903,137 @@ fn path_from(path: Path, t: f32) -> Path {
 }"#,
     },
     Declaration {
+        module: "shared/views",
+        name: "ViewsAround",
+        sampling: None,
+        uses: &[],
+        text: r#"// The views around a path. Two elevations are beside each other for each of two azimuths and two bends.
+struct ViewsAround {
+    // 2 pairs of elevations for straight paths, or 4: azimuths run faster than bends.
+    pairs: u32,
+    before: f32,
+    azimuths: f32,
+    below: f32,
+    elevations: f32,
+    lower: f32,
+    // The parts of the way to the next azimuth, elevation and bend.
+    part: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/views",
+        name: "ViewPair",
+        sampling: None,
+        uses: &[],
+        text: r#"// A pair of elevations: the layer of the lower one, and its bend.
+struct ViewPair {
+    layer: i32,
+    bend: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/views",
+        name: "views_around",
+        sampling: None,
+        uses: &["PathAxes", "ViewsAround"],
+        text: r#"// The views around, of a map whose azimuths, elevations and bends `params` has.
+fn views_around(axes: PathAxes, params: vec4f) -> ViewsAround {
+    let elevation = clamp(axes.elevation * params.y - 0.5, 0.0, params.y - 1.0);
+    let below = min(floor(elevation), params.y - 2.0);
+    let bend = clamp(axes.bend * params.z - 0.5, 0.0, params.z - 1.0);
+    let lower = min(floor(bend), max(params.z - 2.0, 0.0));
+    // The first step's middle is half a step from 0.
+    let turn = axes.turn * params.x - 0.5;
+    let before = floor(turn);
+    return ViewsAround(
+        select(4u, 2u, params.z == 1.0),
+        before,
+        params.x,
+        below,
+        params.y,
+        lower,
+        vec3f(turn - before, elevation - below, bend - lower),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/views",
+        name: "view_pair",
+        sampling: None,
+        uses: &["ViewPair", "ViewsAround"],
+        text: r#"// The pair with that number.
+fn view_pair(views: ViewsAround, k: u32) -> ViewPair {
+    let is_next = (k & 1u) == 1u;
+    var azimuth = views.before + select(0.0, 1.0, is_next);
+    azimuth = select(azimuth, azimuth + views.azimuths, azimuth < 0.0);
+    azimuth = select(azimuth, azimuth - views.azimuths, azimuth >= views.azimuths);
+    let layer = i32(azimuth * views.elevations + views.below);
+    return ViewPair(layer, views.lower + select(0.0, 1.0, k > 1u));
+}"#,
+    },
+    Declaration {
+        module: "shared/views",
+        name: "JoinedViews",
+        sampling: None,
+        uses: &[],
+        text: r#"// What the pairs so far make: a way and its weight.
+struct JoinedViews {
+    first: vec2f,
+    low: vec2f,
+    high: vec2f,
+}"#,
+    },
+    Declaration {
+        module: "shared/views",
+        name: "no_views",
+        sampling: None,
+        uses: &["JoinedViews"],
+        text: r#"fn no_views() -> JoinedViews {
+    return JoinedViews(vec2f(0.0, 0.0), vec2f(0.0, 0.0), vec2f(0.0, 0.0));
+}"#,
+    },
+    Declaration {
+        module: "shared/views",
+        name: "with_pair",
+        sampling: None,
+        uses: &["JoinedViews", "ViewsAround"],
+        text: r#"// With pair `k`: way and weight at its lower elevation, and at its upper one.
+fn with_pair(joined: JoinedViews, views: ViewsAround, k: u32, ways: vec4f) -> JoinedViews {
+    let of_below = vec2f(ways.x, ways.y);
+    let of_azimuth = of_below + (vec2f(ways.z, ways.w) - of_below) * views.part.y;
+    let of_bend = joined.first + (of_azimuth - joined.first) * views.part.x;
+    if (k == 1u) {
+        return JoinedViews(of_azimuth, of_bend, of_bend);
+    }
+    return JoinedViews(of_azimuth, joined.low, of_bend);
+}"#,
+    },
+    Declaration {
+        module: "shared/views",
+        name: "joined_way",
+        sampling: None,
+        uses: &["JoinedViews", "ViewsAround"],
+        text: r#"// The way, and the weight of the views and texels that hit something, out of all pairs.
+fn joined_way(joined: JoinedViews, views: ViewsAround) -> vec2f {
+    return joined.low + (joined.high - joined.low) * views.part.z;
+}"#,
+    },
+    Declaration {
+        module: "shared/views",
+        name: "hit_on_way",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_MISS", "Path", "PathAxes", "SearchResult"],
+        text: r#"// The hit on a path at a joined way and its weight. A way that ends nowhere is no number to be joined with others: the
+// greater part of the weights decides whether there is a hit.
+fn hit_on_way(path: Path, axes: PathAxes, way: vec2f, cost: vec3u) -> SearchResult {
+    let t = axes.start + way.x / way.y * axes.whole;
+    if (way.y < 0.5 || t < 0.0 || t > path.exit) {
+        return SearchResult(FOUND_MISS, path.exit, path.exit, 1.0, 1.0, cost);
+    }
+    return SearchResult(FOUND_ABOVE, t, path.exit, 0.0, 1.0, cost);
+}"#,
+    },
+    Declaration {
         module: "shared/volume",
         name: "SURFACE_VALUE",
         sampling: None,
@@ -14316,78 +14615,25 @@ const NOTHING_HIT = 0.998;"#,
     },
     Declaration {
         module: "search/view_dependent",
-        name: "LookedUp",
-        sampling: None,
-        uses: &[],
-        text: r#"// What a look-up tells: the part of the whole way to the hit, if there is one.
-struct LookedUp {
-    is_hit: u32,
-    part: f32,
-}"#,
-    },
-    Declaration {
-        module: "search/view_dependent",
         name: "search_view_dependent",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_MISS", "Path", "STEP", "SearchResult", "looked_up", "map_read", "path_axes"],
+        uses: &["FOUND_MISS", "Path", "STEP", "SearchResult", "height_texels", "hit_on_way", "joined_way", "map_read", "no_views", "path_axes", "path_uv", "texels_around", "view_pair", "views_around", "ways_of_bend", "with_pair"],
         text: r#"fn search_view_dependent(path: Path, params: vec4f) -> SearchResult {
     let axes = path_axes(path, params.w);
-    let texels = select(32u, 16u, params.z == 1.0);
-    let cost = STEP + map_read(path, texels);
+    let views = views_around(axes, params);
+    let cost = STEP + map_read(path, views.pairs * 8u);
     if (axes.comes_in == 0u) {
         return SearchResult(FOUND_MISS, path.exit, path.exit, 1.0, 1.0, STEP);
     }
-    let found = looked_up(path, axes, params);
-    let t = axes.start + found.part * axes.whole;
-    if (found.is_hit == 0u || t < 0.0 || t > path.exit) {
-        return SearchResult(FOUND_MISS, path.exit, path.exit, 1.0, 1.0, cost);
-    }
-    return SearchResult(FOUND_ABOVE, t, path.exit, 0.0, 1.0, cost);
-}"#,
-    },
-    Declaration {
-        module: "search/view_dependent",
-        name: "looked_up",
-        sampling: None,
-        uses: &["LookedUp", "Path", "PathAxes", "height_texels", "path_uv", "texels_around", "ways_of_bend"],
-        text: r#"// The way to the hit, between the four texels around the place at the top and the steps around the direction. A way that
-// ends nowhere is no number to be joined with others: the greater part of the weights decides whether there is a hit.
-fn looked_up(path: Path, axes: PathAxes, params: vec4f) -> LookedUp {
     let around = texels_around(path_uv(path, axes.start), height_texels(path.level));
-    let elevation = clamp(axes.elevation * params.y - 0.5, 0.0, params.y - 1.0);
-    let below = min(floor(elevation), params.y - 2.0);
-    let bend = clamp(axes.bend * params.z - 0.5, 0.0, params.z - 1.0);
-    let lower = min(floor(bend), max(params.z - 2.0, 0.0));
-    // The first step's middle is half a step from 0.
-    let turn = axes.turn * params.x - 0.5;
-    let before = floor(turn);
-    let count = select(4u, 2u, params.z == 1.0);
-    var first = vec2f(0.0, 0.0);
-    var low = vec2f(0.0, 0.0);
-    var high = vec2f(0.0, 0.0);
+    var joined = no_views();
     var k = 0u;
-    while (k < count) {
-        let is_next = (k & 1u) == 1u;
-        var azimuth = before + select(0.0, 1.0, is_next);
-        azimuth = select(azimuth, azimuth + params.x, azimuth < 0.0);
-        azimuth = select(azimuth, azimuth - params.x, azimuth >= params.x);
-        let layer = i32(azimuth * params.y + below);
-        let ways = ways_of_bend(path, around, layer, lower + select(0.0, 1.0, k > 1u));
-        let of_below = vec2f(ways.x, ways.y);
-        let of_azimuth = of_below + (vec2f(ways.z, ways.w) - of_below) * (elevation - below);
-        let joined = first + (of_azimuth - first) * (turn - before);
-        first = of_azimuth;
-        if (k == 1u) {
-            low = joined;
-        }
-        high = joined;
+    while (k < views.pairs) {
+        let pair = view_pair(views, k);
+        joined = with_pair(joined, views, k, ways_of_bend(path, around, pair.layer, pair.bend));
         k = k + 1u;
     }
-    let way = low + (high - low) * (bend - lower);
-    if (way.y >= 0.5) {
-        return LookedUp(1u, way.x / way.y);
-    }
-    return LookedUp(0u, 1.0);
+    return hit_on_way(path, axes, joined_way(joined, views), cost);
 }"#,
     },
     Declaration {
@@ -14427,6 +14673,77 @@ fn ways_of_bend(path: Path, around: Around, layer: i32, bend: f32) -> vec4f {
         select(0.0, above, is_above),
         select(0.0, 1.0, is_above),
     );
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent_clusters",
+        name: "search_view_dependent_clusters",
+        sampling: None,
+        uses: &["FOUND_MISS", "Path", "STEP", "SearchResult", "clustered_ways", "height_texels", "hit_on_way", "joined_way", "no_views", "path_axes", "path_uv", "search_layers", "texel_reads", "texels_around", "view_pair", "views_around", "with_pair"],
+        text: r#"fn search_view_dependent_clusters(path: Path, params: vec4f) -> SearchResult {
+    let axes = path_axes(path, params.w);
+    if (axes.comes_in == 0u) {
+        return SearchResult(FOUND_MISS, path.exit, path.exit, 1.0, 1.0, STEP);
+    }
+    let views = views_around(axes, params);
+    let around = texels_around(path_uv(path, axes.start), height_texels(path.level));
+    let layers = search_layers(path);
+    var joined = no_views();
+    var k = 0u;
+    while (k < views.pairs) {
+        let ways = clustered_ways(path, around, view_pair(views, k), params, layers);
+        joined = with_pair(joined, views, k, ways);
+        k = k + 1u;
+    }
+    // For each pair and texel its cluster; its factors, two views and a scale in two texels, layer by layer.
+    let cost = STEP + texel_reads(path, views.pairs * 4u * (1u + (layers - 1u) * 5u));
+    return hit_on_way(path, axes, joined_way(joined, views), cost);
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent_clusters",
+        name: "clustered_ways",
+        sampling: None,
+        uses: &["Around", "Path", "ViewPair", "clustered_way", "joined_texels"],
+        text: r#"// Ways at a place for a pair of views, each with its weight.
+fn clustered_ways(path: Path, around: Around, pair: ViewPair, params: vec4f, layers: u32) -> vec4f {
+    let t00 = clustered_way(path, vec2i(around.columns.x, around.rows.x), pair, params, layers);
+    let t10 = clustered_way(path, vec2i(around.columns.y, around.rows.x), pair, params, layers);
+    let t01 = clustered_way(path, vec2i(around.columns.x, around.rows.y), pair, params, layers);
+    let t11 = clustered_way(path, vec2i(around.columns.y, around.rows.y), pair, params, layers);
+    return joined_texels(vec4f(t00.x, t10.x, t01.x, t11.x), vec4f(t00.y, t10.y, t01.y, t11.y), around.part);
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent_clusters",
+        name: "clustered_way",
+        sampling: None,
+        uses: &["Path", "ViewPair", "factor_place", "height_texels", "search_texel", "term_scales"],
+        text: r#"// A texel's sums for a pair of views, by the factors of its cluster.
+fn clustered_way(path: Path, texel: vec2i, pair: ViewPair, params: vec4f, layers: u32) -> vec2f {
+    let n = height_texels(path.level);
+    let level = i32(path.level);
+    let bends = i32(params.z);
+    let count = i32(params.x * params.y) * bends;
+    let cluster = i32(floor(search_texel(path, texel, 0, level).x * 255.0 + 0.5));
+    let first = cluster * (count + 2);
+    let lower_view = first + pair.layer * bends + i32(pair.bend);
+    let of_lower = factor_place(lower_view, n);
+    let of_upper = factor_place(lower_view + bends, n);
+    var both = vec2f(0.0, 0.0);
+    var layer = 1;
+    while (layer < i32(layers)) {
+        let scaled = search_texel(path, texel, layer, level) * term_scales(path, first + count, n, layer);
+        let lower = search_texel(path, of_lower, layer, level);
+        let upper = search_texel(path, of_upper, layer, level);
+        // One by one, as in `with_terms`.
+        both = both + vec2f(lower.x, upper.x) * scaled.x;
+        both = both + vec2f(lower.y, upper.y) * scaled.y;
+        both = both + vec2f(lower.z, upper.z) * scaled.z;
+        both = both + vec2f(lower.w, upper.w) * scaled.w;
+        layer = layer + 1;
+    }
+    return both;
 }"#,
     },
     Declaration {
@@ -14476,6 +14793,75 @@ fn free_way_of_step(path: Path, axes: PathAxes, square: vec2i, params: vec4f) ->
     let at = vec2i(wrap_index(square.x, n.x), row);
     let part = search_texel(path, at, i32(azimuth * params.y + elevation), i32(path.level)).x;
     return part * longest_of_step(bend, params.z);
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent_svd",
+        name: "search_view_dependent_svd",
+        sampling: None,
+        uses: &["FOUND_MISS", "Path", "STEP", "SearchResult", "height_texels", "hit_on_way", "joined_way", "no_views", "path_axes", "path_uv", "search_layers", "summed_ways", "texel_reads", "texels_around", "view_pair", "views_around", "with_pair"],
+        text: r#"fn search_view_dependent_svd(path: Path, params: vec4f) -> SearchResult {
+    let axes = path_axes(path, params.w);
+    if (axes.comes_in == 0u) {
+        return SearchResult(FOUND_MISS, path.exit, path.exit, 1.0, 1.0, STEP);
+    }
+    let views = views_around(axes, params);
+    let around = texels_around(path_uv(path, axes.start), height_texels(path.level));
+    let layers = search_layers(path);
+    var joined = no_views();
+    var k = 0u;
+    while (k < views.pairs) {
+        let ways = summed_ways(path, around, view_pair(views, k), params, layers);
+        joined = with_pair(joined, views, k, ways);
+        k = k + 1u;
+    }
+    // Four texels, two views and a scale in two texels, for each pair and layer.
+    let cost = STEP + texel_reads(path, views.pairs * layers * 8u);
+    return hit_on_way(path, axes, joined_way(joined, views), cost);
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent_svd",
+        name: "summed_ways",
+        sampling: None,
+        uses: &["Around", "Path", "ViewPair", "factor_place", "four_terms", "height_texels", "joined_texels", "signed_factors", "term_scales", "with_terms"],
+        text: r#"// Ways at a place for a pair of views, each with its weight.
+fn summed_ways(path: Path, around: Around, pair: ViewPair, params: vec4f, layers: u32) -> vec4f {
+    let n = height_texels(path.level);
+    let level = i32(path.level);
+    let bends = i32(params.z);
+    let lower_view = pair.layer * bends + i32(pair.bend);
+    let of_lower = factor_place(lower_view, n);
+    let of_upper = factor_place(lower_view + bends, n);
+    let scale_number = i32(params.x * params.y) * bends;
+    var lower = vec4f(0.0, 0.0, 0.0, 0.0);
+    var upper = vec4f(0.0, 0.0, 0.0, 0.0);
+    var layer = 0;
+    while (layer < i32(layers)) {
+        let scales = term_scales(path, scale_number, n, layer);
+        let a = signed_factors(path, of_lower, layer, level) * scales;
+        let b = signed_factors(path, of_upper, layer, level) * scales;
+        let texels = four_terms(
+            signed_factors(path, vec2i(around.columns.x, around.rows.x), layer, level),
+            signed_factors(path, vec2i(around.columns.y, around.rows.x), layer, level),
+            signed_factors(path, vec2i(around.columns.x, around.rows.y), layer, level),
+            signed_factors(path, vec2i(around.columns.y, around.rows.y), layer, level),
+        );
+        lower = with_terms(lower, texels, a);
+        upper = with_terms(upper, texels, b);
+        layer = layer + 1;
+    }
+    return joined_texels(lower, upper, around.part);
+}"#,
+    },
+    Declaration {
+        module: "search/view_dependent_svd",
+        name: "signed_factors",
+        sampling: None,
+        uses: &["Path", "search_texel"],
+        text: r#"// Factors of both signs, which are stored from 0 to 1.
+fn signed_factors(path: Path, texel: vec2i, layer: i32, level: i32) -> vec4f {
+    return 2.0 * search_texel(path, texel, layer, level) - vec4f(1.0, 1.0, 1.0, 1.0);
 }"#,
     },
     Declaration {

@@ -87,6 +87,30 @@ lanes! { fn zero_hit() -> Hit {
 } }
 
 #[derive(Clone, Copy)]
+pub struct FourTerms {
+    pub first: Vec4<F>,
+    pub second: Vec4<F>,
+    pub third: Vec4<F>,
+    pub fourth: Vec4<F>,
+}
+lanes! { fn sel_four_terms(m: M, a: &FourTerms, b: &FourTerms) -> FourTerms {
+    FourTerms {
+        first: Vec4 { x: sel(m, a.first.x, b.first.x), y: sel(m, a.first.y, b.first.y), z: sel(m, a.first.z, b.first.z), w: sel(m, a.first.w, b.first.w) },
+        second: Vec4 { x: sel(m, a.second.x, b.second.x), y: sel(m, a.second.y, b.second.y), z: sel(m, a.second.z, b.second.z), w: sel(m, a.second.w, b.second.w) },
+        third: Vec4 { x: sel(m, a.third.x, b.third.x), y: sel(m, a.third.y, b.third.y), z: sel(m, a.third.z, b.third.z), w: sel(m, a.third.w, b.third.w) },
+        fourth: Vec4 { x: sel(m, a.fourth.x, b.fourth.x), y: sel(m, a.fourth.y, b.fourth.y), z: sel(m, a.fourth.z, b.fourth.z), w: sel(m, a.fourth.w, b.fourth.w) },
+    }
+} }
+lanes! { fn zero_four_terms() -> FourTerms {
+    FourTerms {
+        first: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        second: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        third: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        fourth: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct Grid {
     pub origin: Vec2<F>,
     pub step: Vec2<F>,
@@ -101,6 +125,27 @@ lanes! { fn zero_grid() -> Grid {
     Grid {
         origin: Vec2 { x: splat(0f32), y: splat(0f32) },
         step: Vec2 { x: splat(0f32), y: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct JoinedViews {
+    pub first: Vec2<F>,
+    pub low: Vec2<F>,
+    pub high: Vec2<F>,
+}
+lanes! { fn sel_joined_views(m: M, a: &JoinedViews, b: &JoinedViews) -> JoinedViews {
+    JoinedViews {
+        first: Vec2 { x: sel(m, a.first.x, b.first.x), y: sel(m, a.first.y, b.first.y) },
+        low: Vec2 { x: sel(m, a.low.x, b.low.x), y: sel(m, a.low.y, b.low.y) },
+        high: Vec2 { x: sel(m, a.high.x, b.high.x), y: sel(m, a.high.y, b.high.y) },
+    }
+} }
+lanes! { fn zero_joined_views() -> JoinedViews {
+    JoinedViews {
+        first: Vec2 { x: splat(0f32), y: splat(0f32) },
+        low: Vec2 { x: splat(0f32), y: splat(0f32) },
+        high: Vec2 { x: splat(0f32), y: splat(0f32) },
     }
 } }
 
@@ -146,24 +191,6 @@ lanes! { fn zero_path() -> Path {
         start: splat(0f32),
         share: splat(0f32),
         bend: splat(0f32),
-    }
-} }
-
-#[derive(Clone, Copy)]
-pub struct LookedUp {
-    pub is_hit: U,
-    pub part: F,
-}
-lanes! { fn sel_looked_up(m: M, a: &LookedUp, b: &LookedUp) -> LookedUp {
-    LookedUp {
-        is_hit: sel_u(m, a.is_hit, b.is_hit),
-        part: sel(m, a.part, b.part),
-    }
-} }
-lanes! { fn zero_looked_up() -> LookedUp {
-    LookedUp {
-        is_hit: splat_u(0u32),
-        part: splat(0f32),
     }
 } }
 
@@ -314,6 +341,57 @@ lanes! { fn zero_search_result() -> SearchResult {
         near_gap: splat(0f32),
         far_gap: splat(0f32),
         cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct ViewPair {
+    pub layer: I,
+    pub bend: F,
+}
+lanes! { fn sel_view_pair(m: M, a: &ViewPair, b: &ViewPair) -> ViewPair {
+    ViewPair {
+        layer: sel_i(m, a.layer, b.layer),
+        bend: sel(m, a.bend, b.bend),
+    }
+} }
+lanes! { fn zero_view_pair() -> ViewPair {
+    ViewPair {
+        layer: splat_i(0i32),
+        bend: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct ViewsAround {
+    pub pairs: U,
+    pub before: F,
+    pub azimuths: F,
+    pub below: F,
+    pub elevations: F,
+    pub lower: F,
+    pub part: Vec3<F>,
+}
+lanes! { fn sel_views_around(m: M, a: &ViewsAround, b: &ViewsAround) -> ViewsAround {
+    ViewsAround {
+        pairs: sel_u(m, a.pairs, b.pairs),
+        before: sel(m, a.before, b.before),
+        azimuths: sel(m, a.azimuths, b.azimuths),
+        below: sel(m, a.below, b.below),
+        elevations: sel(m, a.elevations, b.elevations),
+        lower: sel(m, a.lower, b.lower),
+        part: Vec3 { x: sel(m, a.part.x, b.part.x), y: sel(m, a.part.y, b.part.y), z: sel(m, a.part.z, b.part.z) },
+    }
+} }
+lanes! { fn zero_views_around() -> ViewsAround {
+    ViewsAround {
+        pairs: splat_u(0u32),
+        before: splat(0f32),
+        azimuths: splat(0f32),
+        below: splat(0f32),
+        elevations: splat(0f32),
+        lower: splat(0f32),
+        part: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
     }
 } }
 
@@ -1051,6 +1129,104 @@ lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
     let e_4 = r.object_parts_stage(path_a0.level);
     let parts_5 = (e_4 as f32);
     return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, splat(size_2.x)), splat(0.5f32)), splat(parts_5)), y: mul(sub(mul(path_a0.uv.y, splat(size_2.y)), splat(0.5f32)), splat(parts_5)) }, step: Vec2 { x: mul(mul(path_a0.duv.x, splat(size_2.x)), splat(parts_5)), y: mul(mul(path_a0.duv.y, splat(size_2.y)), splat(parts_5)) }, };
+} }
+lanes! { fn factor_place(r: &Resources<'_>, number_a0: I, n_a1: Vec2<i32>) -> Vec2<I> {
+    let row_8 = i_of_f(div(add(f_of_i(number_a0), splat(0.5f32)), splat((n_a1.x as f32))));
+    return Vec2 { x: sub_i(number_a0, mul_i(row_8, splat_i(n_a1.x))), y: add_i(splat_i(n_a1.y), row_8) };
+} }
+lanes! { fn term_scales_llsl(r: &Resources<'_>, within: M, path_a0: &Path, number_a1: I, n_a2: Vec2<i32>, layer_a3: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let level_5 = (path_a0.level as i32);
+    let e_6 = factor_place(r, number_a1, n_a2);
+    let high_7 = search_texel_llls(r, ex, path_a0, e_6, layer_a3, level_5);
+    let e_10 = factor_place(r, add_i(number_a1, splat_i(1i32)), n_a2);
+    let low_11 = search_texel_llls(r, ex, path_a0, e_10, layer_a3, level_5);
+    let root_14 = Vec4 { x: add(high_7.x, mul(low_11.x, splat(0.003921569f32))), y: add(high_7.y, mul(low_11.y, splat(0.003921569f32))), z: add(high_7.z, mul(low_11.z, splat(0.003921569f32))), w: add(high_7.w, mul(low_11.w, splat(0.003921569f32))) };
+    return Vec4 { x: mul(mul(root_14.x, root_14.x), splat(512.0f32)), y: mul(mul(root_14.y, root_14.y), splat(512.0f32)), z: mul(mul(root_14.z, root_14.z), splat(512.0f32)), w: mul(mul(root_14.w, root_14.w), splat(512.0f32)) };
+} }
+lanes! { fn term_scales_lssl(r: &Resources<'_>, within: M, path_a0: &Path, number_a1: i32, n_a2: Vec2<i32>, layer_a3: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let level_5 = (path_a0.level as i32);
+    let e_6 = factor_place(r, splat_i(number_a1), n_a2);
+    let high_7 = search_texel_llls(r, ex, path_a0, e_6, layer_a3, level_5);
+    let e_10 = factor_place(r, splat_i(number_a1.wrapping_add(1i32)), n_a2);
+    let low_11 = search_texel_llls(r, ex, path_a0, e_10, layer_a3, level_5);
+    let root_14 = Vec4 { x: add(high_7.x, mul(low_11.x, splat(0.003921569f32))), y: add(high_7.y, mul(low_11.y, splat(0.003921569f32))), z: add(high_7.z, mul(low_11.z, splat(0.003921569f32))), w: add(high_7.w, mul(low_11.w, splat(0.003921569f32))) };
+    return Vec4 { x: mul(mul(root_14.x, root_14.x), splat(512.0f32)), y: mul(mul(root_14.y, root_14.y), splat(512.0f32)), z: mul(mul(root_14.z, root_14.z), splat(512.0f32)), w: mul(mul(root_14.w, root_14.w), splat(512.0f32)) };
+} }
+stage! { fn clustered_way(r: &Resources<'_>, within: M, path_a0: &Path, texel_a1: Vec2<I>, pair_a2: &ViewPair, params_a3: Vec4<f32>, layers_a4: U) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut both_v0: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(0.0f32) };
+    let mut layer_v1: I = splat_i(1i32);
+    let n_6 = r.height_texels(path_a0.level);
+    let level_8 = (path_a0.level as i32);
+    let bends_10 = (params_a3.z as i32);
+    let count_15 = ((params_a3.x * params_a3.y) as i32).wrapping_mul(bends_10);
+    let e_17 = search_texel_llss(r, path_a0, texel_a1, 0i32, level_8);
+    let cluster_24 = i_of_f(floor(add(mul(e_17.x, splat(255.0f32)), splat(0.5f32))));
+    let first_27 = mul_i(cluster_24, splat_i(count_15.wrapping_add(2i32)));
+    let lower_view_33 = add_i(add_i(first_27, mul_i(pair_a2.layer, splat_i(bends_10))), i_of_f(pair_a2.bend));
+    let of_lower_34 = factor_place(r, lower_view_33, n_6);
+    let of_upper_36 = factor_place(r, add_i(lower_view_33, splat_i(bends_10)), n_6);
+    let b2 = ex;
+    'l1: loop {
+        let e_43 = layer_v1;
+        let c3 = lt_i(e_43, i_of_u(layers_a4));
+        ex = and(ex, c3);
+        let e_46 = layer_v1;
+        if none(ex) { break 'l1; }
+        let e_47 = search_texel_llls(r, ex, path_a0, texel_a1, e_46, level_8);
+        let e_49 = layer_v1;
+        let e_50 = term_scales_llsl(r, ex, path_a0, add_i(first_27, splat_i(count_15)), n_6, e_49);
+        let scaled_51 = Vec4 { x: mul(e_47.x, e_50.x), y: mul(e_47.y, e_50.y), z: mul(e_47.z, e_50.z), w: mul(e_47.w, e_50.w) };
+        let e_52 = layer_v1;
+        let lower_53 = search_texel_llls(r, ex, path_a0, of_lower_34, e_52, level_8);
+        let e_54 = layer_v1;
+        let upper_55 = search_texel_llls(r, ex, path_a0, of_upper_36, e_54, level_8);
+        let e_56 = both_v0;
+        let (m4, y5) = (ex, Vec2 { x: add(e_56.x, mul(lower_53.x, scaled_51.x)), y: add(e_56.y, mul(upper_55.x, scaled_51.x)) });
+        both_v0 = Vec2 { x: sel(m4, y5.x, both_v0.x), y: sel(m4, y5.y, both_v0.y) };
+        let e_63 = both_v0;
+        let (m6, y7) = (ex, Vec2 { x: add(e_63.x, mul(lower_53.y, scaled_51.y)), y: add(e_63.y, mul(upper_55.y, scaled_51.y)) });
+        both_v0 = Vec2 { x: sel(m6, y7.x, both_v0.x), y: sel(m6, y7.y, both_v0.y) };
+        let e_70 = both_v0;
+        let (m8, y9) = (ex, Vec2 { x: add(e_70.x, mul(lower_53.z, scaled_51.z)), y: add(e_70.y, mul(upper_55.z, scaled_51.z)) });
+        both_v0 = Vec2 { x: sel(m8, y9.x, both_v0.x), y: sel(m8, y9.y, both_v0.y) };
+        let e_77 = both_v0;
+        let (m10, y11) = (ex, Vec2 { x: add(e_77.x, mul(lower_53.w, scaled_51.w)), y: add(e_77.y, mul(upper_55.w, scaled_51.w)) });
+        both_v0 = Vec2 { x: sel(m10, y11.x, both_v0.x), y: sel(m10, y11.y, both_v0.y) };
+        let e_84 = layer_v1;
+        layer_v1 = add_i(e_84, splat_i(1i32));
+    }
+    ex = b2;
+    let e_87 = both_v0;
+    return e_87;
+} }
+lanes! { fn flagged_ways(r: &Resources<'_>, lower_a0: F, upper_a1: F) -> Vec4<F> {
+    let is_lower_3 = lt(lower_a0, splat(1.125f32));
+    let is_upper_5 = lt(upper_a1, splat(1.125f32));
+    return Vec4 { x: sel(is_lower_3, min_with(max_with(lower_a0, splat(0.0f32)), splat(0.99607843f32)), splat(0.0f32)), y: sel(is_lower_3, splat(1.0f32), splat(0.0f32)), z: sel(is_upper_5, min_with(max_with(upper_a1, splat(0.0f32)), splat(0.99607843f32)), splat(0.0f32)), w: sel(is_upper_5, splat(1.0f32), splat(0.0f32)) };
+} }
+lanes! { fn joined_texels(r: &Resources<'_>, lower_a0: Vec4<F>, upper_a1: Vec4<F>, part_a2: Vec2<F>) -> Vec4<F> {
+    let e_5 = flagged_ways(r, lower_a0.x, upper_a1.x);
+    let e_8 = flagged_ways(r, lower_a0.y, upper_a1.y);
+    let e_11 = flagged_ways(r, lower_a0.z, upper_a1.z);
+    let e_14 = flagged_ways(r, lower_a0.w, upper_a1.w);
+    let e_15 = bilinear(r, e_5, e_8, e_11, e_14, part_a2);
+    return e_15;
+} }
+lanes! { fn clustered_ways(r: &Resources<'_>, within: M, path_a0: &Path, around_a1: &Around, pair_a2: &ViewPair, params_a3: Vec4<f32>, layers_a4: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let t00_10 = clustered_way(r, ex, path_a0, Vec2 { x: around_a1.columns.x, y: around_a1.rows.x }, pair_a2, params_a3, layers_a4);
+    let t10_16 = clustered_way(r, ex, path_a0, Vec2 { x: around_a1.columns.y, y: around_a1.rows.x }, pair_a2, params_a3, layers_a4);
+    let t01_22 = clustered_way(r, ex, path_a0, Vec2 { x: around_a1.columns.x, y: around_a1.rows.y }, pair_a2, params_a3, layers_a4);
+    let t11_28 = clustered_way(r, ex, path_a0, Vec2 { x: around_a1.columns.y, y: around_a1.rows.y }, pair_a2, params_a3, layers_a4);
+    let e_40 = joined_texels(r, Vec4 { x: t00_10.x, y: t10_16.x, z: t01_22.x, w: t11_28.x }, Vec4 { x: t00_10.y, y: t10_16.y, z: t01_22.y, w: t11_28.y }, Vec2 { x: around_a1.part.x, y: around_a1.part.y });
+    return e_40;
 } }
 lanes! { fn object_texel(r: &Resources<'_>, place_a0: Vec2<I>) -> Vec4<F> {
     let e_4 = map_texel(&r.object_map, place_a0.x, place_a0.y, 0i32, 0i32);
@@ -2483,9 +2659,9 @@ lanes! { fn frustum_slope(r: &Resources<'_>, within: M, path_a0: &Path, cell_a1:
     let down_39 = eq_m(forward_a2.y, eq_i(v_10.y, splat_i(0i32)));
     return sel(ex, sel(down_39, sel(right_34, slopes_29.x, slopes_29.y), sel(right_34, slopes_29.z, slopes_29.w)), ret);
 } }
-lanes! { fn map_read(r: &Resources<'_>, path_a0: &Path, texels_a1: u32) -> Vec3<U> {
+lanes! { fn map_read(r: &Resources<'_>, path_a0: &Path, texels_a1: U) -> Vec3<U> {
     let slot_7 = (if (path_a0.ray == 1u32) { 2u32 } else { 1u32 });
-    return Vec3 { x: splat_u(1u32), y: splat_u(0u32), z: splat_u(texels_a1.wrapping_mul(r.surface_settings.maps[slot_7 as usize].texel_bytes)) };
+    return Vec3 { x: splat_u(1u32), y: splat_u(0u32), z: mul_u(texels_a1, splat_u(r.surface_settings.maps[slot_7 as usize].texel_bytes)) };
 } }
 lanes! { fn stays_above(r: &Resources<'_>, within: M, above_a0: Vec3<F>, slope_a1: F, left_a2: F, speed_a3: F, lost_a4: F, span_a5: F) -> F {
     let mut ex = within;
@@ -2578,7 +2754,7 @@ stage! { fn search_frustum(r: &Resources<'_>, within: M, path_a0: &Path, params_
                 ex = and(b12, c13);
                 if any(ex) {
                     let e_99 = cost_v2;
-                    let e_101 = map_read(r, path_a0, 1u32);
+                    let e_101 = map_read(r, path_a0, splat_u(1u32));
                     let (m14, y15) = (ex, Vec3 { x: add_u(e_99.x, e_101.x), y: add_u(e_99.y, e_101.y), z: add_u(e_99.z, e_101.z) });
                     cost_v2 = Vec3 { x: sel_u(m14, y15.x, cost_v2.x), y: sel_u(m14, y15.y, cost_v2.y), z: sel_u(m14, y15.z, cost_v2.z) };
                 }
@@ -2779,7 +2955,7 @@ stage! { fn search_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1:
             let texel_60 = Vec2 { x: add(e_59.x, corner_52.x), y: add(e_59.y, corner_52.y) };
             let slope_61 = cone_slope(r, ex, path_a0, texel_60);
             let e_62 = cost_v2;
-            let e_64 = map_read(r, path_a0, 1u32);
+            let e_64 = map_read(r, path_a0, splat_u(1u32));
             let (m10, y11) = (ex, Vec3 { x: add_u(e_62.x, e_64.x), y: add_u(e_62.y, e_64.y), z: add_u(e_62.z, e_64.z) });
             cost_v2 = Vec3 { x: sel_u(m10, y11.x, cost_v2.x), y: sel_u(m10, y11.y, cost_v2.y), z: sel_u(m10, y11.z, cost_v2.z) };
             let (b12, c13) = (ex, ge(slope_61, splat(0.0f32)));
@@ -2987,7 +3163,7 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
             ex = and_not(b11, c12);
             if any(ex) {
                 let e_160 = cost_v5;
-                let e_162 = map_read(r, path_a0, 1u32);
+                let e_162 = map_read(r, path_a0, splat_u(1u32));
                 let (m18, y19) = (ex, Vec3 { x: add_u(e_160.x, e_162.x), y: add_u(e_160.y, e_162.y), z: add_u(e_160.z, e_162.z) });
                 cost_v5 = Vec3 { x: sel_u(m18, y19.x, cost_v5.x), y: sel_u(m18, y19.y, cost_v5.y), z: sel_u(m18, y19.z, cost_v5.z) };
                 let e_165 = level_v1;
@@ -3154,7 +3330,7 @@ stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, 
             let e_73 = level_v0;
             let node_75 = Vec2 { x: shr_i(place_56.x, e_70), y: shr_i(place_56.y, e_73) };
             let e_76 = cost_v3;
-            let e_78 = map_read(r, path_a0, 1u32);
+            let e_78 = map_read(r, path_a0, splat_u(1u32));
             let (m13, y14) = (ex, Vec3 { x: add_u(e_76.x, e_78.x), y: add_u(e_76.y, e_78.y), z: add_u(e_76.z, e_78.z) });
             cost_v3 = Vec3 { x: sel_u(m13, y14.x, cost_v3.x), y: sel_u(m13, y14.y, cost_v3.y), z: sel_u(m13, y14.z, cost_v3.z) };
             let e_81 = level_v0;
@@ -3305,7 +3481,7 @@ stage! { fn search_dilation_erosion(r: &Resources<'_>, within: M, path_a0: &Path
         if any(ex) {
             let bounds_70 = search_texel_llss(r, path_a0, Vec2 { x: u_48.x, y: v_51.x }, 0i32, (path_a0.level as i32));
             let e_71 = cost_v3;
-            let e_73 = map_read(r, path_a0, 1u32);
+            let e_73 = map_read(r, path_a0, splat_u(1u32));
             let (m8, y9) = (ex, Vec3 { x: add_u(e_71.x, e_73.x), y: add_u(e_71.y, e_73.y), z: add_u(e_71.z, e_73.z) });
             cost_v3 = Vec3 { x: sel_u(m8, y9.x, cost_v3.x), y: sel_u(m8, y9.y, cost_v3.y), z: sel_u(m8, y9.z, cost_v3.z) };
             let e_75 = cell_v0;
@@ -3479,8 +3655,8 @@ stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a
         let e_82 = distance_at(r, ex, path_a0, e_78, e_80, params_a1.z);
         let free_83 = sub(e_82, lost_50);
         let e_84 = cost_v2;
-        let e_86 = map_read(r, path_a0, 4u32);
-        let e_89 = map_read(r, path_a0, 4u32);
+        let e_86 = map_read(r, path_a0, splat_u(4u32));
+        let e_89 = map_read(r, path_a0, splat_u(4u32));
         let (m6, y7) = (ex, Vec3 { x: add_u(add_u(e_84.x, e_86.x), e_89.x), y: add_u(add_u(e_84.y, e_86.y), e_89.y), z: add_u(add_u(e_84.z, e_86.z), e_89.z) });
         cost_v2 = Vec3 { x: sel_u(m6, y7.x, cost_v2.x), y: sel_u(m6, y7.y, cost_v2.y), z: sel_u(m6, y7.z, cost_v2.z) };
         let e_91 = t_v1;
@@ -3621,7 +3797,7 @@ stage! { fn search_cone_moved(r: &Resources<'_>, within: M, path_a0: &Path, para
         let e_51 = search_texel_between_lls(r, ex, path_a0, e_49, 0i32);
         let slope_53 = slope_of(r, ex, e_51.x);
         let e_54 = cost_v3;
-        let e_56 = map_read(r, path_a0, 4u32);
+        let e_56 = map_read(r, path_a0, splat_u(4u32));
         let (m12, y13) = (ex, Vec3 { x: add_u(e_54.x, e_56.x), y: add_u(e_54.y, e_56.y), z: add_u(e_54.z, e_56.z) });
         cost_v3 = Vec3 { x: sel_u(m12, y13.x, cost_v3.x), y: sel_u(m12, y13.y, cost_v3.y), z: sel_u(m12, y13.z, cost_v3.z) };
         let c14 = lt(slope_53, splat(0.0f32));
@@ -3797,7 +3973,7 @@ stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, pa
         let e_137 = nearest_corner(r, Vec2 { x: add(sub(grid_2.origin.x, e_131.x), mul(grid_2.step.x, e_134)), y: add(sub(grid_2.origin.y, e_131.y), mul(grid_2.step.y, e_134)) });
         let slope_139 = cone_slope(r, ex, path_a0, Vec2 { x: add(e_129.x, e_137.x), y: add(e_129.y, e_137.y) });
         let e_140 = cost_v4;
-        let e_142 = map_read(r, path_a0, 1u32);
+        let e_142 = map_read(r, path_a0, splat_u(1u32));
         let (m16, y17) = (ex, Vec3 { x: add_u(e_140.x, e_142.x), y: add_u(e_140.y, e_142.y), z: add_u(e_140.z, e_142.z) });
         cost_v4 = Vec3 { x: sel_u(m16, y17.x, cost_v4.x), y: sel_u(m16, y17.y, cost_v4.y), z: sel_u(m16, y17.z, cost_v4.z) };
         let e_144 = start_v6;
@@ -3987,7 +4163,7 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
             let texel_104 = Vec2 { x: add(e_103.x, corner_98.x), y: add(e_103.y, corner_98.y) };
             let slope_105 = cone_slope(r, ex, path_a0, texel_104);
             let e_106 = cost_v4;
-            let e_108 = map_read(r, path_a0, 1u32);
+            let e_108 = map_read(r, path_a0, splat_u(1u32));
             let (m18, y19) = (ex, Vec3 { x: add_u(e_106.x, e_108.x), y: add_u(e_106.y, e_108.y), z: add_u(e_106.z, e_108.z) });
             cost_v4 = Vec3 { x: sel_u(m18, y19.x, cost_v4.x), y: sel_u(m18, y19.y, cost_v4.y), z: sel_u(m18, y19.z, cost_v4.z) };
             let (b20, c21) = (ex, ge(slope_105, splat(0.0f32)));
@@ -4062,7 +4238,7 @@ stage! { fn search_voxels(r: &Resources<'_>, within: M, path_a0: &Path, params_a
         let e_21 = voxel_texel(r, ex, Vec3 { x: i_of_f(e_19.x), y: i_of_f(e_19.y), z: i_of_f(e_19.z) });
         let e_24 = search_texel_llss(r, path_a0, e_21, 0i32, 0i32);
         let e_26 = cost_v3;
-        let e_30 = map_read(r, path_a0, 1u32);
+        let e_30 = map_read(r, path_a0, splat_u(1u32));
         let (m4, y5) = (ex, Vec3 { x: add_u(add_u(e_26.x, splat_u(0u32)), e_30.x), y: add_u(add_u(e_26.y, splat_u(1u32)), e_30.y), z: add_u(add_u(e_26.z, splat_u(0u32)), e_30.z) });
         cost_v3 = Vec3 { x: sel_u(m4, y5.x, cost_v3.x), y: sel_u(m4, y5.y, cost_v3.y), z: sel_u(m4, y5.z, cost_v3.z) };
         let reach_35 = max_with(sub(e_24.x, splat(1.0f32)), splat(0.0f32));
@@ -4258,7 +4434,7 @@ stage! { fn search_generalised(r: &Resources<'_>, within: M, path_a0: &Path, par
         let before_57 = sel(is_inward_52, abs(div(beyond_48, direction_41.z)), splat(0.0f32));
         let ahead_60 = way_to_solid(r, ex, path_a0, Vec3 { x: add(place_43.x, mul(direction_41.x, before_57)), y: add(place_43.y, mul(direction_41.y, before_57)), z: add(place_43.z, mul(direction_41.z, before_57)) }, direction_41, params_a1);
         let e_61 = cost_v1;
-        let e_65 = map_read(r, path_a0, 32u32);
+        let e_65 = map_read(r, path_a0, splat_u(32u32));
         let (m6, y7) = (ex, Vec3 { x: add_u(add_u(e_61.x, splat_u(0u32)), e_65.x), y: add_u(add_u(e_61.y, splat_u(1u32)), e_65.y), z: add_u(add_u(e_61.z, splat_u(0u32)), e_65.z) });
         cost_v1 = Vec3 { x: sel_u(m6, y7.x, cost_v1.x), y: sel_u(m6, y7.y, cost_v1.y), z: sel_u(m6, y7.z, cost_v1.z) };
         let e_67 = looked_v2;
@@ -4345,6 +4521,49 @@ lanes! { fn path_axes(r: &Resources<'_>, within: M, path_a0: &Path, depth_a1: f3
     let e_103 = fall_v1;
     return PathAxes { comes_in: sel_u(comes_in_77, splat_u(1u32), splat_u(0u32)), turn: e_89, elevation: div(speed_43, add(speed_43, mul(splat(depth_a1), e_90))), bend: add(splat(0.5f32), mul(splat(0.5f32), div(bend_41, add(splat(0.25f32), abs(bend_41))))), start: e_102, whole: whole_60, fall: e_103, };
 } }
+lanes! { fn views_around(r: &Resources<'_>, axes_a0: &PathAxes, params_a1: Vec4<f32>) -> ViewsAround {
+    let elevation_11 = min(max_with(sub(mul(axes_a0.elevation, splat(params_a1.y)), splat(0.5f32)), splat(0.0f32)), splat((params_a1.y - 1.0f32)));
+    let below_16 = min(floor(elevation_11), splat((params_a1.y - 2.0f32)));
+    let bend_26 = min(max_with(sub(mul(axes_a0.bend, splat(params_a1.z)), splat(0.5f32)), splat(0.0f32)), splat((params_a1.z - 1.0f32)));
+    let lower_33 = min(floor(bend_26), splat((params_a1.z - 2.0f32).max(0.0f32)));
+    let turn_38 = sub(mul(axes_a0.turn, splat(params_a1.x)), splat(0.5f32));
+    let before_39 = floor(turn_38);
+    return ViewsAround { pairs: splat_u((if (params_a1.z == 1.0f32) { 2u32 } else { 4u32 })), before: before_39, azimuths: splat(params_a1.x), below: below_16, elevations: splat(params_a1.y), lower: lower_33, part: Vec3 { x: sub(turn_38, before_39), y: sub(elevation_11, below_16), z: sub(bend_26, lower_33) }, };
+} }
+lanes! { fn no_views(r: &Resources<'_>) -> JoinedViews {
+    return JoinedViews { first: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, low: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, high: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, };
+} }
+lanes! { fn view_pair(r: &Resources<'_>, views_a0: &ViewsAround, k_a1: U) -> ViewPair {
+    let mut azimuth_v0: F = splat(0f32);
+    let is_next_5 = eq_u(and_u(k_a1, splat_u(1u32)), splat_u(1u32));
+    azimuth_v0 = add(views_a0.before, sel(is_next_5, splat(1.0f32), splat(0.0f32)));
+    let e_12 = azimuth_v0;
+    let e_13 = azimuth_v0;
+    let e_16 = azimuth_v0;
+    azimuth_v0 = sel(lt(e_16, splat(0.0f32)), add(e_13, views_a0.azimuths), e_12);
+    let e_20 = azimuth_v0;
+    let e_21 = azimuth_v0;
+    let e_24 = azimuth_v0;
+    azimuth_v0 = sel(ge(e_24, views_a0.azimuths), sub(e_21, views_a0.azimuths), e_20);
+    let e_28 = azimuth_v0;
+    let layer_33 = i_of_f(add(mul(e_28, views_a0.elevations), views_a0.below));
+    return ViewPair { layer: layer_33, bend: add(views_a0.lower, sel(gt_u(k_a1, splat_u(1u32)), splat(1.0f32), splat(0.0f32))), };
+} }
+lanes! { fn with_pair(r: &Resources<'_>, within: M, joined_a0: &JoinedViews, views_a1: &ViewsAround, k_a2: U, ways_a3: Vec4<F>) -> JoinedViews {
+    let mut ex = within;
+    let mut ret: JoinedViews = zero_joined_views();
+    let of_below_6 = Vec2 { x: ways_a3.x, y: ways_a3.y };
+    let of_azimuth_14 = Vec2 { x: add(of_below_6.x, mul(sub(ways_a3.z, of_below_6.x), views_a1.part.y)), y: add(of_below_6.y, mul(sub(ways_a3.w, of_below_6.y), views_a1.part.y)) };
+    let of_bend_21 = Vec2 { x: add(joined_a0.first.x, mul(sub(of_azimuth_14.x, joined_a0.first.x), views_a1.part.x)), y: add(joined_a0.first.y, mul(sub(of_azimuth_14.y, joined_a0.first.y), views_a1.part.x)) };
+    let (b1, c2) = (ex, eq_u(k_a2, splat_u(1u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = JoinedViews { first: of_azimuth_14, low: of_bend_21, high: of_bend_21, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    return sel_joined_views(ex, &JoinedViews { first: of_azimuth_14, low: Vec2 { x: joined_a0.low.x, y: joined_a0.low.y }, high: of_bend_21, }, &ret);
+} }
 lanes! { fn row_of_bend(r: &Resources<'_>, row_a0: I, bend_a1: F, rows_a2: i32) -> I {
     return add_i(row_a0, mul_i(i_of_f(bend_a1), splat_i(rows_a2)));
 } }
@@ -4371,84 +4590,37 @@ lanes! { fn ways_of_bend(r: &Resources<'_>, within: M, path_a0: &Path, around_a1
     let e_30 = bilinear(r, e_16, e_20, e_24, e_28, Vec2 { x: around_a1.part.x, y: around_a1.part.y });
     return e_30;
 } }
-stage! { fn looked_up(r: &Resources<'_>, within: M, path_a0: &Path, axes_a1: &PathAxes, params_a2: Vec4<f32>) -> LookedUp {
-    let mut ex = within;
-    let mut ret: LookedUp = zero_looked_up();
-    let mut first_v0: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(0.0f32) };
-    let mut low_v1: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(0.0f32) };
-    let mut high_v2: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(0.0f32) };
-    let mut k_v3: u32 = 0u32;
-    let mut azimuth_v4: F = splat(0f32);
-    let e_4 = path_uv(r, path_a0, axes_a1.start);
-    let e_6 = r.height_texels(path_a0.level);
-    let around_7 = texels_around(r, ex, e_4, e_6);
-    let elevation_17 = min(max_with(sub(mul(axes_a1.elevation, splat(params_a2.y)), splat(0.5f32)), splat(0.0f32)), splat((params_a2.y - 1.0f32)));
-    let below_22 = min(floor(elevation_17), splat((params_a2.y - 2.0f32)));
-    let bend_32 = min(max_with(sub(mul(axes_a1.bend, splat(params_a2.z)), splat(0.5f32)), splat(0.0f32)), splat((params_a2.z - 1.0f32)));
-    let lower_39 = min(floor(bend_32), splat((params_a2.z - 2.0f32).max(0.0f32)));
-    let turn_44 = sub(mul(axes_a1.turn, splat(params_a2.x)), splat(0.5f32));
-    let before_45 = floor(turn_44);
-    let count_51 = (if (params_a2.z == 1.0f32) { 2u32 } else { 4u32 });
-    'l1: loop {
-        let e_66 = k_v3;
-        if (e_66 < count_51) {
-        } else {
-            break 'l1;
-        }
-        let e_68 = k_v3;
-        let is_next_72 = ((e_68 & 1u32) == 1u32);
-        azimuth_v4 = add(before_45, splat((if is_next_72 { 1.0f32 } else { 0.0f32 })));
-        let e_78 = azimuth_v4;
-        let e_79 = azimuth_v4;
-        let e_82 = azimuth_v4;
-        azimuth_v4 = sel(lt(e_82, splat(0.0f32)), add(e_79, splat(params_a2.x)), e_78);
-        let e_86 = azimuth_v4;
-        let e_87 = azimuth_v4;
-        let e_90 = azimuth_v4;
-        azimuth_v4 = sel(ge(e_90, splat(params_a2.x)), sub(e_87, splat(params_a2.x)), e_86);
-        let e_94 = azimuth_v4;
-        let layer_98 = i_of_f(add(mul(e_94, splat(params_a2.y)), below_22));
-        let e_99 = k_v3;
-        let ways_106 = ways_of_bend(r, ex, path_a0, &around_7, layer_98, add(lower_39, splat((if (e_99 > 1u32) { 1.0f32 } else { 0.0f32 }))));
-        let of_below_109 = Vec2 { x: ways_106.x, y: ways_106.y };
-        let e_114 = sub(elevation_17, below_22);
-        let of_azimuth_116 = Vec2 { x: add(of_below_109.x, mul(sub(ways_106.z, of_below_109.x), e_114)), y: add(of_below_109.y, mul(sub(ways_106.w, of_below_109.y), e_114)) };
-        let e_117 = first_v0;
-        let e_118 = first_v0;
-        let e_120 = sub(turn_44, before_45);
-        let joined_122 = Vec2 { x: add(e_117.x, mul(sub(of_azimuth_116.x, e_118.x), e_120)), y: add(e_117.y, mul(sub(of_azimuth_116.y, e_118.y), e_120)) };
-        first_v0 = of_azimuth_116;
-        let e_123 = k_v3;
-        if (e_123 == 1u32) {
-            low_v1 = joined_122;
-        }
-        high_v2 = joined_122;
-        let e_126 = k_v3;
-        k_v3 = e_126.wrapping_add(1u32);
-    }
-    let e_129 = low_v1;
-    let e_130 = high_v2;
-    let e_131 = low_v1;
-    let e_133 = sub(bend_32, lower_39);
-    let way_135 = Vec2 { x: add(e_129.x, mul(sub(e_130.x, e_131.x), e_133)), y: add(e_129.y, mul(sub(e_130.y, e_131.y), e_133)) };
-    let (b2, c3) = (ex, ge(way_135.y, splat(0.5f32)));
-    ex = and(b2, c3);
-    if any(ex) {
-        ret = LookedUp { is_hit: splat_u(1u32), part: div(way_135.x, way_135.y), };
-        ex = no_lane();
-    }
-    ex = and_not(b2, c3);
-    return sel_looked_up(ex, &LookedUp { is_hit: splat_u(0u32), part: splat(1.0f32), }, &ret);
-} }
-lanes! { fn search_view_dependent(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+lanes! { fn hit_on_way(r: &Resources<'_>, within: M, path_a0: &Path, axes_a1: &PathAxes, way_a2: Vec2<F>, cost_a3: Vec3<U>) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
     let mut both_v0: M = splat_m(false);
     let mut both_v1: M = splat_m(false);
+    let t_10 = add(axes_a1.start, mul(div(way_a2.x, way_a2.y), axes_a1.whole));
+    both_v0 = or(lt(way_a2.y, splat(0.5f32)), lt(t_10, splat(0.0f32)));
+    let e_20 = both_v0;
+    both_v1 = or(e_20, gt(t_10, path_a0.exit));
+    let e_27 = both_v1;
+    let (b1, c2) = (ex, e_27);
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = SearchResult { status: splat_u(0u32), near: path_a0.exit, far: path_a0.exit, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: cost_a3, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    return sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: t_10, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(1.0f32), cost: cost_a3, }, &ret);
+} }
+lanes! { fn joined_way(r: &Resources<'_>, joined_a0: &JoinedViews, views_a1: &ViewsAround) -> Vec2<F> {
+    return Vec2 { x: add(joined_a0.low.x, mul(sub(joined_a0.high.x, joined_a0.low.x), views_a1.part.z)), y: add(joined_a0.low.y, mul(sub(joined_a0.high.y, joined_a0.low.y), views_a1.part.z)) };
+} }
+stage! { fn search_view_dependent(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+    let mut ex = within;
+    let mut ret: SearchResult = zero_search_result();
+    let mut joined_v0: JoinedViews = zero_joined_views();
+    let mut k_v1: U = splat_u(0u32);
     let axes_3 = path_axes(r, ex, path_a0, params_a1.w);
-    let texels_9 = (if (params_a1.z == 1.0f32) { 16u32 } else { 32u32 });
-    let e_11 = map_read(r, path_a0, texels_9);
-    let cost_12 = Vec3 { x: add_u(splat_u(0u32), e_11.x), y: add_u(splat_u(1u32), e_11.y), z: add_u(splat_u(0u32), e_11.z) };
+    let views_4 = views_around(r, &axes_3, params_a1);
+    let e_9 = map_read(r, path_a0, mul_u(views_4.pairs, splat_u(8u32)));
+    let cost_10 = Vec3 { x: add_u(splat_u(0u32), e_9.x), y: add_u(splat_u(1u32), e_9.y), z: add_u(splat_u(0u32), e_9.z) };
     let (b1, c2) = (ex, eq_u(axes_3.comes_in, splat_u(0u32)));
     ex = and(b1, c2);
     if any(ex) {
@@ -4457,20 +4629,32 @@ lanes! { fn search_view_dependent(r: &Resources<'_>, within: M, path_a0: &Path, 
     }
     ex = and_not(b1, c2);
     if none(ex) { return ret; }
-    let found_23 = looked_up(r, ex, path_a0, &axes_3, params_a1);
-    let t_28 = add(axes_3.start, mul(found_23.part, axes_3.whole));
-    both_v0 = or(eq_u(found_23.is_hit, splat_u(0u32)), lt(t_28, splat(0.0f32)));
-    let e_38 = both_v0;
-    both_v1 = or(e_38, gt(t_28, path_a0.exit));
-    let e_45 = both_v1;
-    let (b3, c4) = (ex, e_45);
-    ex = and(b3, c4);
-    if any(ex) {
-        ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: path_a0.exit, far: path_a0.exit, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: cost_12, }, &ret);
-        ex = no_lane();
+    let e_22 = path_uv(r, path_a0, axes_3.start);
+    let e_24 = r.height_texels(path_a0.level);
+    let around_25 = texels_around(r, ex, e_22, e_24);
+    let e_26 = no_views(r);
+    joined_v0 = e_26;
+    let b4 = ex;
+    'l3: loop {
+        let e_30 = k_v1;
+        let c5 = lt_u(e_30, views_4.pairs);
+        ex = and(ex, c5);
+        let e_33 = k_v1;
+        if none(ex) { break 'l3; }
+        let pair_34 = view_pair(r, &views_4, e_33);
+        let e_35 = joined_v0;
+        let e_36 = k_v1;
+        let e_39 = ways_of_bend(r, ex, path_a0, &around_25, pair_34.layer, pair_34.bend);
+        let e_40 = with_pair(r, ex, &e_35, &views_4, e_36, e_39);
+        joined_v0 = sel_joined_views(ex, &e_40, &joined_v0);
+        let e_41 = k_v1;
+        k_v1 = add_u(e_41, splat_u(1u32));
     }
-    ex = and_not(b3, c4);
-    return sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: t_28, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(1.0f32), cost: cost_12, }, &ret);
+    ex = b4;
+    let e_44 = joined_v0;
+    let e_45 = joined_way(r, &e_44, &views_4);
+    let e_46 = hit_on_way(r, ex, path_a0, &axes_3, e_45, cost_10);
+    return sel_search_result(ex, &e_46, &ret);
 } }
 lanes! { fn is_in_footprint(r: &Resources<'_>, within: M, square_a0: Vec2<F>, size_a1: Vec2<f32>) -> M {
     let mut ex = within;
@@ -4563,7 +4747,7 @@ lanes! { fn search_view_dependent_free(r: &Resources<'_>, within: M, path_a0: &P
     let e_77 = whole_cell(r, ex, square_8);
     let e_78 = free_way_of_step(r, ex, path_a0, &axes_3, e_77, params_a1);
     let free_80 = div(e_78, axes_3.fall);
-    let e_87 = map_read(r, path_a0, 1u32);
+    let e_87 = map_read(r, path_a0, splat_u(1u32));
     return sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: min(free_80, path_a0.exit), far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(1.0f32), cost: Vec3 { x: add_u(splat_u(0u32), e_87.x), y: add_u(splat_u(1u32), e_87.y), z: add_u(splat_u(0u32), e_87.z) }, }, &ret);
 } }
 stage! { fn search_translucent(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
@@ -4584,7 +4768,7 @@ stage! { fn search_translucent(r: &Resources<'_>, within: M, path_a0: &Path, par
         ex = and(ex, c3);
         let e_13 = cost_v1;
         if none(ex) { break 'l1; }
-        let e_17 = map_read(r, path_a0, 1u32);
+        let e_17 = map_read(r, path_a0, splat_u(1u32));
         let (m4, y5) = (ex, Vec3 { x: add_u(add_u(e_13.x, splat_u(0u32)), e_17.x), y: add_u(add_u(e_13.y, splat_u(1u32)), e_17.y), z: add_u(add_u(e_13.z, splat_u(0u32)), e_17.z) });
         cost_v1 = Vec3 { x: sel_u(m4, y5.x, cost_v1.x), y: sel_u(m4, y5.y, cost_v1.y), z: sel_u(m4, y5.z, cost_v1.z) };
         let e_20 = part_v0.empty;
@@ -4860,6 +5044,172 @@ stage! { fn search_shell_map(r: &Resources<'_>, within: M, path_a0: &Path, param
     let e_129 = cost_v0;
     return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_127, far: e_128, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: e_129, }, &ret);
 } }
+lanes! { fn search_layers(r: &Resources<'_>, path_a0: &Path) -> U {
+    let slot_6 = (if (path_a0.ray == 1u32) { 2u32 } else { 1u32 });
+    return splat_u(r.surface_settings.maps[slot_6 as usize].layers);
+} }
+lanes! { fn signed_factors(r: &Resources<'_>, within: M, path_a0: &Path, texel_a1: Vec2<I>, layer_a2: I, level_a3: i32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_4 = search_texel_llls(r, ex, path_a0, texel_a1, layer_a2, level_a3);
+    return Vec4 { x: sub(mul(splat(2.0f32), e_4.x), splat(1.0f32)), y: sub(mul(splat(2.0f32), e_4.y), splat(1.0f32)), z: sub(mul(splat(2.0f32), e_4.z), splat(1.0f32)), w: sub(mul(splat(2.0f32), e_4.w), splat(1.0f32)) };
+} }
+lanes! { fn four_terms(r: &Resources<'_>, t00_a0: Vec4<F>, t10_a1: Vec4<F>, t01_a2: Vec4<F>, t11_a3: Vec4<F>) -> FourTerms {
+    return FourTerms { first: Vec4 { x: t00_a0.x, y: t10_a1.x, z: t01_a2.x, w: t11_a3.x }, second: Vec4 { x: t00_a0.y, y: t10_a1.y, z: t01_a2.y, w: t11_a3.y }, third: Vec4 { x: t00_a0.z, y: t10_a1.z, z: t01_a2.z, w: t11_a3.z }, fourth: Vec4 { x: t00_a0.w, y: t10_a1.w, z: t01_a2.w, w: t11_a3.w }, };
+} }
+lanes! { fn with_terms(r: &Resources<'_>, before_a0: Vec4<F>, texels_a1: &FourTerms, view_a2: Vec4<F>) -> Vec4<F> {
+    let one_6 = Vec4 { x: add(before_a0.x, mul(texels_a1.first.x, view_a2.x)), y: add(before_a0.y, mul(texels_a1.first.y, view_a2.x)), z: add(before_a0.z, mul(texels_a1.first.z, view_a2.x)), w: add(before_a0.w, mul(texels_a1.first.w, view_a2.x)) };
+    let two_10 = Vec4 { x: add(one_6.x, mul(texels_a1.second.x, view_a2.y)), y: add(one_6.y, mul(texels_a1.second.y, view_a2.y)), z: add(one_6.z, mul(texels_a1.second.z, view_a2.y)), w: add(one_6.w, mul(texels_a1.second.w, view_a2.y)) };
+    let three_14 = Vec4 { x: add(two_10.x, mul(texels_a1.third.x, view_a2.z)), y: add(two_10.y, mul(texels_a1.third.y, view_a2.z)), z: add(two_10.z, mul(texels_a1.third.z, view_a2.z)), w: add(two_10.w, mul(texels_a1.third.w, view_a2.z)) };
+    return Vec4 { x: add(three_14.x, mul(texels_a1.fourth.x, view_a2.w)), y: add(three_14.y, mul(texels_a1.fourth.y, view_a2.w)), z: add(three_14.z, mul(texels_a1.fourth.z, view_a2.w)), w: add(three_14.w, mul(texels_a1.fourth.w, view_a2.w)) };
+} }
+stage! { fn summed_ways(r: &Resources<'_>, within: M, path_a0: &Path, around_a1: &Around, pair_a2: &ViewPair, params_a3: Vec4<f32>, layers_a4: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let mut lower_v0: Vec4<F> = Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) };
+    let mut upper_v1: Vec4<F> = Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) };
+    let mut layer_v2: I = splat_i(0i32);
+    let n_6 = r.height_texels(path_a0.level);
+    let level_8 = (path_a0.level as i32);
+    let bends_10 = (params_a3.z as i32);
+    let lower_view_15 = add_i(mul_i(pair_a2.layer, splat_i(bends_10)), i_of_f(pair_a2.bend));
+    let of_lower_16 = factor_place(r, lower_view_15, n_6);
+    let of_upper_18 = factor_place(r, add_i(lower_view_15, splat_i(bends_10)), n_6);
+    let scale_number_23 = ((params_a3.x * params_a3.y) as i32).wrapping_mul(bends_10);
+    let b2 = ex;
+    'l1: loop {
+        let e_38 = layer_v2;
+        let c3 = lt_i(e_38, i_of_u(layers_a4));
+        ex = and(ex, c3);
+        let e_41 = layer_v2;
+        if none(ex) { break 'l1; }
+        let scales_42 = term_scales_lssl(r, ex, path_a0, scale_number_23, n_6, e_41);
+        let e_43 = layer_v2;
+        let e_44 = signed_factors(r, ex, path_a0, of_lower_16, e_43, level_8);
+        let a_45 = Vec4 { x: mul(e_44.x, scales_42.x), y: mul(e_44.y, scales_42.y), z: mul(e_44.z, scales_42.z), w: mul(e_44.w, scales_42.w) };
+        let e_46 = layer_v2;
+        let e_47 = signed_factors(r, ex, path_a0, of_upper_18, e_46, level_8);
+        let b_48 = Vec4 { x: mul(e_47.x, scales_42.x), y: mul(e_47.y, scales_42.y), z: mul(e_47.z, scales_42.z), w: mul(e_47.w, scales_42.w) };
+        let e_54 = layer_v2;
+        let e_55 = signed_factors(r, ex, path_a0, Vec2 { x: around_a1.columns.x, y: around_a1.rows.x }, e_54, level_8);
+        let e_61 = layer_v2;
+        let e_62 = signed_factors(r, ex, path_a0, Vec2 { x: around_a1.columns.y, y: around_a1.rows.x }, e_61, level_8);
+        let e_68 = layer_v2;
+        let e_69 = signed_factors(r, ex, path_a0, Vec2 { x: around_a1.columns.x, y: around_a1.rows.y }, e_68, level_8);
+        let e_75 = layer_v2;
+        let e_76 = signed_factors(r, ex, path_a0, Vec2 { x: around_a1.columns.y, y: around_a1.rows.y }, e_75, level_8);
+        let texels_77 = four_terms(r, e_55, e_62, e_69, e_76);
+        let e_78 = lower_v0;
+        let e_79 = with_terms(r, e_78, &texels_77, a_45);
+        let (m4, y5) = (ex, e_79);
+        lower_v0 = Vec4 { x: sel(m4, y5.x, lower_v0.x), y: sel(m4, y5.y, lower_v0.y), z: sel(m4, y5.z, lower_v0.z), w: sel(m4, y5.w, lower_v0.w) };
+        let e_80 = upper_v1;
+        let e_81 = with_terms(r, e_80, &texels_77, b_48);
+        let (m6, y7) = (ex, e_81);
+        upper_v1 = Vec4 { x: sel(m6, y7.x, upper_v1.x), y: sel(m6, y7.y, upper_v1.y), z: sel(m6, y7.z, upper_v1.z), w: sel(m6, y7.w, upper_v1.w) };
+        let e_82 = layer_v2;
+        layer_v2 = add_i(e_82, splat_i(1i32));
+    }
+    ex = b2;
+    let e_85 = lower_v0;
+    let e_86 = upper_v1;
+    let e_88 = joined_texels(r, e_85, e_86, Vec2 { x: around_a1.part.x, y: around_a1.part.y });
+    return e_88;
+} }
+lanes! { fn texel_reads(r: &Resources<'_>, path_a0: &Path, reads_a1: U) -> Vec3<U> {
+    let e_2 = map_read(r, path_a0, reads_a1);
+    return Vec3 { x: add_u(e_2.x, sub_u(reads_a1, splat_u(1u32))), y: add_u(e_2.y, splat_u(0u32)), z: add_u(e_2.z, splat_u(0u32)) };
+} }
+stage! { fn search_view_dependent_svd(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+    let mut ex = within;
+    let mut ret: SearchResult = zero_search_result();
+    let mut joined_v0: JoinedViews = zero_joined_views();
+    let mut k_v1: U = splat_u(0u32);
+    let axes_3 = path_axes(r, ex, path_a0, params_a1.w);
+    let (b1, c2) = (ex, eq_u(axes_3.comes_in, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = SearchResult { status: splat_u(0u32), near: path_a0.exit, far: path_a0.exit, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: Vec3 { x: splat_u(0u32), y: splat_u(1u32), z: splat_u(0u32) }, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let views_14 = views_around(r, &axes_3, params_a1);
+    let e_16 = path_uv(r, path_a0, axes_3.start);
+    let e_18 = r.height_texels(path_a0.level);
+    let around_19 = texels_around(r, ex, e_16, e_18);
+    let layers_20 = search_layers(r, path_a0);
+    let e_21 = no_views(r);
+    joined_v0 = e_21;
+    let b4 = ex;
+    'l3: loop {
+        let e_25 = k_v1;
+        let c5 = lt_u(e_25, views_14.pairs);
+        ex = and(ex, c5);
+        let e_28 = k_v1;
+        if none(ex) { break 'l3; }
+        let e_29 = view_pair(r, &views_14, e_28);
+        let ways_30 = summed_ways(r, ex, path_a0, &around_19, &e_29, params_a1, layers_20);
+        let e_31 = joined_v0;
+        let e_32 = k_v1;
+        let e_33 = with_pair(r, ex, &e_31, &views_14, e_32, ways_30);
+        joined_v0 = sel_joined_views(ex, &e_33, &joined_v0);
+        let e_34 = k_v1;
+        k_v1 = add_u(e_34, splat_u(1u32));
+    }
+    ex = b4;
+    let e_42 = texel_reads(r, path_a0, mul_u(mul_u(views_14.pairs, layers_20), splat_u(8u32)));
+    let cost_43 = Vec3 { x: add_u(splat_u(0u32), e_42.x), y: add_u(splat_u(1u32), e_42.y), z: add_u(splat_u(0u32), e_42.z) };
+    let e_44 = joined_v0;
+    let e_45 = joined_way(r, &e_44, &views_14);
+    let e_46 = hit_on_way(r, ex, path_a0, &axes_3, e_45, cost_43);
+    return sel_search_result(ex, &e_46, &ret);
+} }
+stage! { fn search_view_dependent_clusters(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+    let mut ex = within;
+    let mut ret: SearchResult = zero_search_result();
+    let mut joined_v0: JoinedViews = zero_joined_views();
+    let mut k_v1: U = splat_u(0u32);
+    let axes_3 = path_axes(r, ex, path_a0, params_a1.w);
+    let (b1, c2) = (ex, eq_u(axes_3.comes_in, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = SearchResult { status: splat_u(0u32), near: path_a0.exit, far: path_a0.exit, near_gap: splat(1.0f32), far_gap: splat(1.0f32), cost: Vec3 { x: splat_u(0u32), y: splat_u(1u32), z: splat_u(0u32) }, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let views_14 = views_around(r, &axes_3, params_a1);
+    let e_16 = path_uv(r, path_a0, axes_3.start);
+    let e_18 = r.height_texels(path_a0.level);
+    let around_19 = texels_around(r, ex, e_16, e_18);
+    let layers_20 = search_layers(r, path_a0);
+    let e_21 = no_views(r);
+    joined_v0 = e_21;
+    let b4 = ex;
+    'l3: loop {
+        let e_25 = k_v1;
+        let c5 = lt_u(e_25, views_14.pairs);
+        ex = and(ex, c5);
+        let e_28 = k_v1;
+        if none(ex) { break 'l3; }
+        let e_29 = view_pair(r, &views_14, e_28);
+        let ways_30 = clustered_ways(r, ex, path_a0, &around_19, &e_29, params_a1, layers_20);
+        let e_31 = joined_v0;
+        let e_32 = k_v1;
+        let e_33 = with_pair(r, ex, &e_31, &views_14, e_32, ways_30);
+        joined_v0 = sel_joined_views(ex, &e_33, &joined_v0);
+        let e_34 = k_v1;
+        k_v1 = add_u(e_34, splat_u(1u32));
+    }
+    ex = b4;
+    let e_48 = texel_reads(r, path_a0, mul_u(mul_u(views_14.pairs, splat_u(4u32)), add_u(splat_u(1u32), mul_u(sub_u(layers_20, splat_u(1u32)), splat_u(5u32)))));
+    let cost_49 = Vec3 { x: add_u(splat_u(0u32), e_48.x), y: add_u(splat_u(1u32), e_48.y), z: add_u(splat_u(0u32), e_48.z) };
+    let e_50 = joined_v0;
+    let e_51 = joined_way(r, &e_50, &views_14);
+    let e_52 = hit_on_way(r, ex, path_a0, &axes_3, e_51, cost_49);
+    return sel_search_result(ex, &e_52, &ret);
+} }
 lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> SearchResult {
     let mut ex = within;
     let mut ret: SearchResult = zero_search_result();
@@ -4932,9 +5282,17 @@ lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Search
             let e_107 = search_translucent(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_107;
         }
-        _ => {
+        17u32 => {
             let e_113 = search_shell_map(r, ex, path_a0, r.surface_settings.choices[6].params);
             return e_113;
+        }
+        18u32 => {
+            let e_119 = search_view_dependent_svd(r, ex, path_a0, r.surface_settings.choices[6].params);
+            return e_119;
+        }
+        _ => {
+            let e_125 = search_view_dependent_clusters(r, ex, path_a0, r.surface_settings.choices[6].params);
+            return e_125;
         }
     }
 } }
@@ -5017,9 +5375,17 @@ stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0
             let e_107 = search_translucent(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_107;
         }
-        _ => {
+        17u32 => {
             let e_113 = search_shell_map(r, ex, path_a0, r.surface_settings.choices[10].params);
             return e_113;
+        }
+        18u32 => {
+            let e_119 = search_view_dependent_svd(r, ex, path_a0, r.surface_settings.choices[10].params);
+            return e_119;
+        }
+        _ => {
+            let e_125 = search_view_dependent_clusters(r, ex, path_a0, r.surface_settings.choices[10].params);
+            return e_125;
         }
     }
 } }

@@ -25,7 +25,7 @@ pub struct Entry {
     pub publication: Publication,
     /// The baked maps that it reads besides the height map.
     pub maps: &'static [MapInput],
-    /// The parameters, at most [`MAX_PARAMS`], in the order of the shader's parameter vector.
+    /// The parameters, at most [`MAX_PARAMS`]. The shader gets the first four, in this order.
     pub params: &'static [Param],
     /// For a search, the results with which it ends if it finds something. For a refinement or a
     /// shadow, the results that it takes. Empty for all others.

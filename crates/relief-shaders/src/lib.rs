@@ -80,7 +80,7 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::Path;
 
-    use relief_core::registry::{MAX_PARAMS, MapSetting};
+    use relief_core::registry::{MAX_PARAMS, MapSetting, SHADER_PARAMS};
 
     use super::*;
 
@@ -123,6 +123,19 @@ mod tests {
                     if let MapSetting::Param(param) = value {
                         assert!(entry.param(param).is_some(), "{key} {}: {name} of {param}", entry.name);
                     }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn parameters_beyond_those_of_shaders_choose_a_map() {
+        for Stage { key, entries, .. } in &STAGES {
+            for entry in *entries {
+                for param in entry.params.iter().skip(SHADER_PARAMS) {
+                    let chooses = |(_, value): &(_, MapSetting)| *value == MapSetting::Param(param.name);
+                    let mut settings = entry.maps.iter().flat_map(|map| map.settings);
+                    assert!(settings.any(chooses), "{key} {}: {}", entry.name, param.name);
                 }
             }
         }

@@ -278,6 +278,22 @@ pub static METHODS: &[Method] = &[
         "6.3",
         "view-dependent displacement mapping: the hit, looked up by place and direction",
     ),
+    survey(
+        "view-dependent-svd",
+        "view-dependent-svd",
+        "none",
+        DEFAULTS,
+        "6.3",
+        "view-dependent displacement mapping out of a map compressed by a singular value decomposition",
+    ),
+    survey(
+        "view-dependent-clusters",
+        "view-dependent-clusters",
+        "none",
+        DEFAULTS,
+        "6.3",
+        "view-dependent displacement mapping out of non-negative factors of clusters of texels",
+    ),
     Method {
         name: "view-dependent-free",
         summary: "the exact first hit: over a way that is free by place and direction, then cell by cell",

@@ -1,5 +1,8 @@
 //! `view-dependent`: view-dependent maps of several sizes beside other methods, and whether the bound holds.
 
+mod compression;
+mod torus;
+
 use std::f64::consts::TAU;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -60,6 +63,10 @@ enum Part {
     Bound,
     /// Errors, reads, bytes and times of every size, beside other methods
     Methods,
+    /// Compressed maps beside plain ones: errors over bytes
+    Compression,
+    /// On a torus, beside other methods and generalised maps
+    Torus,
 }
 
 /// Prints the tables. Fails where a ray passes the surface on a free way.
@@ -69,6 +76,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         match part {
             Part::Bound => holds &= bound(arguments.rays)?,
             Part::Methods => methods(arguments.rays_of_methods)?,
+            Part::Compression => compression::run(arguments.rays_of_methods)?,
+            Part::Torus => torus::run()?,
         }
     }
     Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })

@@ -1,5 +1,6 @@
 //! `volumes`: rays through volumes beside the judge in `f64`, and what each method over volumes costs.
 
+mod grass;
 mod translucent;
 
 use std::process::ExitCode;
@@ -42,6 +43,9 @@ pub struct Arguments {
     /// Rays over each motif in the table of methods, and over all volumes of `translucent`
     #[arg(long, value_name = "N", default_value_t = 100_000)]
     rays_of_methods: usize,
+    /// Size of the pictures of grass, as WIDTHxHEIGHT
+    #[arg(long, default_value = "400x300", value_parser = crate::cost::sides)]
+    size: [u32; 2],
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -52,6 +56,8 @@ enum Part {
     Methods,
     /// Optical depths and transmittances of `translucent` beside the judge
     Translucent,
+    /// Grass on a mesh by every method, beside the same as triangles
+    Grass,
 }
 
 /// Prints the tables. Fails where a ray of `voxels` passes the surface or hits beside it, or where an
@@ -63,6 +69,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
             Part::Judge => holds &= judge(arguments.rays)?,
             Part::Methods => methods(arguments.rays_of_methods)?,
             Part::Translucent => holds &= translucent::run(arguments.rays_of_methods)?,
+            Part::Grass => grass::run(arguments.size)?,
         }
     }
     Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })

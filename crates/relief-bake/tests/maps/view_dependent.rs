@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use relief_bake::view_dependent::{Axes, TOUCHING, bend, free_ways, whole_way};
+use relief_bake::view_dependent::{
+    Axes, MOST_SCALE, Matrix, TOUCHING, bend, free_ways, truncated_svd, whole_way,
+};
 use relief_bake::{BakeError, Collected, Settings, bake, kind};
 use relief_core::exact::{PyramidTracer, cell_walk};
 use relief_core::rng::Rng;
@@ -170,6 +172,133 @@ fn hits_are_those_of_another_exact_tracer() {
             let found = f64::from(values[(at * map.width() + column) as usize]);
             assert!((found - expected).abs() < 1e-6, "{} {layer} {step}: {found} for {expected}", named.name);
         }
+    }
+}
+
+/// The sums of the products of a compressed map's factors, view by view.
+fn sums(map: &HeightMap, axes: Axes, settings: &[(&str, f64)], bits: f64) -> Vec<f32> {
+    let mut all = settings_of_ways(axes, bits);
+    settings.iter().for_each(|(name, value)| all.set(name, *value).expect("a setting"));
+    let mut sink = Collected::default();
+    let metric = Metric::unit_tile(0.1).expect("a metric");
+    bake(kind("view-dependent").expect("a kind"), map, metric, &all, &Watch::none(), &mut sink)
+        .expect("a bake");
+    let baked = sink.textures.remove(0);
+    let [columns, rows, layers] = baked.texture.size.map(|side| side as usize);
+    let channels = &baked.levels[0];
+    let is_clustered = settings.iter().any(|(name, _)| *name == "clusters");
+    let texels = map.texels().len();
+    let views = (axes.layers() * axes.bends) as usize;
+    let value = |layer: usize, channel: usize, place: usize| {
+        f64::from(channels[channel][layer * columns * rows + place])
+    };
+    let signed = |value: f64| if is_clustered { value } else { 2.0 * value - 1.0 };
+    let mut sums = vec![0.0; views * texels];
+    for texel in 0..texels {
+        let cluster = if is_clustered { (value(0, 0, texel) * 255.0).round() as usize } else { 0 };
+        let first = texels + cluster * (views + 2);
+        for layer in usize::from(is_clustered)..layers {
+            for channel in 0..4 {
+                let at = |place| value(layer, channel, place);
+                let root = at(first + views) + at(first + views + 1) / 255.0;
+                let scaled = signed(at(texel)) * f64::from(MOST_SCALE) * root * root;
+                for view in 0..views {
+                    sums[view * texels + texel] += scaled * signed(at(first + view));
+                }
+            }
+        }
+    }
+    sums.into_iter().map(|sum| sum as f32).collect()
+}
+
+fn settings_of_ways(axes: Axes, bits: f64) -> Settings {
+    settings("view-dependent", axes, bits)
+}
+
+/// The squares of what sums are off from ways, where a way that meets nothing is 1.25.
+fn off(ways: &[f32], sums: &[f32]) -> f64 {
+    let target = |way: f32| if way >= 1.0 { 1.25 } else { way };
+    ways.iter().zip(sums).map(|(&way, &sum)| f64::from(target(way) - sum).powi(2)).sum()
+}
+
+#[test]
+fn factors_of_all_ranks_are_the_ways_and_fewer_leave_out_what_their_singular_values_say() {
+    let map = maps::ALL[0].build(Wrap::Repeat);
+    for bends in [1, 3] {
+        let axes = Axes { bends, ..AXES };
+        let ways = baked("view-dependent", &map, axes, 0.0);
+        let views = (axes.layers() * bends) as usize;
+        let all = sums(&map, axes, &[("rank", views.min(256) as f64)], 0.0);
+        let worst = off(&ways, &all).sqrt() / (ways.len() as f64).sqrt();
+        assert!(worst < 1e-4, "{bends} bends: {worst}");
+        let matrix = Matrix {
+            columns: map.texels().len(),
+            values: ways.iter().map(|&way| if way >= 1.0 { 1.25 } else { way }).collect(),
+        };
+        let exact = truncated_svd(&matrix, views, &Watch::none()).expect("a decomposition");
+        let mut before = f64::INFINITY;
+        for rank in [1, 4, 9, 16] {
+            let dropped: f64 = exact.singular[rank..].iter().map(|value| value * value).sum();
+            let left = off(&ways, &sums(&map, axes, &[("rank", rank as f64)], 0.0));
+            assert!((left - dropped).abs() < 1e-3 * dropped, "{bends} {rank}: {left} for {dropped}");
+            let coded = off(&ways, &sums(&map, axes, &[("rank", rank as f64)], 8.0));
+            assert!(
+                coded < 1.1 * dropped + 1e-4 * ways.len() as f64,
+                "{bends} {rank}: {coded} for {dropped}"
+            );
+            assert!(left < before);
+            before = left;
+        }
+    }
+}
+
+#[test]
+fn more_clusters_and_terms_leave_out_less() {
+    let map = maps::ALL[0].build(Wrap::Repeat);
+    let ways = baked("view-dependent", &map, AXES, 0.0);
+    let left = [[1, 2], [1, 6], [6, 6], [40, 6]].map(|[clusters, rank]| {
+        off(&ways, &sums(&map, AXES, &[("rank", f64::from(rank)), ("clusters", f64::from(clusters))], 8.0))
+    });
+    assert!(left.windows(2).all(|pair| pair[1] < pair[0]), "{left:?}");
+    assert!(left[3] < 0.5 * left[0], "{left:?}");
+}
+
+/// More terms and clusters than there are texels, and texels that are all alike.
+#[test]
+fn maps_of_few_texels_have_fewer_terms_and_clusters() {
+    for (size, height) in [([1, 1], 0.5), ([2, 1], 0.0), ([5, 3], 1.0)] {
+        for wrap in Wrap::ALL {
+            let map = HeightMap::from_fn(size[0], size[1], wrap, |_, _| height).expect("a map");
+            let ways = baked("view-dependent", &map, AXES, 0.0);
+            for changed in [&[("rank", 30.0)][..], &[("rank", 5.0), ("clusters", 40.0)]] {
+                let worst = off(&ways, &sums(&map, AXES, changed, 8.0)).sqrt() / (ways.len() as f64).sqrt();
+                assert!(worst < 0.02, "{size:?} {height} {wrap} {changed:?}: {worst}");
+            }
+        }
+    }
+}
+
+#[test]
+fn compressions_that_cannot_be_are_refused_with_a_remedy() {
+    let map = maps::ALL[0].build(Wrap::Repeat);
+    let metric = Metric::unit_tile(0.1).expect("a metric");
+    for (changed, word) in [
+        (&[("rank", 200.0)][..], "128"),
+        (&[("clusters", 3.0)], "rank"),
+        (&[("rank", 2.0), ("clusters", 256.0), ("bends", 64.0), ("elevations", 16.0)], "rows"),
+    ] {
+        let mut all = settings_of_ways(AXES, 8.0);
+        changed.iter().for_each(|(name, value)| all.set(name, *value).expect("a setting"));
+        let mut sink = Collected::default();
+        let narrow = HeightMap::from_fn(1, 2, Wrap::Repeat, |_, _| 0.5).expect("a map");
+        let map = if word == "rows" { &narrow } else { &map };
+        let refused =
+            bake(kind("view-dependent").expect("a kind"), map, metric, &all, &Watch::none(), &mut sink);
+        assert!(
+            matches!(&refused, Err(BakeError::Impossible { reason, .. }) if reason.contains(word)),
+            "{changed:?}: {refused:?}"
+        );
+        assert!(sink.textures.is_empty());
     }
 }
 

@@ -200,6 +200,7 @@ fn what_cannot_be_written_is_said_before_the_work() {
         ("--kind distance --set distance.slices=2048 --format png", "ktx2"),
         ("--kind distance --set distance.slices=2048 --format ktx2 --texels bc", "bc"),
         ("--kind relaxed-cone,distance --format ktx2 --texels bc", "bc"),
+        ("--kind view-dependent --set view-dependent.rank=4 --format ktx2 --texels bc", "scales"),
         ("--kind normal,distance --set distance.slices=2048 --format png", "ktx2"),
         ("--kind cone --max-memory 5MiB", "--max-memory"),
     ];

@@ -116,7 +116,8 @@ impl Shell {
 
 impl From<&crate::Choice> for Choice {
     fn from(choice: &crate::Choice) -> Self {
-        Self::new(choice.number, choice.params)
+        let [x, y, z, w, ..] = choice.params;
+        Self::new(choice.number, [x, y, z, w])
     }
 }
 

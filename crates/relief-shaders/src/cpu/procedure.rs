@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use relief_core::registry::MAX_PARAMS;
+use relief_core::registry::SHADER_PARAMS;
 use relief_core::{HeightMap, HeightMapError, Wrap};
 
 use super::generated::Resources;
@@ -11,7 +11,7 @@ use crate::SlotMaps;
 
 /// Computes the heights at the centres of the texels of some rows, by the procedure of that number.
 pub(crate) fn procedure_rows(
-    (number, params): (u32, [f32; MAX_PARAMS]),
+    (number, params): (u32, [f32; SHADER_PARAMS]),
     (time, seed): (f32, u32),
     [width, height]: [u32; 2],
     rows: Range<u32>,

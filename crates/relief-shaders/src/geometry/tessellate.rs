@@ -1,6 +1,6 @@
 //! Registry entry of the geometry `tessellate`.
 
-use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MAX_PARAMS, Param, Publication};
 
 use super::{Geometry, GeometryRole};
 use crate::entry::{Entry, Role};
@@ -19,7 +19,7 @@ pub struct Tessellated {
 
 impl Tessellated {
     /// The tessellation by the geometry's parameters.
-    pub(crate) fn of([pixels, texels, interior, ..]: [f32; 4]) -> Self {
+    pub(crate) fn of([pixels, texels, interior, ..]: [f32; MAX_PARAMS]) -> Self {
         Self { pixels, texels: (texels > 0.0).then_some(texels as u32), is_swept: interior != 0.0 }
     }
 

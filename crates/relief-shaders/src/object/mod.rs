@@ -3,7 +3,7 @@
 //! A new kind is a `.wesl` and a `.rs` file here and its name in the list below.
 
 use relief_core::object::{DEFAULT_JUMP_TEXELS, JumpCells};
-use relief_core::registry::Param;
+use relief_core::registry::{MAX_PARAMS, Param};
 
 use crate::entry::{Companion, Entry};
 
@@ -107,7 +107,7 @@ pub enum Solid {
 
 impl ObjectCells {
     /// Cells by a solid and the settings of objects, in their order.
-    pub(crate) fn of(solid: Solid, [cells, jump_texels, color, _]: [f32; 4]) -> Self {
+    pub(crate) fn of(solid: Solid, [cells, jump_texels, color, ..]: [f32; MAX_PARAMS]) -> Self {
         let cells = JumpCells::ALL.get(cells as usize).copied().unwrap_or_default();
         Self { cells, jump_texels, solid, has_blended_colors: color == BLENDED_COLORS }
     }

@@ -20,7 +20,7 @@
 #[cfg(feature = "cpu")]
 use std::ops::Range;
 
-use relief_core::registry::{Guarantee, Guarantees, MAX_PARAMS, Param, Publication, UnknownName};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication, SHADER_PARAMS, UnknownName};
 
 #[cfg(feature = "cpu")]
 use relief_core::{HeightMap, HeightMapError, Wrap};
@@ -45,7 +45,7 @@ pub fn function_of(entry: &Entry) -> String {
 pub struct Procedure {
     /// Place in the list.
     number: usize,
-    params: [f32; MAX_PARAMS],
+    params: [f32; SHADER_PARAMS],
     time: f32,
     seed: u32,
 }
@@ -58,7 +58,8 @@ impl Procedure {
     /// When there is none; the error names the nearest.
     pub fn named(name: &str) -> Result<Self, UnknownName> {
         let number = find("procedure", ENTRIES, name)?;
-        Ok(Self { number, params: ENTRIES[number].defaults(), time: 0.0, seed: 0 })
+        let [x, y, z, w, ..] = ENTRIES[number].defaults();
+        Ok(Self { number, params: [x, y, z, w], time: 0.0, seed: 0 })
     }
 
     /// Returns the registry entry: name, summary and parameters.
@@ -67,7 +68,7 @@ impl Procedure {
     }
 
     /// Returns the parameters, in the entry's order.
-    pub fn params(&self) -> [f32; MAX_PARAMS] {
+    pub fn params(&self) -> [f32; SHADER_PARAMS] {
         self.params
     }
 

@@ -24,7 +24,9 @@ mod shell_map;
 mod sphere;
 mod translucent;
 mod view_dependent;
+mod view_dependent_clusters;
 mod view_dependent_free;
+mod view_dependent_svd;
 mod voxels;
 
 /// All searches, in the order of their numbers in the shaders.
@@ -47,6 +49,8 @@ pub static ENTRIES: &[Entry] = &[
     view_dependent_free::ENTRY,
     translucent::ENTRY,
     shell_map::ENTRY,
+    view_dependent_svd::ENTRY,
+    view_dependent_clusters::ENTRY,
 ];
 
 /// The parameter of searches that end by themselves.
@@ -120,5 +124,17 @@ const DEPTH: Param = Param {
     max: 100.0,
     default: 0.1,
     integer: false,
+    names: &[],
+};
+
+/// The parameter of searches that read compressed maps: the products whose sum a way is.
+const RANK: Param = Param {
+    name: "rank",
+    summary: "products that are summed to each way: fewer make the map smaller, and the errors larger",
+    unit: "",
+    min: 1.0,
+    max: 256.0,
+    default: 16.0,
+    integer: true,
     names: &[],
 };

@@ -150,7 +150,7 @@ fn slices_have_a_surface_of_their_own_and_settings_that_are_told_by_names() {
 fn settings_reach_their_place_and_nothing_else_is_accepted() {
     let mut selection = Selection::method("relief").expect("a method");
     selection.set("search.grazing", 4.0).expect("a parameter");
-    assert_eq!(selection.choices[SEARCH].params, [32.0, 4.0, 0.0, 0.0]);
+    assert_eq!(selection.choices[SEARCH].params[..4], [32.0, 4.0, 0.0, 0.0]);
     assert!(matches!(selection.set("steps", 4.0), Err(SelectionError::Key(_))));
     assert!(matches!(selection.set("nothing.steps", 4.0), Err(SelectionError::Key(_))));
     assert!(matches!(selection.set("shade.steps", 4.0), Err(SelectionError::NoParam { .. })));

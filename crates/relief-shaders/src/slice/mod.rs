@@ -2,7 +2,7 @@
 //!
 //! A new test is a `.wesl` and a `.rs` file here and its name in the list below.
 
-use relief_core::registry::Param;
+use relief_core::registry::{MAX_PARAMS, Param};
 
 use crate::entry::Entry;
 
@@ -81,7 +81,7 @@ pub struct Slices {
 
 impl Slices {
     /// Slices by the settings, in their order, and by the geometry's clipping.
-    pub(crate) fn of([count, _, direction, anchor]: [f32; 4], clip: f32) -> Self {
+    pub(crate) fn of([count, _, direction, anchor, ..]: [f32; MAX_PARAMS], clip: f32) -> Self {
         let direction = match direction as u32 {
             0 => SliceDirection::Auto,
             1 => SliceDirection::A,

@@ -247,6 +247,22 @@ pub const CLAIMS: &[Claim] = &[
         ..SURVEY
     },
     Claim {
+        section: "6.3",
+        text: "singular value decomposition compresses view-dependent maps: fewer hits are off than of as many bytes",
+        better: with("view-dependent-svd", &[("search.rank", 8.0)]),
+        worse: with("view-dependent", &[("search.azimuths", 4.0), ("search.elevations", 2.0)]),
+        measure: Measure::Off,
+        ..SURVEY
+    },
+    Claim {
+        section: "6.3",
+        text: "so do k-means and non-negative factors: fewer hits are off than of as many bytes",
+        better: with("view-dependent-clusters", &[("search.rank", 4.0), ("search.clusters", 16.0)]),
+        worse: with("view-dependent", &[("search.azimuths", 4.0), ("search.elevations", 2.0)]),
+        measure: Measure::Off,
+        ..SURVEY
+    },
+    Claim {
         section: "7, Figure 34",
         text: "at normal displacement occlusion mapping is nearer than iterative parallax mapping",
         better: plain("occlusion"),

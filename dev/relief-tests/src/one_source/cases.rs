@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::baked::{in_slots, maps_in, slots};
+use relief_core::registry::MAX_PARAMS;
 use relief_core::rng::Rng;
 use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
 use relief_render::job::JobSurface;
@@ -10,8 +11,9 @@ use relief_shaders::cpu::{Entered, Frame, Path, PixelIn, Probe, Program, Shared,
 use relief_shaders::{DETAIL, Entry, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection, surface};
 use relief_testing::maps::NamedMap;
 
-/// The most steps of axes that are baked, more than the least.
-const MOST_DIRECTIONS: [(&str, f32); 3] = [("azimuths", 1.0), ("elevations", 1.0), ("bends", 2.0)];
+/// The most steps of axes and terms of compressed maps that are baked, more than the least.
+const MOST_DIRECTIONS: [(&str, f32); 5] =
+    [("azimuths", 1.0), ("elevations", 1.0), ("bends", 2.0), ("rank", 5.0), ("clusters", 3.0)];
 
 /// The most cells or steps that a stage may take in these tests. A software adapter (Mesa's llvmpipe) leaves
 /// a shader's loops after 65,535 turns, all loops counted together; search and refinement must stay below
@@ -209,7 +211,7 @@ fn probe_segment(program: &Program, ray: &PixelIn, at: Entered, number: u32, pat
 }
 
 /// An entry's parameters: a third of them drawn from their range, the others at their default.
-fn params(entry: &Entry, rng: &mut Rng) -> [f32; 4] {
+fn params(entry: &Entry, rng: &mut Rng) -> [f32; MAX_PARAMS] {
     let mut values = entry.defaults();
     for (value, param) in values.iter_mut().zip(entry.params) {
         if rng.below(3) == 0 {

@@ -45,12 +45,14 @@ fn scene(file: &str, method: &str, stages: &[(&str, &str)], backend: BackendChoi
     let is_sliced = matches!(of_method.geometry(), Some(Geometry::Slices(_)));
     // Nor must every direction be baked.
     let has_directions = of_method.search().param("elevations").is_some();
+    let is_compressed = of_method.search().param("rank").is_some();
     let set = [
         (looks_up, "shadow.size", 256.0),
         (is_diced, "geometry.texels", 2.0),
         (is_sliced, "slices.count", 5.0),
         (has_directions, "search.azimuths", 4.0),
         (has_directions, "search.elevations", 3.0),
+        (is_compressed, "search.rank", 6.0),
     ];
     let set = set.iter().filter(|(is_set, ..)| *is_set).map(|(_, key, value)| ((*key).to_owned(), *value));
     let set = set.collect();

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use relief_bake::{Collected, KINDS, Kind, bake};
+use relief_bake::{Collected, KINDS, Kind, bake, kind};
 use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_io::{HeightOptions, read_height};
 
@@ -26,6 +26,9 @@ const FEWER: [(&str, &str, f64); 7] = [
     ("view-dependent-free", "bends", 3.0),
 ];
 
+/// Settings with which view-dependent maps are compressed.
+const COMPRESSED: [&[(&str, f64)]; 2] = [&[("rank", 6.0)], &[("rank", 6.0), ("clusters", 5.0)]];
+
 /// The hash of every map, by its kind, the kind's revision, the height map and the wrap.
 pub fn all() -> BTreeMap<String, String> {
     let mut found = BTreeMap::new();
@@ -35,18 +38,26 @@ pub fn all() -> BTreeMap<String, String> {
         for wrap in Wrap::ALL {
             let map = map.clone().with_wrap(wrap);
             for kind in KINDS {
-                found.insert(format!("{} {} {name} {wrap}", kind.name, kind.revision), hash(kind, &map));
+                found.insert(format!("{} {} {name} {wrap}", kind.name, kind.revision), hash(kind, &map, &[]));
+            }
+            let kind = kind("view-dependent").expect("a kind");
+            for settings in COMPRESSED {
+                let names: Vec<&str> = settings.iter().map(|(name, _)| *name).collect();
+                let key = format!("{} {} {} {name} {wrap}", kind.name, names.join(" "), kind.revision);
+                found.insert(key, hash(kind, &map, settings));
             }
         }
     }
     found
 }
 
-fn hash(kind: &Kind, map: &HeightMap) -> String {
+fn hash(kind: &Kind, map: &HeightMap, changed: &[(&str, f64)]) -> String {
     let mut sink = Collected::default();
     let mut settings = kind.defaults();
-    for (_, setting, value) in FEWER.iter().filter(|(name, ..)| *name == kind.name) {
-        settings.set(setting, *value).expect("a setting of this kind");
+    let fewer = FEWER.iter().filter(|(name, ..)| *name == kind.name);
+    for (setting, value) in fewer.map(|(_, setting, value)| (*setting, *value)).chain(changed.iter().copied())
+    {
+        settings.set(setting, value).expect("a setting of this kind");
     }
     bake(kind, map, METRIC, &settings, &Watch::none(), &mut sink).expect("a bake");
     let mut bits = Bits::default();

@@ -70,11 +70,13 @@ fn hashes(scene: &str, method: &str, detail: &str, size: [u32; 2]) -> String {
     let is_sliced = of_method.uses(SLICES);
     // Nor must every direction be baked.
     let has_directions = of_method.search().param("elevations").is_some();
+    let is_compressed = of_method.search().param("rank").is_some();
     let set = [
         (of_method.light_views().is_some(), "shadow.size", 256.0),
         (is_sliced, "slices.count", 8.0),
         (has_directions, "search.azimuths", 4.0),
         (has_directions, "search.elevations", 3.0),
+        (is_compressed, "search.rank", 6.0),
     ];
     let set = set.iter().filter(|(is_set, ..)| *is_set).map(|(_, key, value)| ((*key).to_owned(), *value));
     let set = set.collect();

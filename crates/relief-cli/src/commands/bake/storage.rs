@@ -1,6 +1,7 @@
 //! Storage of texels: the choice of bits, and rounding to the side that keeps a map's guarantee.
 
 use clap::ValueEnum;
+use relief_bake::view_dependent::FACTORS;
 use relief_bake::{Channel, Texture};
 use relief_core::Rounding;
 use relief_core::encoding::half;
@@ -184,6 +185,12 @@ impl Storage {
                     "block compression would break the guarantee of the channel '{name}', whose values may only be \
                      rounded to one side: leave --texels bc out"
                 ));
+            }
+            if name.starts_with(FACTORS) {
+                return Err(
+                    "block compression would change the scales of a compressed map's products: leave --texels bc out"
+                        .to_owned(),
+                );
             }
             if name.contains("height") && !lossy_heights {
                 return Err(format!(
