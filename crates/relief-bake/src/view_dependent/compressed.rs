@@ -21,7 +21,7 @@ const MISSED: f32 = 1.25;
 /// Greatest scale of a term: the square root of its scale is a part of the root of this.
 ///
 /// A term is a singular value times an entry of two unit vectors, so at most the length of a row of
-/// the matrix: [`MISSED`] times the root of 16,384 views. Terms of non-negative factors are at most
+/// the matrix: 1.25, a miss, times the root of 16,384 views. Terms of non-negative factors are at most
 /// twice as much, since a row of zeros would leave out less than a greater one.
 pub const MOST_SCALE: f32 = 512.0;
 
