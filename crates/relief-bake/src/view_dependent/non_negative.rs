@@ -21,6 +21,16 @@ pub struct Factors {
 
 /// Returns non-negative factors of a matrix without negative values, after `rounds` rounds.
 ///
+/// ```
+/// use relief_bake::view_dependent::{Matrix, non_negative_factors};
+/// use relief_core::Watch;
+///
+/// let matrix = Matrix { columns: 3, values: vec![2.0, 4.0, 6.0, 3.0, 6.0, 9.0] };
+/// let factors = non_negative_factors(&matrix, 1, 10, &Watch::none())?;
+/// assert!(factors.left_out[9] < 1e-4);
+/// # Ok::<(), relief_core::Cancelled>(())
+/// ```
+///
 /// # Guarantee
 ///
 /// *No round leaves out more than the round before*: each factor is replaced by the one that leaves

@@ -35,6 +35,18 @@ pub struct Svd {
 
 /// Returns the decomposition with at most `rank` terms. A matrix of a lower rank has fewer.
 ///
+/// ```
+/// use relief_bake::view_dependent::{Matrix, truncated_svd};
+/// use relief_core::Watch;
+///
+/// // Two rows that are one row, taken twice and three times.
+/// let matrix = Matrix { columns: 3, values: vec![2.0, 4.0, 6.0, 3.0, 6.0, 9.0] };
+/// let svd = truncated_svd(&matrix, 2, &Watch::none())?;
+/// assert_eq!(svd.singular.len(), 1);
+/// assert!(svd.left_out < 1e-4);
+/// # Ok::<(), relief_core::Cancelled>(())
+/// ```
+///
 /// # Errors
 ///
 /// When the work is cancelled.
