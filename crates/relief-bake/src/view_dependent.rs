@@ -6,11 +6,12 @@
 //! # Compressed maps
 //!
 //! With a rank, a map of ways has four terms a layer. The factors of texels lie in it as texels do.
-//! Below them lie the factors of views, row after row. Bends run fastest, then
-//! elevations, then azimuths. Two texels follow with the term's scale, `512 (a + b / 255)²`. With clusters, this
-//! comes again for each of them, and a first layer has the number of each texel's cluster, divided by
-//! 255. Without clusters a factor is stored as `(1 + f) / 2`. The way is the sum of all terms: the
-//! product of the texel's factor, the view's factor and the scale. Sums from 1.125 on meet nothing.
+//! Below them lie the factors of views, row after row. Bends run fastest, then elevations, then
+//! azimuths. Two texels follow with the term's scale, `512 (a + b / 255)²`. With clusters, this
+//! comes again for each of them, and a first layer has the number of each texel's cluster, divided
+//! by 255. Without clusters a factor is stored as `(1 + f) / 2`. The way is the sum of all terms:
+//! the product of the texel's factor, the view's factor and the scale. Sums from 1.125 on meet
+//! nothing.
 
 mod axes;
 mod clusters;

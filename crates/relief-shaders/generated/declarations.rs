@@ -58,8 +58,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/factors", head: r#"// Ways of compressed view-dependent maps: sums of products, a factor of the texel times a factor of the view.
 //
-// A layer has four terms. Below the factors of the texels lie the views' factors, row after row, and the scales of the
-// terms. relief-bake's module `view_dependent` has the layout.
+// A layer has four terms. Below the factors of the texels lie the views' factors, row after row, and the
+// scales of the terms. relief-bake's module `view_dependent` has the layout.
 "# },
     Module { path: "shared/folded", head: r#"// Ways of a ray through a shell that overlaps itself.
 //
@@ -254,8 +254,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/views", head: r#"// The steps of a view-dependent map's axes around a path: the views between which its way is joined.
 //
-// A view is a direction and a bend. Ways are joined along the elevations first, then along the azimuths, then along
-// the bends.
+// A view is a direction and a bend. Ways are joined along the elevations first, then along the azimuths, then
+// along the bends.
 "# },
     Module { path: "shared/volume", head: r#"// The trilinear field of a volume: values and normals at a place, and rays from a hit toward a light.
 "# },
@@ -528,12 +528,13 @@ pub const MODULES: &[Module] = &[
 // `view-dependent`, a layer a direction. `params.x`, `params.y` and `params.z` are its azimuths, elevations and bends,
 // and `params.w` is its depth.
 "# },
-    Module { path: "search/view_dependent_clusters", head: r#"// The first hit of paths by place, azimuth, elevation and bend, out of non-negative factors of groups of texels.
+    Module { path: "search/view_dependent_clusters", head: r#"// The first hit of paths by place, azimuth, elevation and bend, out of non-negative factors of groups of
+// texels.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 6.3, after Wang and Dana 2005. As `view-dependent`, but each way is a sum
-// of products, and texels that are alike have factors of views in common. The map is relief-bake's kind
-// `view-dependent` with a rank and clusters. `params.x`, `params.y` and `params.z` are its azimuths, elevations and
-// bends, and `params.w` is its depth.
+// Szirmay-Kalos and Umenhoffer 2008, section 6.3, after Wang and Dana 2005. As `view-dependent`, but each way
+// is a sum of products, and texels that are alike have factors of views in common. The map is relief-bake's
+// kind `view-dependent` with a rank and clusters. `params.x`, `params.y` and `params.z` are its azimuths,
+// elevations and bends, and `params.w` is its depth.
 "# },
     Module { path: "search/view_dependent_free", head: r#"// Over the way on which all rays are free that come in over the same texel in nearly the same direction, by one read.
 //
@@ -543,11 +544,12 @@ pub const MODULES: &[Module] = &[
 // rounding may take the other one, do not use the map. `params.x`, `params.y` and `params.z` are its azimuths,
 // elevations and bends, and `params.w` is its depth.
 "# },
-    Module { path: "search/view_dependent_svd", head: r#"// The first hit of paths by place, azimuth, elevation and bend, out of factors by a singular value decomposition.
+    Module { path: "search/view_dependent_svd", head: r#"// The first hit of paths by place, azimuth, elevation and bend, out of factors by a singular value
+// decomposition.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 6.3. As `view-dependent`, but each way is a sum of products. The map is
-// relief-bake's kind `view-dependent` with a rank. `params.x`, `params.y` and `params.z` are its azimuths, elevations
-// and bends, and `params.w` is its depth.
+// Szirmay-Kalos and Umenhoffer 2008, section 6.3. As `view-dependent`, but each way is a sum of products. The
+// map is relief-bake's kind `view-dependent` with a rank. `params.x`, `params.y` and `params.z` are its
+// azimuths, elevations and bends, and `params.w` is its depth.
 "# },
     Module { path: "search/voxels", head: r#"// The dual cells of a volume along the path, in order, but for the empty ones that the baked distances skip.
 //
@@ -2918,7 +2920,8 @@ fn four_terms(t00: vec4f, t10: vec4f, t01: vec4f, t11: vec4f) -> FourTerms {
         name: "with_terms",
         sampling: None,
         uses: &["FourTerms"],
-        text: r#"// Sums of four texels with four terms more. They are added one by one: compilers may change the order of other sums.
+        text: r#"// Sums of four texels with four terms more. They are added one by one: compilers may change the order of
+// other sums.
 fn with_terms(before: vec4f, texels: FourTerms, view: vec4f) -> vec4f {
     let one = before + texels.first * view.x;
     let two = one + texels.second * view.y;
@@ -2931,8 +2934,8 @@ fn with_terms(before: vec4f, texels: FourTerms, view: vec4f) -> vec4f {
         name: "joined_texels",
         sampling: None,
         uses: &["bilinear", "flagged_ways"],
-        text: r#"// Ways of the four texels around, at the lower and the upper elevation: joined between the texels, each with the weight
-// of the texels that are hits.
+        text: r#"// Ways of the four texels around, at the lower and the upper elevation: joined between the texels, each with
+// the weight of the texels that are hits.
 fn joined_texels(lower: vec4f, upper: vec4f, part: vec2f) -> vec4f {
     return bilinear(
         flagged_ways(lower.x, upper.x),
@@ -11023,8 +11026,8 @@ fn joined_way(joined: JoinedViews, views: ViewsAround) -> vec2f {
         name: "hit_on_way",
         sampling: None,
         uses: &["FOUND_ABOVE", "FOUND_MISS", "Path", "PathAxes", "SearchResult"],
-        text: r#"// The hit on a path at a joined way and its weight. A way that ends nowhere is no number to be joined with others: the
-// greater part of the weights decides whether there is a hit.
+        text: r#"// The hit on a path at a joined way and its weight. A way that ends nowhere is no number to be joined with
+// others: the greater part of the weights decides whether there is a hit.
 fn hit_on_way(path: Path, axes: PathAxes, way: vec2f, cost: vec3u) -> SearchResult {
     let t = axes.start + way.x / way.y * axes.whole;
     if (way.y < 0.5 || t < 0.0 || t > path.exit) {

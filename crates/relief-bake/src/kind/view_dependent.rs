@@ -19,8 +19,9 @@
 //! *A stored value is the exact tracer's, to the nearest code.* Hits on the last two hundredth
 //! and fiftieth part of the way are stored as the code before 1.
 //!
-//! A sum of products is near these ways, without a bound. Without clusters, no other sums of as many
-//! products are nearer by their squares, before factors are rounded to codes.
+//! A sum of products is near these ways, without a bound. Without clusters, other sums of as many
+//! products leave out squares that are less by a thousandth at most, before factors are rounded to
+//! codes. Tests hold this; the decomposition starts from random directions and has no proof.
 
 use rayon::prelude::*;
 use relief_core::exact::cell_walk;
@@ -58,8 +59,8 @@ pub const KIND: Kind = Kind {
         CLUSTERS,
     ],
     guarantee: "From a texel's centre, in the middle of a step of each axis, the first hit with the bilinear \
-        surface is at the part of the path's whole way that is stored, to the nearest code. With a rank, what is \
-        stored are factors, and the sums of their products are near that part, without a bound.",
+        surface is at the part of the path's whole way that is stored, to the nearest code. With a rank, \
+        factors are stored, and the sums of their products are near that part, without a bound.",
     is_picture: false,
     of_volume: false,
     shapes: |[width, height], settings| {
@@ -96,8 +97,8 @@ const RANK: Param = Param {
 
 const CLUSTERS: Param = Param {
     name: "clusters",
-    summary: "groups of texels, by k-means, each with factors of its own that are not negative; 0 for no groups, but \
-        a singular value decomposition of all",
+    summary: "groups of texels, by k-means, each with factors of its own that are not negative; 0 for no groups, \
+        but a singular value decomposition of all",
     ..RANK
 };
 
@@ -125,16 +126,16 @@ fn compression_of(
     let views = axes.layers() * axes.bends;
     if compression.rank > views {
         return impossible(format!(
-            "rank is {}, but it is at most {views}, the azimuths times elevations times bends: take a lower rank, or \
-             more directions",
+            "rank is {}, but it is at most {views}, the azimuths times elevations times bends: take a lower \
+             rank, or more directions",
             compression.rank
         ));
     }
     let rows = compression.rows_of_views(axes, size[0]);
     if size[1].saturating_add(rows) > MAX_SIDE {
         return impossible(format!(
-            "the factors of all directions, bends and clusters take {rows} rows of {} texels, but a map has at most \
-             {MAX_SIDE}: take fewer clusters or directions",
+            "the factors of all directions, bends and clusters take {rows} rows of {} texels, but a map has \
+             at most {MAX_SIDE}: take fewer clusters or directions",
             size[0]
         ));
     }

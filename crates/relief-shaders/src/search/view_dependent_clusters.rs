@@ -31,10 +31,10 @@ pub const ENTRY: Entry = Entry {
         shadow: Guarantee::Impossible,
     },
     weakened: &[],
-    argument: "The sums are near exact hits, from the centres of texels in some directions and bends: groups of texels \
-        that are alike have factors of their own, which are not negative. Each factor has 8 bits. Between texels \
-        and directions ways are interpolated, although they jump at outlines. A ray that begins at the surface \
-        does not come in at the top, so it cannot be looked up.",
+    argument: "The sums are near exact hits, from the centres of texels in some directions and bends: groups of \
+        texels that are alike have factors of their own, which are not negative. Each factor has 8 bits. \
+        Between texels and directions ways are interpolated, although they jump at outlines. A ray that begins \
+        at the surface does not come in at the top, so it cannot be looked up.",
     role: Role::Tracing(TracingRole { begins_at_top: true, ..TracingRole::PLAIN }),
 };
 

@@ -30,8 +30,8 @@ pub const ENTRY: Entry = Entry {
         shadow: Guarantee::Impossible,
     },
     weakened: &[],
-    argument: "The sums come nearest to exact hits, from the centres of texels in some directions and bends, of all sums \
-        of as many products. Each factor has 8 bits. Between texels and directions ways are interpolated, \
+    argument: "The sums come nearest to exact hits, from the centres of texels in some directions and bends, of all \
+        sums of as many products. Each factor has 8 bits. Between texels and directions ways are interpolated, \
         although they jump at outlines. A ray that begins at the surface does not come in at the top, so it \
         cannot be looked up.",
     role: Role::Tracing(TracingRole { begins_at_top: true, ..TracingRole::PLAIN }),
