@@ -29,6 +29,32 @@ pub enum ExportError {
         /// The chosen variant.
         entry: &'static str,
     },
+    /// A variant that has no functions.
+    #[error("the {stage} '{entry}' has no functions to call: {reason}")]
+    NoFunctions {
+        /// The stage's title.
+        stage: &'static str,
+        /// The chosen variant.
+        entry: &'static str,
+        /// The stage's key.
+        key: &'static str,
+        /// The reason, with what has.
+        reason: String,
+    },
+    /// A target that functions are not written in.
+    #[error("functions are not written in {target}: choose {}", Target::Wgsl)]
+    NoFunctionsIn {
+        /// The target.
+        target: Target,
+    },
+    /// The prefix of functions is no name.
+    #[error("'{prefix}' is no prefix of names: {reason}")]
+    Prefix {
+        /// The prefix.
+        prefix: String,
+        /// What is wrong.
+        reason: &'static str,
+    },
     /// No target was given.
     #[error("there is nothing to write: choose a target")]
     NoTarget,

@@ -35,6 +35,7 @@
 mod binding_points;
 mod describe;
 mod error;
+pub mod functions;
 mod header;
 mod layout;
 pub mod manifest;
@@ -47,6 +48,7 @@ mod writers;
 use relief_shaders::{GEOMETRY, SHADOW, STAGES, Selection};
 
 pub use error::ExportError;
+pub use functions::{ExportedFunctions, FunctionOptions, functions};
 pub use manifest::Manifest;
 pub use options::{Options, Placement};
 pub use target::{Profile, Target};

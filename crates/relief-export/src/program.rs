@@ -53,9 +53,7 @@ impl Program {
             binding_points::points(profile.target(), &parts.bindings, options)?;
         }
         let code = parts.code();
-        let parsed = naga::front::wgsl::parse_str(&code);
-        let module = parsed.map_err(|error| ExportError::Invalid(error.emit_to_string(&code)))?;
-        let checked = Checked::of(module)?;
+        let checked = Checked::read(&code)?;
         let [vertex, fragment] = [ShaderStage::Vertex, ShaderStage::Fragment].map(|stage| {
             let name = |name: &&str| checked.entry(stage).is_some_and(|(found, _)| found == *name);
             root.functions().iter().copied().find(name)
@@ -67,6 +65,12 @@ impl Program {
 }
 
 impl Checked {
+    /// Reads a text without entry points.
+    pub fn read(text: &str) -> Result<Self, ExportError> {
+        let parsed = naga::front::wgsl::parse_str(text);
+        Self::of(parsed.map_err(|error| ExportError::Invalid(error.emit_to_string(text)))?)
+    }
+
     fn of(module: Module) -> Result<Self, ExportError> {
         let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
         let info = validator.validate(&module);

@@ -2744,11 +2744,11 @@ impl<'g> Resources<'g> {
         let seen_9 = first_12.select(level_3, level_3.elementwise_gt(first_12));
         let _e9 = self.v_height_texels(seen_9);
         let _e10 = self.v_texels_around(uv_1, _e9);
-        let k_55 = (seen_9 - first_12).to_i32();
-        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_55);
-        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_55);
-        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_55);
-        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_55);
+        let k_58 = (seen_9 - first_12).to_i32();
+        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_58);
+        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_58);
+        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_58);
+        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_58);
         let _e42 = self.v_bilinear(_e19, _e26, _e33, _e40, _e10.part);
         return _e42;
     }
@@ -2948,10 +2948,10 @@ impl<'g> Resources<'g> {
         let white = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let _e11 = self.v_facet_reflection(rt::Scalar(material_4.upright), rt::Scalar(material_4.alpha), rt::Scalar(material_4.roughness));
         let _e13 = self.v_reflected_by(_e11, material_4.specular);
-        let part_17 = (_e13 * (white + (material_4.specular * rt::Scalar(material_4.again))));
+        let part_18 = (_e13 * (white + (material_4.specular * rt::Scalar(material_4.again))));
         let alpha_2 = rt::Scalar(material_4.alpha);
         let turn_7 = (alpha_2 * rt::Scalar(material_4.roughness));
-        return <Mirrored>::new(part_17, alpha_2, <rt::Vec2<f32>>::from_scalars((rt::Scalar(1.4f32) * alpha_2), (rt::Scalar(5.6f32) * alpha_2)), rt::Scalar(0.25f32), turn_7);
+        return <Mirrored>::new(part_18, alpha_2, <rt::Vec2<f32>>::from_scalars((rt::Scalar(1.4f32) * alpha_2), (rt::Scalar(5.6f32) * alpha_2)), rt::Scalar(0.25f32), turn_7);
     }
     pub(crate) fn shade_mirrored_stage(
         &self,
@@ -3113,11 +3113,11 @@ impl<'g> Resources<'g> {
         let most_4 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
         let corner_4 = point_23.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_4, most_4));
         let texel_8 = corner_4.to_i32();
-        let k_56 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_8, rt::Scalar(_e2.face), k_56);
-        let _e41 = self.v_environment_texel((texel_8 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_56);
-        let _e47 = self.v_environment_texel((texel_8 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_56);
-        let _e53 = self.v_environment_texel((texel_8 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_56);
+        let k_59 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_8, rt::Scalar(_e2.face), k_59);
+        let _e41 = self.v_environment_texel((texel_8 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_59);
+        let _e47 = self.v_environment_texel((texel_8 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_59);
+        let _e53 = self.v_environment_texel((texel_8 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_59);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_23 - corner_4));
         return _e55.xyz();
     }
@@ -3305,10 +3305,10 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_ambient_texel_between(hit_6.uv, rt::Scalar(at_11.level));
         let _e10 = self.v_from_tangent_space(at_11, _e8.xyz());
         let toward_8 = (rt::Scalar(0.5f32) * ((_e10 / rt::Vec3::splat_from_scalar(_e10.length().max(rt::Scalar(0.000001f32)))) + normal_8));
-        let part_18 = normal_8.dot(_e10).max(rt::Scalar(0f32));
+        let part_19 = normal_8.dot(_e10).max(rt::Scalar(0f32));
         let _e24 = self.frame.ambient;
         let _e29 = self.v_hemisphere_grade(toward_8, params_8.x());
-        return ((_e24.xyz() * material_9.around) * (part_18 * _e29));
+        return ((_e24.xyz() * material_9.around) * (part_19 * _e29));
     }
     pub(crate) fn ambient_stage(
         &self,
@@ -3521,13 +3521,13 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_57 = level_8.to_i32();
+        let k_60 = level_8.to_i32();
         let _e6 = self.v_wrap_pair(cell.x(), _e2.x());
         let _e9 = self.v_wrap_pair(cell.y(), _e2.y());
-        let _e14 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_57));
-        let _e20 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_57));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_57));
-        let _e32 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_57));
+        let _e14 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
+        let _e20 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.x()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.x(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
+        let _e32 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6.y(), _e9.y()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
         return <rt::Vec4<f32>>::from_scalars(_e14.x(), _e20.x(), _e26.x(), _e32.x());
     }
     pub(crate) fn height_cell(
@@ -3623,8 +3623,8 @@ impl<'g> Resources<'g> {
         b_1: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         let way_27 = (b_1 - a_1);
-        let part_19 = ((place_2 - a_1).dot(way_27) / way_27.dot(way_27)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let apart = ((a_1 + (way_27 * part_19)) - place_2);
+        let part_20 = ((place_2 - a_1).dot(way_27) / way_27.dot(way_27)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let apart = ((a_1 + (way_27 * part_20)) - place_2);
         return apart.dot(apart);
     }
     pub(crate) fn weights_under(
@@ -3850,9 +3850,9 @@ impl<'g> Resources<'g> {
         let size_2 = _e3.xyz().to_i32();
         let _e9 = self.surface_settings.volume.w();
         let in_row = _e9.to_i32();
-        let k_58 = slice.clamp(rt::Scalar(0i32), (size_2.z() - rt::Scalar(1i32)));
-        let row_9 = ((k_58.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
-        return <rt::Vec2<i32>>::from_scalars(((k_58 - (row_9 * in_row)) * size_2.x()), (row_9 * size_2.y()));
+        let k_61 = slice.clamp(rt::Scalar(0i32), (size_2.z() - rt::Scalar(1i32)));
+        let row_9 = ((k_61.to_f32() + rt::Scalar(0.5f32)) / in_row.to_f32()).to_i32();
+        return <rt::Vec2<i32>>::from_scalars(((k_61 - (row_9 * in_row)) * size_2.x()), (row_9 * size_2.y()));
     }
     pub(crate) fn continued_index(
         &self,
@@ -4120,15 +4120,15 @@ impl<'g> Resources<'g> {
         span_1: rt::Scalar<f32>,
     ) -> Quartic {
         let _e5 = self.v_voxel_place_on(way_7, t_5);
-        let at_180 = (_e5 - cell_5);
+        let at_185 = (_e5 - cell_5);
         let slope_6 = ((way_7.step.z() + ((rt::Scalar(2f32) * rt::Scalar(way_7.bend)) * t_5)) * span_1);
         let bend_6 = (rt::Scalar(way_7.bend) * (span_1 * span_1));
         let dx_3 = (way_7.step.x() * span_1);
         let dy_1 = (way_7.step.y() * span_1);
-        let _e26 = self.v_along_slice(corners.low, at_180.xy(), dx_3, dy_1);
-        let _e29 = self.v_along_slice(corners.high, at_180.xy(), dx_3, dy_1);
+        let _e26 = self.v_along_slice(corners.low, at_185.xy(), dx_3, dy_1);
+        let _e29 = self.v_along_slice(corners.high, at_185.xy(), dx_3, dy_1);
         let rise_1 = (_e29 - _e26);
-        return <Quartic>::new((rt::Scalar(0.5f32) - (_e26.x() + (rise_1.x() * at_180.z()))), (rt::Scalar(0f32) - ((_e26.y() + (rise_1.y() * at_180.z())) + (rise_1.x() * slope_6))), (rt::Scalar(0f32) - (((_e26.z() + (rise_1.z() * at_180.z())) + (rise_1.y() * slope_6)) + (rise_1.x() * bend_6))), (rt::Scalar(0f32) - ((rise_1.z() * slope_6) + (rise_1.y() * bend_6))), (rt::Scalar(0f32) - (rise_1.z() * bend_6)));
+        return <Quartic>::new((rt::Scalar(0.5f32) - (_e26.x() + (rise_1.x() * at_185.z()))), (rt::Scalar(0f32) - ((_e26.y() + (rise_1.y() * at_185.z())) + (rise_1.x() * slope_6))), (rt::Scalar(0f32) - (((_e26.z() + (rise_1.z() * at_185.z())) + (rise_1.y() * slope_6)) + (rise_1.x() * bend_6))), (rt::Scalar(0f32) - ((rise_1.z() * slope_6) + (rise_1.y() * bend_6))), (rt::Scalar(0f32) - (rise_1.z() * bend_6)));
     }
     pub(crate) fn field_between(
         &self,
@@ -4379,9 +4379,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_optical_depth(&self, path_6: Path) -> rt::Scalar<f32> {
-        let params_153 = self.surface_settings.choices[6usize].params;
-        let _e6 = self.v_field_along(path_6, params_153);
-        return (_e6 * params_153.x());
+        let params_160 = self.surface_settings.choices[6usize].params;
+        let _e6 = self.v_field_along(path_6, params_160);
+        return (_e6 * params_160.x());
     }
     pub(crate) fn light_place(
         &self,
@@ -4397,10 +4397,10 @@ impl<'g> Resources<'g> {
         view_9: LightView,
         point_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_181 = <rt::Vec4<f32>>::new_31(point_6, rt::Scalar(1f32));
-        let depth_12 = view_9.depth.dot(at_181);
-        let over_1 = rt::Scalar(1f32).select(depth_12, rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_181), view_9.row.dot(at_181)) / rt::Vec2::splat_from_scalar(over_1)), depth_12);
+        let at_186 = <rt::Vec4<f32>>::new_31(point_6, rt::Scalar(1f32));
+        let depth_13 = view_9.depth.dot(at_186);
+        let over_1 = rt::Scalar(1f32).select(depth_13, rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32)));
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_186), view_9.row.dot(at_186)) / rt::Vec2::splat_from_scalar(over_1)), depth_13);
     }
     pub(crate) fn holds_filter(
         &self,
@@ -4504,7 +4504,7 @@ impl<'g> Resources<'g> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_36 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_14.number))];
+        let view_37 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_14.number))];
         column = at_14.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -4519,9 +4519,9 @@ impl<'g> Resources<'g> {
                     let wide = (at_14.high.x().min((_e18 + rt::Scalar(1f32))) - at_14.low.x().max(_e24));
                     let _e27 = column;
                     let place_38 = <rt::Vec2<f32>>::from_scalars(_e27, row);
-                    let _e35 = self.v_plane_depth(view_36, at_14.point, at_14.normal, (place_38 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_13 = _e35.clamp(rt::Scalar(at_14.least_depth), rt::Scalar(at_14.most_depth));
-                    let key = (rt::Scalar(view_36.near) / (rt::Scalar(view_36.near) + depth_13.max(rt::Scalar(0f32))));
+                    let _e35 = self.v_plane_depth(view_37, at_14.point, at_14.normal, (place_38 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_14 = _e35.clamp(rt::Scalar(at_14.least_depth), rt::Scalar(at_14.most_depth));
+                    let key = (rt::Scalar(view_37.near) / (rt::Scalar(view_37.near) + depth_14.max(rt::Scalar(0f32))));
                     let _e48 = self.v_light_texel(place_38.to_i32(), rt::Scalar(at_14.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
@@ -4559,14 +4559,14 @@ impl<'g> Resources<'g> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_1: rt::Scalar<f32>;
 
-        let view_37 = self.frame.light_views[rt::Scalar::into_array_index(number)];
-        let texel_m = (rt::Scalar(view_37.texel_m) * rt::Scalar(1f32).select(place_9.z(), rt::Scalar(view_37.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let view_38 = self.frame.light_views[rt::Scalar::into_array_index(number)];
+        let texel_m = (rt::Scalar(view_38.texel_m) * rt::Scalar(1f32).select(place_9.z(), rt::Scalar(view_38.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_15);
         let point_25 = (at_15.point + (normal_11 * (bias * texel_m.max(_e19))));
         let reach_4 = (rt::Scalar(16f32) * texel_m);
         let low_3 = (place_9.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_3 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_5 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_37.size).to_f32(), rt::Scalar(view_37.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let last_5 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_38.size).to_f32(), rt::Scalar(view_38.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
         let in_view = <InView>::new(number, point_25, normal_11, low_3, high_4, (place_9.z() - reach_4), (place_9.z() + reach_4));
         row_1 = low_3.y().floor();
         'naga_break: loop {
@@ -5079,13 +5079,13 @@ impl<'g> Resources<'g> {
         bend_1: rt::Scalar<f32>,
         at_20: WayPoint,
     ) -> rt::Scalar<f32> {
-        let part_20 = ((rt::Scalar(at_20.t) - rt::Scalar(a_6.t)) / (rt::Scalar(b_6.t) - rt::Scalar(a_6.t)));
-        let line_1 = (a_6.point.weights + ((b_6.point.weights - a_6.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_20));
+        let part_21 = ((rt::Scalar(at_20.t) - rt::Scalar(a_6.t)) / (rt::Scalar(b_6.t) - rt::Scalar(a_6.t)));
+        let line_1 = (a_6.point.weights + ((b_6.point.weights - a_6.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_21));
         let _e29 = self.v_uv_of(pixel_4, (at_20.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_2 = (_e29 * _e31).abs();
         let slope_8 = ((rt::Scalar(b_6.point.height) - rt::Scalar(a_6.point.height)) - bend_1);
-        let height_21 = (rt::Scalar(a_6.point.height) + (part_20 * (slope_8 + (part_20 * bend_1))));
+        let height_21 = (rt::Scalar(a_6.point.height) + (part_21 * (slope_8 + (part_21 * bend_1))));
         return apart_2.x().max(apart_2.y()).max(((rt::Scalar(at_20.point.height) - height_21).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_7: ShellPoint, b_7: ShellPoint) -> ShellPoint {
@@ -5223,11 +5223,11 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     pub(super) fn v_field_at_voxel(&self, place_11: rt::Vec3<f32>) -> rt::Scalar<f32> {
         let first_14 = place_11.floor();
-        let part_21 = (place_11 - first_14);
+        let part_22 = (place_11 - first_14);
         let _e4 = self.v_voxel_cell(first_14.to_i32());
-        let _e7 = self.v_in_slice(_e4.low, part_21.xy());
-        let _e10 = self.v_in_slice(_e4.high, part_21.xy());
-        return (_e7 + ((_e10 - _e7) * part_21.z()));
+        let _e7 = self.v_in_slice(_e4.low, part_22.xy());
+        let _e10 = self.v_in_slice(_e4.high, part_22.xy());
+        return (_e7 + ((_e10 - _e7) * part_22.z()));
     }
     pub(crate) fn voxel_place(&self, at_21: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_voxel_place(rt::into(at_21)))
@@ -5417,10 +5417,10 @@ impl<'g> Resources<'g> {
         let bx_1 = (h_2.y() - h_2.x());
         let by_4 = (h_2.z() - h_2.x());
         let twist_1 = ((h_2.x() - h_2.y()) + (h_2.w() - h_2.z()));
-        let at_182 = ((grid_1.origin - cell_12) + (grid_1.step * t_18));
+        let at_187 = ((grid_1.origin - cell_12) + (grid_1.step * t_18));
         let z_1 = (path_17.h.x() + (t_18 * (path_17.h.y() + (t_18 * path_17.h.z()))));
         let dz = (path_17.h.y() + ((rt::Scalar(2f32) * t_18) * path_17.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_2.x() + (bx_1 * at_182.x())) + (by_4 * at_182.y())) + ((twist_1 * at_182.x()) * at_182.y()))), (dz - (((bx_1 * grid_1.step.x()) + (by_4 * grid_1.step.y())) + (twist_1 * ((at_182.x() * grid_1.step.y()) + (at_182.y() * grid_1.step.x()))))), (path_17.h.z() - ((twist_1 * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_2.x() + (bx_1 * at_187.x())) + (by_4 * at_187.y())) + ((twist_1 * at_187.x()) * at_187.y()))), (dz - (((bx_1 * grid_1.step.x()) + (by_4 * grid_1.step.y())) + (twist_1 * ((at_187.x() * grid_1.step.y()) + (at_187.y() * grid_1.step.x()))))), (path_17.h.z() - ((twist_1 * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn object_none_cell(
         &self,
@@ -5758,10 +5758,10 @@ impl<'g> Resources<'g> {
             let sides = ON_FIRST.select(rt::Scalar(6u32), number_3.elementwise_eq(n_18));
             return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_3), (apex_1.y() * number_3), n_18, sides);
         }
-        let k_59 = (number_3 - n_18);
-        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_59, m_4);
-        let x_8 = ((apex_1.x() * (m_4 - k_59)) + (sweep_1.end.x() * k_59));
-        let y_2 = ((apex_1.y() * (m_4 - k_59)) + (sweep_1.end.y() * k_59));
+        let k_62 = (number_3 - n_18);
+        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_62, m_4);
+        let x_8 = ((apex_1.x() * (m_4 - k_62)) + (sweep_1.end.x() * k_62));
+        let y_2 = ((apex_1.y() * (m_4 - k_62)) + (sweep_1.end.y() * k_62));
         return <SweptPoint>::new(_e29.x(), _e29.y(), x_8, y_2, m_4, ON_SECOND);
     }
     pub(crate) fn low_point(
@@ -6498,11 +6498,11 @@ impl<'g> Resources<'g> {
         n_9: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let level_64 = rt::Scalar(path_24.level).to_i32();
+        let level_67 = rt::Scalar(path_24.level).to_i32();
         let _e6 = self.v_factor_place(number_6, n_9);
-        let _e7 = self.v_search_texel(path_24, _e6, layer_2, level_64);
+        let _e7 = self.v_search_texel(path_24, _e6, layer_2, level_67);
         let _e10 = self.v_factor_place((number_6 + rt::Scalar(1i32)), n_9);
-        let _e11 = self.v_search_texel(path_24, _e10, layer_2, level_64);
+        let _e11 = self.v_search_texel(path_24, _e10, layer_2, level_67);
         let root_5 = (_e7 + (_e11 * rt::Scalar(0.003921569f32)));
         return ((root_5 * root_5) * rt::Scalar(512f32));
     }
@@ -6529,10 +6529,10 @@ impl<'g> Resources<'g> {
         let mut layer_3: rt::Scalar<i32> = rt::Scalar(1i32);
 
         let _e6 = self.v_height_texels(rt::Scalar(path_25.level));
-        let level_65 = rt::Scalar(path_25.level).to_i32();
+        let level_68 = rt::Scalar(path_25.level).to_i32();
         let bends = params_26.z().to_i32();
         let count_13 = ((params_26.x() * params_26.y()).to_i32() * bends);
-        let _e17 = self.v_search_texel(path_25, texel_2, rt::Scalar(0i32), level_65);
+        let _e17 = self.v_search_texel(path_25, texel_2, rt::Scalar(0i32), level_68);
         let cluster = ((_e17.x() * rt::Scalar(255f32)) + rt::Scalar(0.5f32)).floor().to_i32();
         let first_16 = (cluster * (count_13 + rt::Scalar(2i32)));
         let lower_view = ((first_16 + (rt::Scalar(pair.layer) * bends)) + rt::Scalar(pair.bend).to_i32());
@@ -6547,14 +6547,14 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e46 = layer_3;
-                    let _e47 = self.v_search_texel(path_25, texel_2, _e46, level_65);
+                    let _e47 = self.v_search_texel(path_25, texel_2, _e46, level_68);
                     let _e49 = layer_3;
                     let _e50 = self.v_term_scales(path_25, (first_16 + count_13), _e6, _e49);
                     let scaled = (_e47 * _e50);
                     let _e52 = layer_3;
-                    let _e53 = self.v_search_texel(path_25, _e34, _e52, level_65);
+                    let _e53 = self.v_search_texel(path_25, _e34, _e52, level_68);
                     let _e54 = layer_3;
-                    let _e55 = self.v_search_texel(path_25, _e36, _e54, level_65);
+                    let _e55 = self.v_search_texel(path_25, _e36, _e54, level_68);
                     let _e56 = both;
                     both = (_e56 + (<rt::Vec2<f32>>::from_scalars(_e53.x(), _e55.x()) * scaled.x()));
                     let _e63 = both;
@@ -6695,11 +6695,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_29);
         let _e6 = self.v_color_texels_around(place_13, _e5);
-        let k_60 = level_29.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_60));
+        let k_63 = level_29.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_63));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_63));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_63));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_63));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -6788,12 +6788,12 @@ impl<'g> Resources<'g> {
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_7));
         let place_40 = <rt::Vec2<f32>>::from_scalars(across_5, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_7, last_7));
         let cell_42 = place_40.floor().min(<rt::Vec2<f32>>::from_scalars((last_7 - rt::Scalar(1f32)), (last_7 - rt::Scalar(1f32))));
-        let part_22 = (place_40 - cell_42);
+        let part_23 = (place_40 - cell_42);
         let side_8 = (last_7.to_u32() + rt::Scalar(1u32));
         let first_17 = ((cell_42.y().to_u32() * side_8) + cell_42.x().to_u32());
-        let beside_5 = (first_17 + side_8).select((first_17 + rt::Scalar(1u32)), part_22.x().elementwise_gt(part_22.y()));
-        let least_4 = part_22.x().min(part_22.y());
-        let most_9 = part_22.x().max(part_22.y());
+        let beside_5 = (first_17 + side_8).select((first_17 + rt::Scalar(1u32)), part_23.x().elementwise_gt(part_23.y()));
+        let least_4 = part_23.x().min(part_23.y());
+        let most_9 = part_23.x().max(part_23.y());
         return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_17, beside_5, ((first_17 + side_8) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_9), (most_9 - least_4), least_4));
     }
     pub(crate) fn image_of_object(&self, number_7: impl rt::Into<rt::Scalar<u32>>) -> Image {
@@ -7268,6 +7268,29 @@ impl<'g> Resources<'g> {
     pub(super) fn v_depth_on_ray(&self, pixel_11: PixelIn, path_28: Path, hit_9: Hit) -> rt::Scalar<f32> {
         return ((rt::Scalar(path_28.start) + rt::Scalar(hit_9.t)) / pixel_11.direction.length());
     }
+    pub(crate) fn faded_detail(
+        &self,
+        footprint_2: impl rt::Into<rt::Scalar<f32>>,
+        depth_7: impl rt::Into<rt::Scalar<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Detail {
+        rt::into(self.v_faded_detail(rt::into(footprint_2), rt::into(depth_7), rt::into(params_28)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_faded_detail(
+        &self,
+        footprint_2: rt::Scalar<f32>,
+        depth_7: rt::Scalar<f32>,
+        params_28: rt::Vec4<f32>,
+    ) -> Detail {
+        let begin_10 = (params_28.z() * params_28.w());
+        let part_24 = ((begin_10 - depth_7) / (begin_10 - params_28.z()).max(rt::Scalar(0.000001f32)));
+        let _e16 = rt::Scalar(self.surface_settings.height_levels);
+        let _e17 = self.v_levels_of((footprint_2 / params_28.y()), _e16);
+        let level_69 = rt::Scalar(_e17.fine);
+        return <Detail>::new(level_69, footprint_2, part_24.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+    }
     pub(crate) fn footprint_axis(
         &self,
         pixel_12: PixelIn,
@@ -7333,9 +7356,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_14: PixelIn,
         at_36: Entered,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_14, at_36, rt::into(params_28)))
+        rt::into(self.v_detail_fade(pixel_14, at_36, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7343,76 +7366,91 @@ impl<'g> Resources<'g> {
         &self,
         pixel_14: PixelIn,
         at_36: Entered,
-        params_28: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_14, at_36, params_28.x());
-        let begin_10 = (params_28.z() * params_28.w());
-        let _e8 = self.v_depth_in_samples(pixel_14, at_36);
-        let part_23 = ((begin_10 - _e8) / (begin_10 - params_28.z()).max(rt::Scalar(0.000001f32)));
-        let _e19 = rt::Scalar(self.surface_settings.height_levels);
-        let _e20 = self.v_levels_of((_e4 / params_28.y()), _e19);
-        let level_66 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_66, _e4, part_23.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let _e4 = self.v_footprint_of(pixel_14, at_36, params_29.x());
+        let _e5 = self.v_depth_in_samples(pixel_14, at_36);
+        let _e6 = self.v_faded_detail(_e4, _e5, params_29);
+        return _e6;
+    }
+    pub(crate) fn detail_footprint_of_footprint(
+        &self,
+        at_37: Entered,
+        footprint_3: impl rt::Into<rt::Scalar<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Detail {
+        rt::into(self.v_detail_footprint_of_footprint(at_37, rt::into(footprint_3), rt::into(params_30)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_detail_footprint_of_footprint(
+        &self,
+        at_37: Entered,
+        footprint_3: rt::Scalar<f32>,
+        params_30: rt::Vec4<f32>,
+    ) -> Detail {
+        let _e7 = rt::Scalar(self.surface_settings.height_levels);
+        let _e8 = self.v_levels_of((footprint_3 / params_30.y()), _e7);
+        return <Detail>::new(rt::Scalar(_e8.fine), footprint_3, rt::Scalar(0f32));
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_15: PixelIn,
-        at_37: Entered,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        at_38: Entered,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_15, at_37, rt::into(params_29)))
+        rt::into(self.v_detail_footprint(pixel_15, at_38, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_footprint(
         &self,
         pixel_15: PixelIn,
-        at_37: Entered,
-        params_29: rt::Vec4<f32>,
+        at_38: Entered,
+        params_31: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_15, at_37, params_29.x());
-        let _e9 = rt::Scalar(self.surface_settings.height_levels);
-        let _e10 = self.v_levels_of((_e4 / params_29.y()), _e9);
-        return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
+        let _e4 = self.v_footprint_of(pixel_15, at_38, params_31.x());
+        let _e5 = self.v_detail_footprint_of_footprint(at_38, _e4, params_31);
+        return _e5;
     }
     pub(crate) fn detail_none(
         &self,
         pixel_16: PixelIn,
-        at_38: Entered,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        at_39: Entered,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_16, at_38, rt::into(params_30)))
+        rt::into(self.v_detail_none(pixel_16, at_39, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_none(
         &self,
         pixel_16: PixelIn,
-        at_38: Entered,
-        params_30: rt::Vec4<f32>,
+        at_39: Entered,
+        params_32: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_17: PixelIn, at_39: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_17, at_39))
+    pub(crate) fn detail_stage(&self, pixel_17: PixelIn, at_40: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_17, at_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_detail_stage(&self, pixel_17: PixelIn, at_39: Entered) -> Detail {
+    pub(super) fn v_detail_stage(&self, pixel_17: PixelIn, at_40: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[5usize].params;
-                let _e12 = self.v_detail_none(pixel_17, at_39, _e11);
+                let _e12 = self.v_detail_none(pixel_17, at_40, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[5usize].params;
-                let _e18 = self.v_detail_footprint(pixel_17, at_39, _e17);
+                let _e18 = self.v_detail_footprint(pixel_17, at_40, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[5usize].params;
-                let _e24 = self.v_detail_fade(pixel_17, at_39, _e23);
+                let _e24 = self.v_detail_fade(pixel_17, at_40, _e23);
                 return _e24;
             }
         }
@@ -7440,27 +7478,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_texel_between(
         &self,
-        at_40: Around,
+        at_41: Around,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
         level_32: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel_between(at_40, rt::into(layer_5), rt::into(level_32)))
+        rt::into(self.v_detail_texel_between(at_41, rt::into(layer_5), rt::into(level_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_detail_texel_between(
         &self,
-        at_40: Around,
+        at_41: Around,
         layer_5: rt::Scalar<i32>,
         level_32: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e7 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
-        let k_61 = (level_32 - _e7).to_i32();
-        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.x(), at_40.rows.x()), layer_5, k_61);
-        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.y(), at_40.rows.x()), layer_5, k_61);
-        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.x(), at_40.rows.y()), layer_5, k_61);
-        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_40.columns.y(), at_40.rows.y()), layer_5, k_61);
-        let _e35 = self.v_bilinear(_e15, _e21, _e27, _e33, at_40.part);
+        let k_64 = (level_32 - _e7).to_i32();
+        let _e15 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_41.columns.x(), at_41.rows.x()), layer_5, k_64);
+        let _e21 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_41.columns.y(), at_41.rows.x()), layer_5, k_64);
+        let _e27 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_41.columns.x(), at_41.rows.y()), layer_5, k_64);
+        let _e33 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(at_41.columns.y(), at_41.rows.y()), layer_5, k_64);
+        let _e35 = self.v_bilinear(_e15, _e21, _e27, _e33, at_41.part);
         return _e35;
     }
     pub(crate) fn one_of(
@@ -7483,9 +7521,9 @@ impl<'g> Resources<'g> {
         &self,
         rows_1: DiceRows,
         side: impl rt::Into<rt::Scalar<u32>>,
-        at_41: impl rt::Into<rt::Scalar<u32>>,
+        at_42: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePoint {
-        rt::into(self.v_dice_border(rows_1, rt::into(side), rt::into(at_41)))
+        rt::into(self.v_dice_border(rows_1, rt::into(side), rt::into(at_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7493,11 +7531,11 @@ impl<'g> Resources<'g> {
         &self,
         rows_1: DiceRows,
         side: rt::Scalar<u32>,
-        at_41: rt::Scalar<u32>,
+        at_42: rt::Scalar<u32>,
     ) -> DicePoint {
         let _e4 = self.v_one_of(rows_1.sides, side);
         let _e6 = self.v_one_of(rows_1.parts, side);
-        let on_side = at_41.select((_e6 - at_41), side.elementwise_eq(rt::Scalar(2u32)));
+        let on_side = at_42.select((_e6 - at_42), side.elementwise_eq(rt::Scalar(2u32)));
         let no_weights = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(on_side.elementwise_eq(_e6)) {
             let _e17 = self.v_around_three(_e4, rt::Scalar(1u32));
@@ -7521,8 +7559,8 @@ impl<'g> Resources<'g> {
         before_1: rt::Scalar<u32>,
         all: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let part_24 = ((before_1.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
-        return (part_24 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
+        let part_25 = ((before_1.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
+        return (part_25 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
     }
     pub(crate) fn sum_of_quotients(
         &self,
@@ -8037,11 +8075,11 @@ impl<'g> Resources<'g> {
         }
         let _e24 = rest_1;
         let _e27 = rest_1;
-        let part_25 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
-        let square_3 = (part_25 * part_25);
+        let part_26 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
+        let square_3 = (part_26 * part_26);
         let sum_11 = (rt::Scalar(1f32) + (square_3 * (rt::Scalar(0.33333334f32) + (square_3 * (rt::Scalar(0.2f32) + (square_3 * (rt::Scalar(0.14285715f32) + (square_3 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent_1;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_25) * sum_11));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_26) * sum_11));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -8096,13 +8134,13 @@ impl<'g> Resources<'g> {
         level_34: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let finer = level_34.to_u32();
-        let part_26 = (level_34 - finer.to_f32());
+        let part_27 = (level_34 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_8, finer);
-        if rt::Scalar::into_branch_condition(part_26.elementwise_eq(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(part_27.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
         }
         let _e10 = self.v_height_and_slope(uv_8, (finer + rt::Scalar(1u32)));
-        return (_e5 + ((_e10 - _e5) * part_26));
+        return (_e5 + ((_e10 - _e5) * part_27));
     }
     pub(crate) fn sloped_uv(
         &self,
@@ -8203,11 +8241,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_29.level));
         let _e5 = self.v_texels_around(uv_10, _e4);
-        let level_67 = rt::Scalar(path_29.level).to_i32();
-        let _e13 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_6, level_67);
-        let _e19 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_6, level_67);
-        let _e25 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_6, level_67);
-        let _e31 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_6, level_67);
+        let level_70 = rt::Scalar(path_29.level).to_i32();
+        let _e13 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_6, level_70);
+        let _e19 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_6, level_70);
+        let _e25 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_6, level_70);
+        let _e31 = self.v_search_texel(path_29, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_6, level_70);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
@@ -8256,11 +8294,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.material_size;
         let _e6 = self.v_level_texels(_e5, level_36);
         let _e7 = self.v_color_texels_around(place_18, _e6);
-        let k_62 = level_36.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_62));
-        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_62));
-        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_62));
-        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_62));
+        let k_65 = level_36.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_65));
+        let _e22 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_65));
+        let _e29 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_65));
+        let _e36 = rt::texture::Read::read_texel((&self.material_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_7), 0i32, rt::Scalar::into_inner(k_65));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -8287,22 +8325,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn material_layer(
         &self,
         uv_13: impl rt::Into<rt::Vec2<f32>>,
-        footprint_2: impl rt::Into<rt::Scalar<f32>>,
+        footprint_4: impl rt::Into<rt::Scalar<f32>>,
         layer_9: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_material_layer(rt::into(uv_13), rt::into(footprint_2), rt::into(layer_9)))
+        rt::into(self.v_material_layer(rt::into(uv_13), rt::into(footprint_4), rt::into(layer_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_material_layer(
         &self,
         uv_13: rt::Vec2<f32>,
-        footprint_2: rt::Scalar<f32>,
+        footprint_4: rt::Scalar<f32>,
         layer_9: rt::Scalar<i32>,
     ) -> rt::Vec3<f32> {
         let _e5 = rt::Scalar(self.surface_settings.material_texels);
         let _e9 = rt::Scalar(self.surface_settings.material_levels);
-        let _e10 = self.v_levels_of((footprint_2 * _e5), _e9);
+        let _e10 = self.v_levels_of((footprint_4 * _e5), _e9);
         let _e12 = self.v_material_at(uv_13, layer_9, rt::Scalar(_e10.fine));
         let fine_1 = _e12.xyz();
         if rt::Scalar::into_branch_condition(rt::Scalar(_e10.part).elementwise_gt(rt::Scalar(0f32))) {
@@ -8314,16 +8352,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn emission_at(
         &self,
         uv_14: impl rt::Into<rt::Vec2<f32>>,
-        footprint_3: impl rt::Into<rt::Scalar<f32>>,
+        footprint_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_emission_at(rt::into(uv_14), rt::into(footprint_3)))
+        rt::into(self.v_emission_at(rt::into(uv_14), rt::into(footprint_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_emission_at(
         &self,
         uv_14: rt::Vec2<f32>,
-        footprint_3: rt::Scalar<f32>,
+        footprint_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_material);
         if rt::Scalar::into_branch_condition((_e4 & rt::Scalar(2u32)).elementwise_eq(rt::Scalar(0u32))) {
@@ -8331,7 +8369,7 @@ impl<'g> Resources<'g> {
             return _e11.xyz();
         }
         let _e15 = self.surface_settings.emission;
-        let _e18 = self.v_material_layer(uv_14, footprint_3, rt::Scalar(1i32));
+        let _e18 = self.v_material_layer(uv_14, footprint_5, rt::Scalar(1i32));
         return (_e15.xyz() * _e18);
     }
     pub(crate) fn end_of_piece(
@@ -8461,15 +8499,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_enter(
         &self,
         pixel_20: PixelIn,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_31)))
+        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_plane_enter(
         &self,
         pixel_20: PixelIn,
-        params_31: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_40: rt::Scalar<bool>;
         let mut local_41: rt::Scalar<bool>;
@@ -8530,9 +8568,9 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_32)))
+        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8541,13 +8579,13 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
-        params_32: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> Prism {
         let origin_5 = (pixel_22.origin + (along_5 * middle_3));
         let _e8 = self.v_ordered(pixel_22, rt::Scalar(0u32));
         let _e10 = self.v_ordered(pixel_22, rt::Scalar(1u32));
         let _e12 = self.v_ordered(pixel_22, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_5), (_e10.position - origin_5), (_e12.position - origin_5), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_32.y() * rt::Scalar(pixel_22.side))));
+        return <Prism>::new((_e8.position - origin_5), (_e10.position - origin_5), (_e12.position - origin_5), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_34.y() * rt::Scalar(pixel_22.side))));
     }
     pub(crate) fn frame_at(
         &self,
@@ -8613,7 +8651,7 @@ impl<'g> Resources<'g> {
         pixel_25: PixelIn,
         along_7: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_42: Entered;
+        let mut at_43: Entered;
 
         let third_3 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
         let uv_40 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
@@ -8621,9 +8659,9 @@ impl<'g> Resources<'g> {
         let point_29 = (pixel_25.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_25, along_7);
         let _e21 = self.v_frame_at(pixel_25, third_3, point_29, uv_40, _e20);
-        at_42 = _e21;
-        rt::Scalar(at_42.segments) = rt::Scalar(0u32);
-        let _e25 = at_42;
+        at_43 = _e21;
+        rt::Scalar(at_43.segments) = rt::Scalar(0u32);
+        let _e25 = at_43;
         return _e25;
     }
     pub(crate) fn way_weight(
@@ -8906,12 +8944,12 @@ impl<'g> Resources<'g> {
                             let _e63 = begin_3;
                             let long_2 = (end_10 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_4;
-                            let part_27 = ((number_13 - _e67).to_f32() / _e53.to_f32());
+                            let part_28 = ((number_13 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_4;
                             let next_13 = (((number_13 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin_3;
                             let _e82 = begin_3;
-                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_27)), (_e82 + (long_2 * next_13)));
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_28)), (_e82 + (long_2 * next_13)));
                         }
                         let _e86 = count_4;
                         count_4 = (_e86 + _e53);
@@ -8927,32 +8965,32 @@ impl<'g> Resources<'g> {
     pub(crate) fn folded_enter(
         &self,
         pixel_29: PixelIn,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_folded_enter(pixel_29, rt::into(params_33)))
+        rt::into(self.v_folded_enter(pixel_29, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_folded_enter(
         &self,
         pixel_29: PixelIn,
-        params_33: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_43: Entered;
+        let mut at_44: Entered;
 
         let along_25 = pixel_29.direction.normalize();
         let _e4 = self.v_middle_of(pixel_29, along_25);
-        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_33);
+        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_35);
         let _e6 = self.v_shell_middle(pixel_29, along_25);
-        at_43 = _e6;
+        at_44 = _e6;
         let _e8 = self.v_way_of(pixel_29, _e5, along_25);
         let _e9 = self.v_shell_slack(pixel_29, _e4);
         let _e10 = self.v_way_offsets(pixel_29, _e5, _e9);
-        let _e11 = at_43;
-        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_33);
+        let _e11 = at_44;
+        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_35);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_33.x(), rt::Scalar(0u32));
-        rt::Scalar(at_43.segments) = rt::Scalar(_e17.count);
-        let _e19 = at_43;
+        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_35.x(), rt::Scalar(0u32));
+        rt::Scalar(at_44.segments) = rt::Scalar(_e17.count);
+        let _e19 = at_44;
         return _e19;
     }
     pub(crate) fn in_slab(
@@ -8996,9 +9034,9 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_34)))
+        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_span_of(
@@ -9007,14 +9045,14 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
-        params_34: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_2: Shell;
         let mut span_2: rt::Vec2<f32>;
 
         shell_2 = pixel_30.shell;
         let _e9 = shell_2.lift;
-        shell_2.lift = (_e9 * params_34.y());
+        shell_2.lift = (_e9 * params_36.y());
         let _e12 = shell_2;
         let _e13 = self.v_offsets_of(_e12);
         let _e14 = self.v_shell_slack(pixel_30, middle_4);
@@ -9168,27 +9206,27 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_enter(
         &self,
         pixel_31: PixelIn,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_35)))
+        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_enter(
         &self,
         pixel_31: PixelIn,
-        params_35: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_45: rt::Scalar<bool>;
-        let mut at_44: Entered;
+        let mut at_45: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_31.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_folded_enter(pixel_31, params_35);
+            let _e6 = self.v_folded_enter(pixel_31, params_37);
             return _e6;
         }
         let along_26 = pixel_31.direction.normalize();
         let _e9 = self.v_middle_of(pixel_31, along_26);
-        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_35);
-        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_35);
+        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_37);
+        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_37);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_45 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -9201,20 +9239,20 @@ impl<'g> Resources<'g> {
             return _e28;
         }
         let _e29 = self.v_shell_middle(pixel_31, along_26);
-        at_44 = _e29;
-        at_44.span = _e11;
+        at_45 = _e29;
+        at_45.span = _e11;
         let height_22 = (rt::Scalar(0.5f32) * (pixel_31.shell.heights.x() + pixel_31.shell.heights.y()));
-        let _e43 = at_44.span.x();
+        let _e43 = at_45.span.x();
         let _e45 = self.v_shell_point(_e10, (along_26 * _e43), height_22);
-        let _e48 = at_44.span.y();
+        let _e48 = at_45.span.y();
         let _e50 = self.v_shell_point(_e10, (along_26 * _e48), height_22);
-        let _e53 = at_44.span.x();
+        let _e53 = at_45.span.x();
         let _e58 = self.v_between(_e45, _e50);
         let _e59 = self.v_shell_point_from(_e10, (along_26 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
-        let _e62 = at_44.span.x();
+        let _e62 = at_45.span.x();
         let _e67 = self.v_between(_e45, _e59);
         let _e68 = self.v_shell_point_from(_e10, (along_26 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
-        let _e71 = at_44.span.x();
+        let _e71 = at_45.span.x();
         let _e76 = self.v_between(_e59, _e50);
         let _e77 = self.v_shell_point_from(_e10, (along_26 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
@@ -9222,8 +9260,8 @@ impl<'g> Resources<'g> {
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_13 = _e84.max(quarters_1);
-        rt::Scalar(at_44.segments) = (most_13 / params_35.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
-        let _e95 = at_44;
+        rt::Scalar(at_45.segments) = (most_13 / params_37.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        let _e95 = at_45;
         return _e95;
     }
     pub(crate) fn weight_at(
@@ -9300,64 +9338,83 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_36)))
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_enter(
         &self,
         pixel_33: PixelIn,
-        params_36: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_45: Entered;
+        let mut at_46: Entered;
 
-        let _e2 = self.v_surface_plane_enter(pixel_33, params_36);
-        at_45 = _e2;
-        let _e6 = at_45.point;
-        let _e8 = self.v_quadric_of(pixel_33, _e6, params_36.y());
-        at_45.of_surface = _e8;
-        let _e11 = at_45.metric.x();
-        let _e14 = at_45.metric.z();
-        let _e18 = at_45.metric.y();
-        let _e21 = at_45.metric.y();
+        let _e2 = self.v_surface_plane_enter(pixel_33, params_38);
+        at_46 = _e2;
+        let _e6 = at_46.point;
+        let _e8 = self.v_quadric_of(pixel_33, _e6, params_38.y());
+        at_46.of_surface = _e8;
+        let _e11 = at_46.metric.x();
+        let _e14 = at_46.metric.z();
+        let _e18 = at_46.metric.y();
+        let _e21 = at_46.metric.y();
         let area_4 = ((_e11 * _e14) - (_e18 * _e21));
-        rt::Scalar(at_45.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_4.elementwise_gt(rt::Scalar(0f32)));
-        let _e30 = at_45;
+        rt::Scalar(at_46.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_4.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_46;
         return _e30;
+    }
+    pub(crate) fn surface_quadric_perpendicular_crossed(
+        &self,
+        at_47: Entered,
+        direction_5: impl rt::Into<rt::Vec3<f32>>,
+        eye_2: impl rt::Into<rt::Scalar<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_quadric_perpendicular_crossed(at_47, rt::into(direction_5), rt::into(eye_2), rt::into(params_39)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_surface_quadric_perpendicular_crossed(
+        &self,
+        at_47: Entered,
+        direction_5: rt::Vec3<f32>,
+        eye_2: rt::Scalar<f32>,
+        params_39: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut crossed: Entered;
+
+        crossed = at_47;
+        let _e6 = self.v_across_of(at_47, direction_5);
+        let _e7 = self.v_across_span(at_47, _e6, eye_2);
+        crossed.span = _e7;
+        let _e16 = crossed.span.y();
+        let _e19 = crossed.span.x();
+        rt::Scalar(crossed.segments) = rt::Scalar(0u32).select((rt::Scalar(at_47.segments) * params_39.z().to_u32()), _e16.elementwise_gt(_e19));
+        let _e22 = crossed;
+        return _e22;
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_37)))
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     pub(super) fn v_surface_quadric_perpendicular_enter(
         &self,
         pixel_34: PixelIn,
-        params_37: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_46: Entered;
-
-        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_37);
-        at_46 = _e2;
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_40);
         let along_27 = pixel_34.direction.length();
-        let _e6 = at_46;
-        let _e10 = self.v_across_of(_e6, (pixel_34.direction / rt::Vec3::splat_from_scalar(along_27)));
-        let _e11 = self.v_plane_normal(pixel_34);
-        let _e12 = self.v_plane_distance(pixel_34, _e11);
-        let eye_2 = (rt::Scalar(0f32) - (_e12 * along_27));
-        let _e17 = at_46;
-        let _e18 = self.v_across_span(_e17, _e10, eye_2);
-        at_46.span = _e18;
-        let _e22 = rt::Scalar(at_46.segments);
-        let _e28 = at_46.span.y();
-        let _e31 = at_46.span.x();
-        rt::Scalar(at_46.segments) = rt::Scalar(0u32).select((_e22 * params_37.z().to_u32()), _e28.elementwise_gt(_e31));
-        let _e34 = at_46;
-        return _e34;
+        let _e5 = self.v_plane_normal(pixel_34);
+        let _e6 = self.v_plane_distance(pixel_34, _e5);
+        let eye_6 = (rt::Scalar(0f32) - (_e6 * along_27));
+        let _e13 = self.v_surface_quadric_perpendicular_crossed(_e2, (pixel_34.direction / rt::Vec3::splat_from_scalar(along_27)), eye_6, params_40);
+        return _e13;
     }
     pub(crate) fn moved_out(
         &self,
@@ -9510,19 +9567,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_38)))
+        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_enter(
         &self,
         pixel_37: PixelIn,
-        params_38: rt::Vec4<f32>,
+        params_41: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_47: rt::Scalar<bool>;
         let mut local_48: rt::Scalar<bool>;
-        let mut at_47: Entered;
+        let mut at_48: Entered;
 
         let along_28 = pixel_37.direction.normalize();
         let _e4 = self.v_middle_of(pixel_37, along_28);
@@ -9546,9 +9603,9 @@ impl<'g> Resources<'g> {
             return _e22;
         }
         let _e23 = self.v_shell_middle(pixel_37, along_28);
-        at_47 = _e23;
-        rt::Scalar(at_47.segments) = rt::Scalar(3u32);
-        let _e27 = at_47;
+        at_48 = _e23;
+        rt::Scalar(at_48.segments) = rt::Scalar(3u32);
+        let _e27 = at_48;
         return _e27;
     }
     pub(crate) fn triangle_distance(
@@ -9619,15 +9676,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_enter(
         &self,
         pixel_40: PixelIn,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_39)))
+        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_facets_enter(
         &self,
         pixel_40: PixelIn,
-        params_39: rt::Vec4<f32>,
+        params_42: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_50: rt::Scalar<bool>;
 
@@ -9655,15 +9712,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_slices_enter(
         &self,
         pixel_41: PixelIn,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_40)))
+        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_slices_enter(
         &self,
         pixel_41: PixelIn,
-        params_40: rt::Vec4<f32>,
+        params_43: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_51: rt::Scalar<bool>;
         let mut local_52: rt::Scalar<bool>;
@@ -9711,74 +9768,74 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_enter(
         &self,
         pixel_42: PixelIn,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_41)))
+        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_enter(
         &self,
         pixel_42: PixelIn,
-        params_41: rt::Vec4<f32>,
+        params_44: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_48: Entered;
+        let mut at_49: Entered;
 
         let _e2 = self.v_passed_by();
-        at_48 = _e2;
+        at_49 = _e2;
         let _e7 = rt::Scalar(self.surface_settings.solids);
-        rt::Scalar(at_48.segments) = _e7;
-        at_48.point = pixel_42.origin;
-        let _e10 = at_48;
+        rt::Scalar(at_49.segments) = _e7;
+        at_49.point = pixel_42.origin;
+        let _e10 = at_49;
         return _e10;
     }
     pub(crate) fn surface_frames_enter(
         &self,
         pixel_43: PixelIn,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_42)))
+        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_enter(
         &self,
         pixel_43: PixelIn,
-        params_42: rt::Vec4<f32>,
+        params_45: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_49: Entered;
+        let mut at_50: Entered;
 
         let _e2 = self.v_passed_by();
-        at_49 = _e2;
-        rt::Scalar(at_49.segments) = FRAMES;
-        at_49.point = pixel_43.origin;
-        let _e8 = at_49;
+        at_50 = _e2;
+        rt::Scalar(at_50.segments) = FRAMES;
+        at_50.point = pixel_43.origin;
+        let _e8 = at_50;
         return _e8;
     }
     pub(crate) fn surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_43)))
+        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_enter(
         &self,
         pixel_44: PixelIn,
-        params_43: rt::Vec4<f32>,
+        params_46: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_50: Entered;
+        let mut at_51: Entered;
 
         let _e2 = self.v_plane_normal(pixel_44);
         let _e3 = self.v_passed_by();
-        at_50 = _e3;
-        rt::Scalar(at_50.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
+        at_51 = _e3;
+        rt::Scalar(at_51.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
         let _e15 = self.v_triangle_distance(pixel_44, _e2);
-        at_50.point = (pixel_44.origin + (pixel_44.direction * _e15));
-        at_50.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_44.direction).elementwise_gt(rt::Scalar(0f32))));
-        let _e28 = at_50;
+        at_51.point = (pixel_44.origin + (pixel_44.direction * _e15));
+        at_51.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_44.direction).elementwise_gt(rt::Scalar(0f32))));
+        let _e28 = at_51;
         return _e28;
     }
     pub(crate) fn surface_enter_stage(&self, pixel_45: PixelIn) -> Entered {
@@ -9845,21 +9902,21 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_enter_relief(&self, pixel_46: PixelIn) -> Entered {
-        let mut at_51: Entered;
+        let mut at_52: Entered;
 
         let _e1 = self.v_surface_enter_stage(pixel_46);
-        at_51 = _e1;
-        let _e4 = rt::Scalar(at_51.segments);
+        at_52 = _e1;
+        let _e4 = rt::Scalar(at_52.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_51;
+            let _e7 = at_52;
             return _e7;
         }
-        let _e8 = at_51;
+        let _e8 = at_52;
         let _e9 = self.v_detail_stage(pixel_46, _e8);
-        rt::Scalar(at_51.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_51.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_51.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_51;
+        rt::Scalar(at_52.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_52.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_52.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_52;
         return _e16;
     }
     pub(crate) fn entered_once(
@@ -10027,6 +10084,75 @@ impl<'g> Resources<'g> {
         let y_6 = (across * rt::Scalar(1.7320508f32));
         return <rt::Vec4<f32>>::from_scalars((middle_7 + x_11), (middle_7 - x_11), (middle_7 + y_6), (middle_7 - y_6)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
+    pub(crate) fn flattened(
+        &self,
+        path_32: Path,
+        middle_8: impl rt::Into<rt::Scalar<f32>>,
+        part_9: impl rt::Into<rt::Scalar<f32>>,
+    ) -> Path {
+        rt::into(self.v_flattened(path_32, rt::into(middle_8), rt::into(part_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_flattened(
+        &self,
+        path_32: Path,
+        middle_8: rt::Scalar<f32>,
+        part_9: rt::Scalar<f32>,
+    ) -> Path {
+        let mut start_1: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        let kept = (rt::Scalar(1f32) - part_9);
+        let top_8 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
+        let above_8 = (path_32.h.x() - top_8);
+        let begins = above_8.elementwise_gt(rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(begins) {
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_8, path_32.h.y(), path_32.h.z()), rt::Scalar(path_32.exit));
+            start_1 = _e22.min(rt::Scalar(path_32.exit));
+        }
+        let height_23 = (middle_8 + ((path_32.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
+        let _e32 = start_1;
+        let _e33 = self.v_path_slope(path_32, _e32);
+        let h_7 = <rt::Vec3<f32>>::from_scalars(height_23, (_e33 / kept), (path_32.h.z() / kept));
+        let _e40 = start_1;
+        let rest_8 = (rt::Scalar(path_32.exit) - _e40);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_7.x().max(rt::Scalar(0f32)), h_7.y(), h_7.z()), rest_8);
+        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_8);
+        let _e53 = start_1;
+        let base_2 = (rt::Scalar(path_32.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e58 = start_1;
+        let _e59 = self.v_path_uv(path_32, _e58);
+        let _e65 = start_1;
+        return <Path>::new(_e59, path_32.duv, h_7, exit_1, base_2, path_32.metric, rt::Scalar(path_32.ray), rt::Scalar(path_32.level), (rt::Scalar(path_32.start) + _e65), rt::Scalar(path_32.share), rt::Scalar(path_32.bend));
+    }
+    pub(crate) fn faded(
+        &self,
+        segment: Path,
+        part_10: impl rt::Into<rt::Scalar<f32>>,
+    ) -> Path {
+        rt::into(self.v_faded(segment, rt::into(part_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_faded(
+        &self,
+        segment: Path,
+        part_10: rt::Scalar<f32>,
+    ) -> Path {
+        let mut path_33: Path;
+
+        path_33 = segment;
+        if rt::Scalar::into_branch_condition(part_10.elementwise_gt(rt::Scalar(0f32))) {
+            let _e5 = path_33;
+            let _e8 = rt::Scalar(self.surface_settings.mean_height);
+            let _e9 = self.v_flattened(_e5, _e8, part_10);
+            path_33 = _e9;
+            let _e12 = path_33.h.x();
+            if rt::Scalar::into_branch_condition((!_e12.elementwise_gt(rt::Scalar(0f32)))) {
+                rt::Scalar(path_33.exit) = rt::Scalar(0f32);
+            }
+        }
+        let _e18 = path_33;
+        return _e18;
+    }
     pub(crate) fn least_at(
         &self,
         c_10: impl rt::Into<rt::Vec3<f32>>,
@@ -10075,48 +10201,48 @@ impl<'g> Resources<'g> {
     pub(crate) fn field_heights_cost(
         &self,
         level_38: impl rt::Into<rt::Scalar<u32>>,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_field_heights_cost(rt::into(level_38), rt::into(params_44)))
+        rt::into(self.v_field_heights_cost(rt::into(level_38), rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_cost(
         &self,
         level_38: rt::Scalar<u32>,
-        params_44: rt::Vec4<f32>,
+        params_47: rt::Vec4<f32>,
     ) -> rt::Vec3<u32> {
         return HEIGHTS_READ;
     }
     pub(crate) fn field_volume_cost(
         &self,
         level_39: impl rt::Into<rt::Scalar<u32>>,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_field_volume_cost(rt::into(level_39), rt::into(params_45)))
+        rt::into(self.v_field_volume_cost(rt::into(level_39), rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_cost(
         &self,
         level_39: rt::Scalar<u32>,
-        params_45: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> rt::Vec3<u32> {
         return VOXELS_READ;
     }
     pub(crate) fn field_motif_cost(
         &self,
         level_40: impl rt::Into<rt::Scalar<u32>>,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_field_motif_cost(rt::into(level_40), rt::into(params_46)))
+        rt::into(self.v_field_motif_cost(rt::into(level_40), rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_motif_cost(
         &self,
         level_40: rt::Scalar<u32>,
-        params_46: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> rt::Vec3<u32> {
         return NO_COST;
     }
@@ -10149,9 +10275,9 @@ impl<'g> Resources<'g> {
         uv_17: impl rt::Into<rt::Vec2<f32>>,
         height_5: impl rt::Into<rt::Scalar<f32>>,
         level_42: impl rt::Into<rt::Scalar<u32>>,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_heights_height(rt::into(uv_17), rt::into(height_5), rt::into(level_42), rt::into(params_47)))
+        rt::into(self.v_field_heights_height(rt::into(uv_17), rt::into(height_5), rt::into(level_42), rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10160,7 +10286,7 @@ impl<'g> Resources<'g> {
         uv_17: rt::Vec2<f32>,
         height_5: rt::Scalar<f32>,
         level_42: rt::Scalar<u32>,
-        params_47: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_height_at(uv_17, level_42);
         return _e4;
@@ -10170,9 +10296,9 @@ impl<'g> Resources<'g> {
         uv_18: impl rt::Into<rt::Vec2<f32>>,
         height_6: impl rt::Into<rt::Scalar<f32>>,
         level_43: impl rt::Into<rt::Scalar<u32>>,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_volume_height(rt::into(uv_18), rt::into(height_6), rt::into(level_43), rt::into(params_48)))
+        rt::into(self.v_field_volume_height(rt::into(uv_18), rt::into(height_6), rt::into(level_43), rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10181,7 +10307,7 @@ impl<'g> Resources<'g> {
         uv_18: rt::Vec2<f32>,
         height_6: rt::Scalar<f32>,
         level_43: rt::Scalar<u32>,
-        params_48: rt::Vec4<f32>,
+        params_51: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return height_6;
     }
@@ -10190,9 +10316,9 @@ impl<'g> Resources<'g> {
         uv_19: impl rt::Into<rt::Vec2<f32>>,
         height_7: impl rt::Into<rt::Scalar<f32>>,
         level_44: impl rt::Into<rt::Scalar<u32>>,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_field_motif_height(rt::into(uv_19), rt::into(height_7), rt::into(level_44), rt::into(params_49)))
+        rt::into(self.v_field_motif_height(rt::into(uv_19), rt::into(height_7), rt::into(level_44), rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10201,7 +10327,7 @@ impl<'g> Resources<'g> {
         uv_19: rt::Vec2<f32>,
         height_7: rt::Scalar<f32>,
         level_44: rt::Scalar<u32>,
-        params_49: rt::Vec4<f32>,
+        params_52: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return height_7;
     }
@@ -10239,34 +10365,34 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn from_hit(&self, at_52: Entered, hit_10: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_52, hit_10, light_1))
+    pub(crate) fn from_hit(&self, at_53: Entered, hit_10: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_53, hit_10, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_from_hit(&self, at_52: Entered, hit_10: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_52, light_1.direction);
+    pub(super) fn v_from_hit(&self, at_53: Entered, hit_10: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_53, light_1.direction);
         let _e6 = self.v_near_uv(hit_10.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_52.level));
-        let h_7 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_7, rt::Scalar(0f32), rt::Scalar(0f32), at_52.metric, RAY_SHADOW, rt::Scalar(at_52.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_53.level));
+        let h_8 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_53.metric, RAY_SHADOW, rt::Scalar(at_53.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
     }
-    pub(crate) fn way_out(&self, path_32: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_32, light_2))
+    pub(crate) fn way_out(&self, path_34: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_34, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_way_out(&self, path_32: Path, light_2: Toward) -> rt::Scalar<f32> {
+    pub(super) fn v_way_out(&self, path_34: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_19: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
 
-        way_19 = ((rt::Scalar(1f32) - path_32.h.x()) / path_32.h.y()).min(rt::Scalar(light_2.distance));
+        way_19 = ((rt::Scalar(1f32) - path_34.h.x()) / path_34.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way_19;
-            let _e24 = self.v_inside_unit(path_32.uv.x(), path_32.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e24 = self.v_inside_unit(path_34.uv.x(), path_34.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_4 = _e24;
             let _e30 = interval_4;
-            let _e31 = self.v_inside_unit(path_32.uv.y(), path_32.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_34.uv.y(), path_34.duv.y(), _e30);
             interval_4 = _e31;
             let _e33 = interval_4.y();
             way_19 = _e33;
@@ -10274,14 +10400,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_19;
         return _e34;
     }
-    pub(crate) fn light_ray_over_heights(&self, at_53: Entered, hit_11: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray_over_heights(at_53, hit_11, light_3))
+    pub(crate) fn light_ray_over_heights(&self, at_54: Entered, hit_11: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray_over_heights(at_54, hit_11, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_light_ray_over_heights(&self, at_53: Entered, hit_11: Hit, light_3: Toward) -> LightRay {
+    pub(super) fn v_light_ray_over_heights(&self, at_54: Entered, hit_11: Hit, light_3: Toward) -> LightRay {
         let mut local_56: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_53, hit_11, light_3);
+        let _e3 = self.v_from_hit(at_54, hit_11, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -10310,29 +10436,29 @@ impl<'g> Resources<'g> {
         let _e51 = self.v_path_uv(_e3, end_11);
         let gap_2 = (end_11 * (_e31.y() + (_e31.z() * end_11)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
-        let h_8 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_2) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_127 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_11), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_11, rt::Scalar(1f32), rt::Scalar(0f32));
+        let h_9 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_2) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_127 = <Path>::new(_e51, _e3.duv, h_9, (_e11 - end_11), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_11, rt::Scalar(1f32), rt::Scalar(0f32));
         return <LightRay>::new(LIGHT_RAY_OPEN, path_127);
     }
     pub(crate) fn field_heights_light_ray(
         &self,
-        at_54: Entered,
+        at_55: Entered,
         hit_12: Hit,
         light_4: Toward,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> LightRay {
-        rt::into(self.v_field_heights_light_ray(at_54, hit_12, light_4, rt::into(params_50)))
+        rt::into(self.v_field_heights_light_ray(at_55, hit_12, light_4, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_light_ray(
         &self,
-        at_54: Entered,
+        at_55: Entered,
         hit_12: Hit,
         light_4: Toward,
-        params_50: rt::Vec4<f32>,
+        params_53: rt::Vec4<f32>,
     ) -> LightRay {
-        let _e4 = self.v_light_ray_over_heights(at_54, hit_12, light_4);
+        let _e4 = self.v_light_ray_over_heights(at_55, hit_12, light_4);
         return _e4;
     }
     pub(crate) fn no_table(&self) -> SeenTable {
@@ -10358,26 +10484,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_between(
         &self,
-        at_55: Around,
+        at_56: Around,
         layer_10: impl rt::Into<rt::Scalar<i32>>,
         level_46: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_between(at_55, rt::into(layer_10), rt::into(level_46)))
+        rt::into(self.v_normal_between(at_56, rt::into(layer_10), rt::into(level_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_between(
         &self,
-        at_55: Around,
+        at_56: Around,
         layer_10: rt::Scalar<i32>,
         level_46: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let k_63 = level_46.to_i32();
-        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.x(), at_55.rows.x()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_63));
-        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.y(), at_55.rows.x()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_63));
-        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.x(), at_55.rows.y()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_63));
-        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_55.columns.y(), at_55.rows.y()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_63));
-        let _e33 = self.v_bilinear(_e10, _e17, _e24, _e31, at_55.part);
+        let k_66 = level_46.to_i32();
+        let _e10 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_56.columns.x(), at_56.rows.x()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_66));
+        let _e17 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_56.columns.y(), at_56.rows.x()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_66));
+        let _e24 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_56.columns.x(), at_56.rows.y()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_66));
+        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(at_56.columns.y(), at_56.rows.y()), rt::Scalar::into_inner(layer_10), 0i32, rt::Scalar::into_inner(k_66));
+        let _e33 = self.v_bilinear(_e10, _e17, _e24, _e31, at_56.part);
         return _e33;
     }
     pub(crate) fn normal_at(
@@ -10400,17 +10526,25 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_normal_between(_e6, rt::Scalar(0i32), level_47);
         return _e8;
     }
-    pub(crate) fn sloped_cell(&self, i_6: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec2<i32> {
-        rt::into(self.v_sloped_cell(rt::into(i_6)))
+    pub(crate) fn sloped_cell(
+        &self,
+        i_6: impl rt::Into<rt::Vec2<i32>>,
+        level_48: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_sloped_cell(rt::into(i_6), rt::into(level_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_sloped_cell(&self, i_6: rt::Vec2<i32>) -> rt::Vec2<i32> {
-        let _e3 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e3.elementwise_ne(WRAP_CLAMP)) {
+    pub(super) fn v_sloped_cell(
+        &self,
+        i_6: rt::Vec2<i32>,
+        level_48: rt::Scalar<u32>,
+    ) -> rt::Vec2<i32> {
+        let _e4 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_ne(WRAP_CLAMP)) {
             return i_6;
         }
-        let _e7 = self.v_height_texels(rt::Scalar(0u32));
+        let _e7 = self.v_height_texels(level_48);
         let last_11 = (_e7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), rt::Scalar(2i32))).max(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)));
         return i_6.clamp(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), last_11);
     }
@@ -10440,92 +10574,94 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(apart_4.elementwise_ge((rt::Scalar(1f32) * along_30))) {
             return own;
         }
-        let part_28 = (((apart_4 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
-        return (beside + ((own - beside) * part_28));
+        let part_29 = (((apart_4 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_29));
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_56: Entered,
+        at_57: Entered,
         uv_22: impl rt::Into<rt::Vec2<f32>>,
+        level_49: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_56, rt::into(uv_22)))
+        rt::into(self.v_slopes_between_creases(at_57, rt::into(uv_22), rt::into(level_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slopes_between_creases(
         &self,
-        at_56: Entered,
+        at_57: Entered,
         uv_22: rt::Vec2<f32>,
+        level_49: rt::Scalar<u32>,
     ) -> rt::Vec2<f32> {
-        let mut part_9: rt::Vec2<f32>;
+        let mut part_11: rt::Vec2<f32>;
 
-        let _e3 = self.v_height_size(rt::Scalar(0u32));
+        let _e3 = self.v_height_size(level_49);
         let point_32 = ((uv_22 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_32);
-        let _e11 = self.v_sloped_cell(_e9.to_i32());
+        let _e11 = self.v_sloped_cell(_e9.to_i32(), level_49);
         let cell_43 = _e11.to_f32();
-        part_9 = (point_32 - cell_43);
+        part_11 = (point_32 - cell_43);
         let _e17 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e17.elementwise_eq(WRAP_CLAMP)) {
-            let _e20 = part_9;
-            part_9 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+            let _e20 = part_11;
+            part_11 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
         }
         let i_11 = cell_43.to_i32();
-        let _e30 = self.v_height_cell(i_11, rt::Scalar(0u32));
-        let _e31 = part_9;
-        let _e32 = self.v_cell_slopes(_e30, _e31);
-        let _e37 = self.v_sloped_cell((i_11 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
-        let _e39 = self.v_height_cell(_e37, rt::Scalar(0u32));
-        let _e40 = part_9;
-        let _e41 = self.v_cell_slopes(_e39, _e40);
-        let before_u = _e41.x();
-        let _e47 = self.v_sloped_cell((i_11 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
-        let _e49 = self.v_height_cell(_e47, rt::Scalar(0u32));
-        let _e50 = part_9;
-        let _e51 = self.v_cell_slopes(_e49, _e50);
-        let behind_u = _e51.x();
-        let _e57 = self.v_sloped_cell((i_11 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
-        let _e59 = self.v_height_cell(_e57, rt::Scalar(0u32));
-        let _e60 = part_9;
-        let _e61 = self.v_cell_slopes(_e59, _e60);
-        let before_v = _e61.y();
-        let _e67 = self.v_sloped_cell((i_11 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
-        let _e69 = self.v_height_cell(_e67, rt::Scalar(0u32));
-        let _e70 = part_9;
-        let _e71 = self.v_cell_slopes(_e69, _e70);
-        let behind_v = _e71.y();
-        let _e76 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e76) / at_56.tangent.length());
-        let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e84) / at_56.bitangent.length());
-        let _e90 = self.v_slope_beside(_e32.x(), before_u, rate_u);
-        let _e92 = self.v_slope_beside(_e32.y(), before_v, rate_v);
-        let before_11 = <rt::Vec2<f32>>::from_scalars(_e90, _e92);
-        let _e95 = self.v_slope_beside(_e32.x(), behind_u, rate_u);
-        let _e97 = self.v_slope_beside(_e32.y(), behind_v, rate_v);
-        let behind_2 = <rt::Vec2<f32>>::from_scalars(_e95, _e97);
-        let _e101 = part_9;
-        return (rt::Scalar(0.5f32) * ((_e32 + before_11) + ((behind_2 - before_11) * _e101)));
+        let _e29 = self.v_height_cell(i_11, level_49);
+        let _e30 = part_11;
+        let _e31 = self.v_cell_slopes(_e29, _e30);
+        let _e36 = self.v_sloped_cell((i_11 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), level_49);
+        let _e37 = self.v_height_cell(_e36, level_49);
+        let _e38 = part_11;
+        let _e39 = self.v_cell_slopes(_e37, _e38);
+        let before_u = _e39.x();
+        let _e45 = self.v_sloped_cell((i_11 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), level_49);
+        let _e46 = self.v_height_cell(_e45, level_49);
+        let _e47 = part_11;
+        let _e48 = self.v_cell_slopes(_e46, _e47);
+        let behind_u = _e48.x();
+        let _e54 = self.v_sloped_cell((i_11 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), level_49);
+        let _e55 = self.v_height_cell(_e54, level_49);
+        let _e56 = part_11;
+        let _e57 = self.v_cell_slopes(_e55, _e56);
+        let before_v = _e57.y();
+        let _e63 = self.v_sloped_cell((i_11 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), level_49);
+        let _e64 = self.v_height_cell(_e63, level_49);
+        let _e65 = part_11;
+        let _e66 = self.v_cell_slopes(_e64, _e65);
+        let behind_v = _e66.y();
+        let _e71 = rt::Scalar(self.surface_settings.scale_m);
+        let rate_u = ((_e3.x() * _e71) / at_57.tangent.length());
+        let _e79 = rt::Scalar(self.surface_settings.scale_m);
+        let rate_v = ((_e3.y() * _e79) / at_57.bitangent.length());
+        let _e85 = self.v_slope_beside(_e31.x(), before_u, rate_u);
+        let _e87 = self.v_slope_beside(_e31.y(), before_v, rate_v);
+        let before_11 = <rt::Vec2<f32>>::from_scalars(_e85, _e87);
+        let _e90 = self.v_slope_beside(_e31.x(), behind_u, rate_u);
+        let _e92 = self.v_slope_beside(_e31.y(), behind_v, rate_v);
+        let behind_2 = <rt::Vec2<f32>>::from_scalars(_e90, _e92);
+        let _e96 = part_11;
+        return (rt::Scalar(0.5f32) * ((_e31 + before_11) + ((behind_2 - before_11) * _e96)));
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_57: Entered,
+        at_58: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_57, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_58, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_of_slopes(
         &self,
-        at_57: Entered,
+        at_58: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_2 = (at_57.tangent + (at_57.normal * slope_u));
-        let along_v_2 = (at_57.bitangent + (at_57.normal * slope_v));
+        let along_u_2 = (at_58.tangent + (at_58.normal * slope_u));
+        let along_v_2 = (at_58.bitangent + (at_58.normal * slope_v));
         let across_8 = along_v_2.cross(along_u_2).normalize();
-        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_57.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_58.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn texels_apart(
         &self,
@@ -10549,67 +10685,69 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_58: Entered,
+        at_59: Entered,
         uv_23: impl rt::Into<rt::Vec2<f32>>,
+        level_50: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_58, rt::into(uv_23)))
+        rt::into(self.v_normal_from_height(at_59, rt::into(uv_23), rt::into(level_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normal_from_height(
         &self,
-        at_58: Entered,
+        at_59: Entered,
         uv_23: rt::Vec2<f32>,
+        level_50: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_height_size(rt::Scalar(0u32));
+        let _e3 = self.v_height_size(level_50);
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_58, uv_23);
+            let _e9 = self.v_slopes_between_creases(at_59, uv_23, level_50);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_58, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_59, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e30 = self.v_height_at((uv_23 + du), rt::Scalar(0u32));
-        let _e33 = self.v_height_at((uv_23 - du), rt::Scalar(0u32));
-        let rise_u_1 = (_e30 - _e33);
-        let _e37 = self.v_height_at((uv_23 + dv), rt::Scalar(0u32));
-        let _e40 = self.v_height_at((uv_23 - dv), rt::Scalar(0u32));
-        let rise_v_1 = (_e37 - _e40);
-        let _e46 = self.v_texels_apart((uv_23.x() * _e3.x()), _e3.x());
-        let rate_u_1 = (rt::Scalar(1f32) / _e46);
-        let _e53 = self.v_texels_apart((uv_23.y() * _e3.y()), _e3.y());
-        let rate_v_1 = (rt::Scalar(1f32) / _e53);
-        let _e60 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_u_1 = (rise_u_1 * ((rate_u_1 * _e3.x()) * _e60));
-        let _e67 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_v_1 = (rise_v_1 * ((rate_v_1 * _e3.y()) * _e67));
-        let _e70 = self.v_normal_of_slopes(at_58, slope_u_1, slope_v_1);
-        return _e70;
+        let _e29 = self.v_height_at((uv_23 + du), level_50);
+        let _e31 = self.v_height_at((uv_23 - du), level_50);
+        let rise_u_1 = (_e29 - _e31);
+        let _e34 = self.v_height_at((uv_23 + dv), level_50);
+        let _e36 = self.v_height_at((uv_23 - dv), level_50);
+        let rise_v_1 = (_e34 - _e36);
+        let _e42 = self.v_texels_apart((uv_23.x() * _e3.x()), _e3.x());
+        let rate_u_1 = (rt::Scalar(1f32) / _e42);
+        let _e49 = self.v_texels_apart((uv_23.y() * _e3.y()), _e3.y());
+        let rate_v_1 = (rt::Scalar(1f32) / _e49);
+        let _e56 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_u_1 = (rise_u_1 * ((rate_u_1 * _e3.x()) * _e56));
+        let _e63 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_v_1 = (rise_v_1 * ((rate_v_1 * _e3.y()) * _e63));
+        let _e66 = self.v_normal_of_slopes(at_59, slope_u_1, slope_v_1);
+        return _e66;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_59: Entered,
+        at_60: Entered,
         uv_24: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_59, rt::into(uv_24)))
+        rt::into(self.v_finest_normal(at_60, rt::into(uv_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_finest_normal(
         &self,
-        at_59: Entered,
+        at_60: Entered,
         uv_24: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e8 = self.v_normal_at(uv_24, rt::Scalar(0u32));
-            let _e10 = self.v_from_tangent_space(at_59, _e8.xyz());
+            let _e10 = self.v_from_tangent_space(at_60, _e8.xyz());
             return _e10.normalize();
         }
-        let _e12 = self.v_normal_from_height(at_59, uv_24);
-        return _e12;
+        let _e13 = self.v_normal_from_height(at_60, uv_24, rt::Scalar(0u32));
+        return _e13;
     }
     pub(crate) fn means_of_one(&self, n_13: impl rt::Into<rt::Vec3<f32>>) -> Normals {
         rt::into(self.v_means_of_one(rt::into(n_13)))
@@ -10624,67 +10762,67 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_60: Entered,
+        at_61: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_60, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_61, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_to_tangent_space(
         &self,
-        at_60: Entered,
+        at_61: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_60.tangent.normalize();
-        let along_v_3 = at_60.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_60.normal.dot(v_1));
+        let along_u_3 = at_61.tangent.normalize();
+        let along_v_3 = at_61.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_61.normal.dot(v_1));
     }
     pub(crate) fn normal_layers(
         &self,
         uv_25: impl rt::Into<rt::Vec2<f32>>,
-        level_48: impl rt::Into<rt::Scalar<u32>>,
+        level_51: impl rt::Into<rt::Scalar<u32>>,
     ) -> NormalLayers {
-        rt::into(self.v_normal_layers(rt::into(uv_25), rt::into(level_48)))
+        rt::into(self.v_normal_layers(rt::into(uv_25), rt::into(level_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_normal_layers(
         &self,
         uv_25: rt::Vec2<f32>,
-        level_48: rt::Scalar<u32>,
+        level_51: rt::Scalar<u32>,
     ) -> NormalLayers {
         let _e4 = self.surface_settings.normal_size;
-        let _e5 = self.v_level_texels(_e4, level_48);
+        let _e5 = self.v_level_texels(_e4, level_51);
         let _e6 = self.v_texels_around(uv_25, _e5);
-        let _e8 = self.v_normal_between(_e6, rt::Scalar(0i32), level_48);
-        let _e10 = self.v_normal_between(_e6, rt::Scalar(1i32), level_48);
+        let _e8 = self.v_normal_between(_e6, rt::Scalar(0i32), level_51);
+        let _e10 = self.v_normal_between(_e6, rt::Scalar(1i32), level_51);
         return <NormalLayers>::new(_e8, _e10);
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_61: Entered,
+        at_62: Entered,
         uv_26: impl rt::Into<rt::Vec2<f32>>,
-        level_49: impl rt::Into<rt::Scalar<u32>>,
+        level_52: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_61, rt::into(uv_26), rt::into(level_49)))
+        rt::into(self.v_normals_of_level(at_62, rt::into(uv_26), rt::into(level_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_normals_of_level(
         &self,
-        at_61: Entered,
+        at_62: Entered,
         uv_26: rt::Vec2<f32>,
-        level_49: rt::Scalar<u32>,
+        level_52: rt::Scalar<u32>,
     ) -> Normals {
         let _e5 = rt::Scalar(self.surface_settings.has_normal);
         let has_normal = _e5.elementwise_eq(rt::Scalar(1u32));
-        let _e11 = self.v_normal_layers(uv_26, (level_49 - rt::Scalar(1u32)).select(level_49, has_normal));
+        let _e11 = self.v_normal_layers(uv_26, (level_52 - rt::Scalar(1u32)).select(level_52, has_normal));
         if rt::Scalar::into_branch_condition(has_normal) {
             return <Normals>::new(_e11.first, _e11.second);
         }
         let tile_1 = self.surface_settings.normal_tile_m;
-        let x_12 = ((tile_1.x() * at_61.tangent.normalize().dot(at_61.tangent)) / at_61.tangent.dot(at_61.tangent));
-        let y_7 = ((tile_1.y() * at_61.bitangent.normalize().dot(at_61.bitangent)) / at_61.bitangent.dot(at_61.bitangent));
+        let x_12 = ((tile_1.x() * at_62.tangent.normalize().dot(at_62.tangent)) / at_62.tangent.dot(at_62.tangent));
+        let y_7 = ((tile_1.y() * at_62.bitangent.normalize().dot(at_62.bitangent)) / at_62.bitangent.dot(at_62.bitangent));
         let first_20 = _e11.first;
         let second_7 = _e11.second;
         let flatter = <rt::Vec3<f32>>::from_scalars((first_20.x() * x_12), (first_20.y() * y_7), first_20.z());
@@ -10694,19 +10832,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mean_of_five(
         &self,
-        middle_8: impl rt::Into<rt::Scalar<f32>>,
+        middle_9: impl rt::Into<rt::Scalar<f32>>,
         four: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_mean_of_five(rt::into(middle_8), rt::into(four)))
+        rt::into(self.v_mean_of_five(rt::into(middle_9), rt::into(four)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_mean_of_five(
         &self,
-        middle_8: rt::Scalar<f32>,
+        middle_9: rt::Scalar<f32>,
         four: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return ((middle_8 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
+        return ((middle_9 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
     }
     pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
         rt::into(self.v_sum_of_four(rt::into(four_1)))
@@ -10718,16 +10856,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_62: Entered,
+        at_63: Entered,
         normals: Normals,
         view_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_62, normals, rt::into(view_16)))
+        rt::into(self.v_seen_normals(at_63, normals, rt::into(view_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_normals(
         &self,
-        at_62: Entered,
+        at_63: Entered,
         normals: Normals,
         view_16: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -10745,9 +10883,9 @@ impl<'g> Resources<'g> {
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_8.y(), second_8.z(), first_21.y())) - (first_21.xyz() * slope_11.y()));
         let most_15 = ((a_39 * a_39) + spread).sqrt().min(rt::Scalar(1f32));
         let along_31 = (with_x / rt::Vec3::splat_from_scalar(a_39.max((with_x.length() / most_15))));
-        let rest_8 = (with_y - (along_31 * b_39));
-        let across_9 = (rest_8 / rt::Vec3::splat_from_scalar(d_4.max((rest_8.length() / most_15))));
-        let _e77 = self.v_to_tangent_space(at_62, view_16);
+        let rest_9 = (with_y - (along_31 * b_39));
+        let across_9 = (rest_9 / rt::Vec3::splat_from_scalar(d_4.max((rest_9.length() / most_15))));
+        let _e77 = self.v_to_tangent_space(at_63, view_16);
         let middle_14 = (_e77.z() - _e77.xy().dot(slope_11));
         let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_39) + (_e77.y() * b_39))), (-(_e77.y() * d_4)));
         let one_1 = middle_14.max(rt::Scalar(0f32));
@@ -10755,21 +10893,21 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_mean_of_five(one_1, _e94);
         let all_2 = _e95.max(rt::Scalar(0.001f32));
         let aside_4 = ((along_31 * ((_e91.x() - _e91.y()) / all_2)) + (across_9 * ((_e91.z() - _e91.w()) / all_2)));
-        let _e113 = self.v_from_tangent_space(at_62, (first_21.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_63, (first_21.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
         return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_21.xyz(), along_31, across_9, slope_11, <rt::Vec2<f32>>::from_scalars(a_39, b_39), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_2), (_e91 / rt::Vec4::splat_from_scalar(all_2)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_63: Entered) -> f32 {
-        rt::into(self.v_table_part(at_63))
+    pub(crate) fn table_part(&self, at_64: Entered) -> f32 {
+        rt::into(self.v_table_part(at_64))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_table_part(&self, at_63: Entered) -> rt::Scalar<f32> {
+    pub(super) fn v_table_part(&self, at_64: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_63.fade) * ((rt::Scalar(at_63.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_64.fade) * ((rt::Scalar(at_64.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn has_table(&self, levels: Levels) -> bool {
         rt::into(self.v_has_table(levels))
@@ -10782,31 +10920,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn with_table(
         &self,
-        at_64: Entered,
+        at_65: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
-        part_10: impl rt::Into<rt::Scalar<f32>>,
+        part_12: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_64, seen_1, table, rt::into(part_10)))
+        rt::into(self.v_with_table(at_65, seen_1, table, rt::into(part_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_with_table(
         &self,
-        at_64: Entered,
+        at_65: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
-        part_10: rt::Scalar<f32>,
+        part_12: rt::Scalar<f32>,
     ) -> SeenNormals {
         let mut blended: SeenNormals;
 
         blended = seen_1;
         let before_12 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_64, table.mean);
-        let mean_11 = (before_12 + ((_e9 - before_12) * part_10));
+        let _e9 = self.v_from_tangent_space(at_65, table.mean);
+        let mean_11 = (before_12 + ((_e9 - before_12) * part_12));
         blended.normal = mean_11.normalize();
         rt::Scalar(blended.length) = mean_11.length().min(rt::Scalar(1f32));
-        rt::Scalar(blended.table_part) = part_10;
+        rt::Scalar(blended.table_part) = part_12;
         blended.table = table;
         let _e21 = blended;
         return _e21;
@@ -10815,9 +10953,9 @@ impl<'g> Resources<'g> {
         &self,
         a_16: SeenTexel,
         b_16: SeenTexel,
-        part_11: impl rt::Into<rt::Scalar<f32>>,
+        part_13: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_16, b_16, rt::into(part_11)))
+        rt::into(self.v_seen_between(a_16, b_16, rt::into(part_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10825,75 +10963,75 @@ impl<'g> Resources<'g> {
         &self,
         a_16: SeenTexel,
         b_16: SeenTexel,
-        part_11: rt::Scalar<f32>,
+        part_13: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_16.first + ((b_16.first - a_16.first) * part_11)), (a_16.second + ((b_16.second - a_16.second) * part_11)));
+        return <SeenTexel>::new((a_16.first + ((b_16.first - a_16.first) * part_13)), (a_16.second + ((b_16.second - a_16.second) * part_13)));
     }
     pub(crate) fn seen_texel(
         &self,
-        at_65: Around,
+        at_66: Around,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_50: impl rt::Into<rt::Scalar<u32>>,
+        level_53: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(at_65, rt::into(azimuth), rt::into(elevation), rt::into(level_50)))
+        rt::into(self.v_seen_texel(at_66, rt::into(azimuth), rt::into(elevation), rt::into(level_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_texel(
         &self,
-        at_65: Around,
+        at_66: Around,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_50: rt::Scalar<u32>,
+        level_53: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_17 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(at_65, layer_17, level_50);
-        let _e12 = self.v_detail_texel_between(at_65, (layer_17 + rt::Scalar(1i32)), level_50);
+        let _e9 = self.v_detail_texel_between(at_66, layer_17, level_53);
+        let _e12 = self.v_detail_texel_between(at_66, (layer_17 + rt::Scalar(1i32)), level_53);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        at_66: SeenPlace,
+        at_67: SeenPlace,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(at_66, rt::into(azimuth_1), rt::into(elevation_1)))
+        rt::into(self.v_seen_in_levels(at_67, rt::into(azimuth_1), rt::into(elevation_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_in_levels(
         &self,
-        at_66: SeenPlace,
+        at_67: SeenPlace,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
     ) -> SeenTexel {
-        let _e6 = self.v_seen_texel(at_66.fine, azimuth_1, elevation_1, rt::Scalar(at_66.levels.fine));
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_66.levels.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e16 = self.v_seen_texel(at_66.coarse, azimuth_1, elevation_1, (rt::Scalar(at_66.levels.fine) + rt::Scalar(1u32)));
-            let _e19 = self.v_seen_between(_e6, _e16, rt::Scalar(at_66.levels.part));
+        let _e6 = self.v_seen_texel(at_67.fine, azimuth_1, elevation_1, rt::Scalar(at_67.levels.fine));
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_67.levels.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e16 = self.v_seen_texel(at_67.coarse, azimuth_1, elevation_1, (rt::Scalar(at_67.levels.fine) + rt::Scalar(1u32)));
+            let _e19 = self.v_seen_between(_e6, _e16, rt::Scalar(at_67.levels.part));
             return _e19;
         }
         return _e6;
     }
     pub(crate) fn table_of(
         &self,
-        at_67: Entered,
+        at_68: Entered,
         uv_27: impl rt::Into<rt::Vec2<f32>>,
         view_17: impl rt::Into<rt::Vec3<f32>>,
         levels_1: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_67, rt::into(uv_27), rt::into(view_17), levels_1))
+        rt::into(self.v_table_of(at_68, rt::into(uv_27), rt::into(view_17), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_table_of(
         &self,
-        at_67: Entered,
+        at_68: Entered,
         uv_27: rt::Vec2<f32>,
         view_17: rt::Vec3<f32>,
         levels_1: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_67, view_17);
+        let _e4 = self.v_climb(at_68, view_17);
         let tile_2 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_9 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_2), (_e4.z() * _e15));
@@ -10918,8 +11056,8 @@ impl<'g> Resources<'g> {
         let _e61 = self.v_seen_in_levels(place_42, a1_1, e1_1);
         let _e62 = self.v_seen_between(_e60, _e61, across_10);
         let _e65 = self.v_seen_between(_e59, _e62, (elevation_3 - elevation_3.floor()));
-        let x_14 = ((tile_2.x() * at_67.tangent.normalize().dot(at_67.tangent)) / at_67.tangent.dot(at_67.tangent));
-        let y_9 = ((tile_2.y() * at_67.bitangent.normalize().dot(at_67.bitangent)) / at_67.bitangent.dot(at_67.bitangent));
+        let x_14 = ((tile_2.x() * at_68.tangent.normalize().dot(at_68.tangent)) / at_68.tangent.dot(at_68.tangent));
+        let y_9 = ((tile_2.y() * at_68.bitangent.normalize().dot(at_68.bitangent)) / at_68.bitangent.dot(at_68.bitangent));
         let mean_12 = _e65.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_12.x() * x_14), (mean_12.y() * y_9), mean_12.z());
         let squared_3 = (mean_12.dot(mean_12) / flatter_1.dot(flatter_1));
@@ -10928,16 +11066,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_68: Entered,
+        at_69: Entered,
         uv_28: impl rt::Into<rt::Vec2<f32>>,
         view_18: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_68, rt::into(uv_28), rt::into(view_18)))
+        rt::into(self.v_mesostructure_normals(at_69, rt::into(uv_28), rt::into(view_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_mesostructure_normals(
         &self,
-        at_68: Entered,
+        at_69: Entered,
         uv_28: rt::Vec2<f32>,
         view_18: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -10946,35 +11084,35 @@ impl<'g> Resources<'g> {
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_68.normal);
+            let _e9 = self.v_one_seen(at_69.normal);
             return _e9;
         }
-        let upright_4 = at_68.normal.dot(view_18);
+        let upright_4 = at_69.normal.dot(view_18);
         let shown = upright_4.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_68.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_69.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_68.footprint) * _e22) * width_7);
+        let texels_6 = ((rt::Scalar(at_69.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         let _e35 = first_1;
         second = _e35;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            let _e40 = self.v_finest_normal(at_68, uv_28);
+            let _e40 = self.v_finest_normal(at_69, uv_28);
             if rt::Scalar::into_branch_condition((!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)))) {
                 let _e45 = self.v_one_seen(_e40);
                 return _e45;
             }
-            let _e46 = self.v_to_tangent_space(at_68, _e40);
+            let _e46 = self.v_to_tangent_space(at_69, _e40);
             let _e47 = self.v_means_of_one(_e46);
             first_1 = _e47.first;
             second = _e47.second;
         } else {
-            let _e51 = self.v_normals_of_level(at_68, uv_28, rt::Scalar(_e28.fine));
+            let _e51 = self.v_normals_of_level(at_69, uv_28, rt::Scalar(_e28.fine));
             first_1 = _e51.first;
             second = _e51.second;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e60 = self.v_normals_of_level(at_68, uv_28, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e60 = self.v_normals_of_level(at_69, uv_28, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e61 = first_1;
             let _e63 = first_1;
             first_1 = (_e61 + ((_e60.first - _e63) * rt::Scalar(_e28.part)));
@@ -10984,15 +11122,15 @@ impl<'g> Resources<'g> {
         }
         let _e75 = first_1;
         let _e76 = second;
-        let _e78 = self.v_seen_normals(at_68, <Normals>::new(_e75, _e76), view_18);
-        let _e79 = self.v_table_part(at_68);
+        let _e78 = self.v_seen_normals(at_69, <Normals>::new(_e75, _e76), view_18);
+        let _e79 = self.v_table_part(at_69);
         if rt::Scalar::into_branch_condition(_e79.elementwise_gt(rt::Scalar(0f32))) {
             let _e85 = rt::Scalar(self.surface_settings.height_levels);
-            let _e86 = self.v_levels_of(rt::Scalar(at_68.footprint), _e85);
+            let _e86 = self.v_levels_of(rt::Scalar(at_69.footprint), _e85);
             let _e87 = self.v_has_table(_e86);
             if rt::Scalar::into_branch_condition(_e87) {
-                let _e88 = self.v_table_of(at_68, uv_28, view_18, _e86);
-                let _e89 = self.v_with_table(at_68, _e78, _e88, _e79);
+                let _e88 = self.v_table_of(at_69, uv_28, view_18, _e86);
+                let _e89 = self.v_with_table(at_69, _e78, _e88, _e79);
                 return _e89;
             }
         }
@@ -11000,69 +11138,69 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn field_heights_normals(
         &self,
-        at_69: Entered,
+        at_70: Entered,
         hit_13: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_heights_normals(at_69, hit_13, rt::into(view_19), rt::into(params_51)))
+        rt::into(self.v_field_heights_normals(at_70, hit_13, rt::into(view_19), rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_normals(
         &self,
-        at_69: Entered,
+        at_70: Entered,
         hit_13: Hit,
         view_19: rt::Vec3<f32>,
-        params_51: rt::Vec4<f32>,
+        params_54: rt::Vec4<f32>,
     ) -> SeenNormals {
-        let _e5 = self.v_mesostructure_normals(at_69, hit_13.uv, view_19);
+        let _e5 = self.v_mesostructure_normals(at_70, hit_13.uv, view_19);
         return _e5;
     }
     pub(crate) fn patch_normal(
         &self,
-        at_70: Entered,
+        at_71: Entered,
         uv_29: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_70, rt::into(uv_29)))
+        rt::into(self.v_patch_normal(at_71, rt::into(uv_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_patch_normal(
         &self,
-        at_70: Entered,
+        at_71: Entered,
         uv_29: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_70.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_70.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_71.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_71.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_29, rt::Scalar(at_70.level));
+        let _e18 = self.v_height_and_slope(uv_29, rt::Scalar(at_71.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_4 = (at_70.tangent + (at_70.normal * (_e18.y() * _e24)));
+        let along_u_4 = (at_71.tangent + (at_71.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_4 = (at_70.bitangent + (at_70.normal * (_e18.z() * _e33)));
+        let along_v_4 = (at_71.bitangent + (at_71.normal * (_e18.z() * _e33)));
         let across_11 = along_v_4.cross(along_u_4).normalize();
-        return (across_11 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_11.dot(at_70.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_11 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_11.dot(at_71.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn field_heights_patch_normal(
         &self,
-        at_71: Entered,
+        at_72: Entered,
         hit_14: Hit,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_field_heights_patch_normal(at_71, hit_14, rt::into(params_52)))
+        rt::into(self.v_field_heights_patch_normal(at_72, hit_14, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_heights_patch_normal(
         &self,
-        at_71: Entered,
+        at_72: Entered,
         hit_14: Hit,
-        params_52: rt::Vec4<f32>,
+        params_55: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e4 = self.v_patch_normal(at_71, hit_14.uv);
+        let _e4 = self.v_patch_normal(at_72, hit_14.uv);
         return _e4;
     }
     pub(crate) fn field_slopes(&self, place_23: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
@@ -11073,38 +11211,38 @@ impl<'g> Resources<'g> {
     pub(super) fn v_field_slopes(&self, place_23: rt::Vec3<f32>) -> rt::Vec3<f32> {
         let i_12 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let j_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
-        let k_64 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
+        let k_67 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0.5f32));
         let _e14 = self.v_field_at_voxel((place_23 + i_12));
         let _e16 = self.v_field_at_voxel((place_23 - i_12));
         let along_i = (_e14 - _e16);
         let _e19 = self.v_field_at_voxel((place_23 + j_2));
         let _e21 = self.v_field_at_voxel((place_23 - j_2));
         let along_j = (_e19 - _e21);
-        let _e24 = self.v_field_at_voxel((place_23 + k_64));
-        let _e26 = self.v_field_at_voxel((place_23 - k_64));
+        let _e24 = self.v_field_at_voxel((place_23 + k_67));
+        let _e26 = self.v_field_at_voxel((place_23 - k_67));
         let along_k = (_e24 - _e26);
         return (<rt::Vec3<f32>>::from_scalars(along_i, along_j, along_k) / rt::Vec3::splat_from_scalar(rt::Scalar(1f32)));
     }
     pub(crate) fn light_ray_from(
         &self,
-        at_72: Entered,
+        at_73: Entered,
         begin_4: impl rt::Into<rt::Vec3<f32>>,
         change_1: impl rt::Into<rt::Vec3<f32>>,
         light_5: Toward,
     ) -> LightRay {
-        rt::into(self.v_light_ray_from(at_72, rt::into(begin_4), rt::into(change_1), light_5))
+        rt::into(self.v_light_ray_from(at_73, rt::into(begin_4), rt::into(change_1), light_5))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_light_ray_from(
         &self,
-        at_72: Entered,
+        at_73: Entered,
         begin_4: rt::Vec3<f32>,
         change_1: rt::Vec3<f32>,
         light_5: Toward,
     ) -> LightRay {
-        let h_9 = <rt::Vec3<f32>>::from_scalars(begin_4.z(), change_1.z(), rt::Scalar(0f32));
-        let way_28 = <Path>::new(begin_4.xy(), change_1.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_72.metric, RAY_SHADOW, rt::Scalar(at_72.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let h_10 = <rt::Vec3<f32>>::from_scalars(begin_4.z(), change_1.z(), rt::Scalar(0f32));
+        let way_28 = <Path>::new(begin_4.xy(), change_1.xy(), h_10, rt::Scalar(0f32), rt::Scalar(0f32), at_73.metric, RAY_SHADOW, rt::Scalar(at_73.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!change_1.z().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, way_28);
         }
@@ -11112,17 +11250,17 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e25.elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_LIT, way_28);
         }
-        let path_128 = <Path>::new(begin_4.xy(), change_1.xy(), h_9, _e25, rt::Scalar(0f32), at_72.metric, RAY_SHADOW, rt::Scalar(at_72.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let path_128 = <Path>::new(begin_4.xy(), change_1.xy(), h_10, _e25, rt::Scalar(0f32), at_73.metric, RAY_SHADOW, rt::Scalar(at_73.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
         return <LightRay>::new(LIGHT_RAY_OPEN, path_128);
     }
-    pub(crate) fn light_ray_out_of_volume(&self, at_73: Entered, hit_15: Hit, light_6: Toward) -> LightRay {
-        rt::into(self.v_light_ray_out_of_volume(at_73, hit_15, light_6))
+    pub(crate) fn light_ray_out_of_volume(&self, at_74: Entered, hit_15: Hit, light_6: Toward) -> LightRay {
+        rt::into(self.v_light_ray_out_of_volume(at_74, hit_15, light_6))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_light_ray_out_of_volume(&self, at_73: Entered, hit_15: Hit, light_6: Toward) -> LightRay {
+    pub(super) fn v_light_ray_out_of_volume(&self, at_74: Entered, hit_15: Hit, light_6: Toward) -> LightRay {
         let mut outside: rt::Vec3<f32>;
 
-        let _e4 = self.v_climb(at_73, light_6.direction);
+        let _e4 = self.v_climb(at_74, light_6.direction);
         let _e6 = self.v_near_uv(hit_15.uv);
         let _e9 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(_e6, rt::Scalar(hit_15.height)));
         let _e10 = self.v_field_slopes(_e9);
@@ -11133,28 +11271,28 @@ impl<'g> Resources<'g> {
         }
         let _e19 = outside;
         let _e25 = self.v_volume_size();
-        let _e27 = self.v_light_ray_from(at_73, ((_e19 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))) / _e25), _e4, light_6);
+        let _e27 = self.v_light_ray_from(at_74, ((_e19 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))) / _e25), _e4, light_6);
         return _e27;
     }
     pub(crate) fn field_volume_light_ray(
         &self,
-        at_74: Entered,
+        at_75: Entered,
         hit_16: Hit,
         light_7: Toward,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> LightRay {
-        rt::into(self.v_field_volume_light_ray(at_74, hit_16, light_7, rt::into(params_53)))
+        rt::into(self.v_field_volume_light_ray(at_75, hit_16, light_7, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_light_ray(
         &self,
-        at_74: Entered,
+        at_75: Entered,
         hit_16: Hit,
         light_7: Toward,
-        params_53: rt::Vec4<f32>,
+        params_56: rt::Vec4<f32>,
     ) -> LightRay {
-        let _e4 = self.v_light_ray_out_of_volume(at_74, hit_16, light_7);
+        let _e4 = self.v_light_ray_out_of_volume(at_75, hit_16, light_7);
         return _e4;
     }
     pub(crate) fn motif_texel(&self, place_24: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec4<f32> {
@@ -11308,61 +11446,61 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_motif_at(<rt::Vec3<f32>>::new_21((hit_17.uv - hit_17.uv.floor()), rt::Scalar(hit_17.height)));
         return _e7;
     }
-    pub(crate) fn light_ray_out_of_motif(&self, at_75: Entered, hit_18: Hit, light_8: Toward) -> LightRay {
-        rt::into(self.v_light_ray_out_of_motif(at_75, hit_18, light_8))
+    pub(crate) fn light_ray_out_of_motif(&self, at_76: Entered, hit_18: Hit, light_8: Toward) -> LightRay {
+        rt::into(self.v_light_ray_out_of_motif(at_76, hit_18, light_8))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_light_ray_out_of_motif(&self, at_75: Entered, hit_18: Hit, light_8: Toward) -> LightRay {
-        let _e4 = self.v_climb(at_75, light_8.direction);
+    pub(super) fn v_light_ray_out_of_motif(&self, at_76: Entered, hit_18: Hit, light_8: Toward) -> LightRay {
+        let _e4 = self.v_climb(at_76, light_8.direction);
         let _e5 = self.v_motif_of(hit_18);
         let facet_2 = _e5.facet;
         let aside_5 = (facet_2 * rt::Scalar(-0.0002f32).select(rt::Scalar(0.0002f32), facet_2.dot(_e4).elementwise_gt(rt::Scalar(0f32))));
         let _e15 = self.v_near_uv(hit_18.uv);
-        let _e19 = self.v_light_ray_from(at_75, (<rt::Vec3<f32>>::new_21(_e15, rt::Scalar(hit_18.height)) + aside_5), _e4, light_8);
+        let _e19 = self.v_light_ray_from(at_76, (<rt::Vec3<f32>>::new_21(_e15, rt::Scalar(hit_18.height)) + aside_5), _e4, light_8);
         return _e19;
     }
     pub(crate) fn field_motif_light_ray(
         &self,
-        at_76: Entered,
+        at_77: Entered,
         hit_19: Hit,
         light_9: Toward,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> LightRay {
-        rt::into(self.v_field_motif_light_ray(at_76, hit_19, light_9, rt::into(params_54)))
+        rt::into(self.v_field_motif_light_ray(at_77, hit_19, light_9, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_motif_light_ray(
         &self,
-        at_76: Entered,
+        at_77: Entered,
         hit_19: Hit,
         light_9: Toward,
-        params_54: rt::Vec4<f32>,
+        params_57: rt::Vec4<f32>,
     ) -> LightRay {
-        let _e4 = self.v_light_ray_out_of_motif(at_76, hit_19, light_9);
+        let _e4 = self.v_light_ray_out_of_motif(at_77, hit_19, light_9);
         return _e4;
     }
-    pub(crate) fn field_light_ray_stage(&self, at_77: Entered, hit_20: Hit, light_10: Toward) -> LightRay {
-        rt::into(self.v_field_light_ray_stage(at_77, hit_20, light_10))
+    pub(crate) fn field_light_ray_stage(&self, at_78: Entered, hit_20: Hit, light_10: Toward) -> LightRay {
+        rt::into(self.v_field_light_ray_stage(at_78, hit_20, light_10))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_field_light_ray_stage(&self, at_77: Entered, hit_20: Hit, light_10: Toward) -> LightRay {
+    pub(super) fn v_field_light_ray_stage(&self, at_78: Entered, hit_20: Hit, light_10: Toward) -> LightRay {
         let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_field_heights_light_ray(at_77, hit_20, light_10, _e12);
+                let _e13 = self.v_field_heights_light_ray(at_78, hit_20, light_10, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_field_volume_light_ray(at_77, hit_20, light_10, _e18);
+                let _e19 = self.v_field_volume_light_ray(at_78, hit_20, light_10, _e18);
                 return _e19;
             }
             _ => {
                 let _e24 = self.surface_settings.choices[4usize].params;
-                let _e25 = self.v_field_motif_light_ray(at_77, hit_20, light_10, _e24);
+                let _e25 = self.v_field_motif_light_ray(at_78, hit_20, light_10, _e24);
                 return _e25;
             }
         }
@@ -11376,74 +11514,96 @@ impl<'g> Resources<'g> {
         let _e1 = self.v_motif_texel(rt::Scalar(0u32));
         return _e1.z().elementwise_eq(rt::Scalar(1f32));
     }
-    pub(crate) fn field_motif_normals(
+    pub(crate) fn field_motif_normal(
         &self,
-        at_78: Entered,
+        at_79: Entered,
         hit_21: Hit,
         view_20: impl rt::Into<rt::Vec3<f32>>,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
-    ) -> SeenNormals {
-        rt::into(self.v_field_motif_normals(at_78, hit_21, rt::into(view_20), rt::into(params_55)))
+        params_58: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_field_motif_normal(at_79, hit_21, rt::into(view_20), rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_field_motif_normals(
+    #[inline(always)]
+    pub(super) fn v_field_motif_normal(
         &self,
-        at_78: Entered,
+        at_79: Entered,
         hit_21: Hit,
         view_20: rt::Vec3<f32>,
-        params_55: rt::Vec4<f32>,
-    ) -> SeenNormals {
+        params_58: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
         let mut local_57: rt::Scalar<bool>;
 
         let _e4 = self.v_motif_of(hit_21);
         let _e5 = self.v_motif_is_closed();
         if rt::Scalar::into_branch_condition((!_e5)) {
-            let _e10 = self.v_covector(at_78, _e4.facet);
+            let _e10 = self.v_covector(at_79, _e4.facet);
             local_57 = _e10.dot(view_20).elementwise_ge(rt::Scalar(0f32));
         } else {
             local_57 = rt::Scalar(true);
         }
         let is_front = local_57;
         let side_9 = rt::Scalar(-1f32).select(rt::Scalar(1f32), is_front);
-        let _e20 = self.v_covector(at_78, _e4.normal);
-        let _e23 = self.v_one_seen((_e20.normalize() * side_9));
-        return _e23;
+        let _e20 = self.v_covector(at_79, _e4.normal);
+        return (_e20.normalize() * side_9);
+    }
+    pub(crate) fn field_motif_normals(
+        &self,
+        at_80: Entered,
+        hit_22: Hit,
+        view_21: impl rt::Into<rt::Vec3<f32>>,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_field_motif_normals(at_80, hit_22, rt::into(view_21), rt::into(params_59)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_field_motif_normals(
+        &self,
+        at_80: Entered,
+        hit_22: Hit,
+        view_21: rt::Vec3<f32>,
+        params_59: rt::Vec4<f32>,
+    ) -> SeenNormals {
+        let _e4 = self.v_field_motif_normal(at_80, hit_22, view_21, params_59);
+        let _e5 = self.v_one_seen(_e4);
+        return _e5;
     }
     pub(crate) fn field_motif_patch_normal(
         &self,
-        at_79: Entered,
-        hit_22: Hit,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        at_81: Entered,
+        hit_23: Hit,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_field_motif_patch_normal(at_79, hit_22, rt::into(params_56)))
+        rt::into(self.v_field_motif_patch_normal(at_81, hit_23, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_motif_patch_normal(
         &self,
-        at_79: Entered,
-        hit_22: Hit,
-        params_56: rt::Vec4<f32>,
+        at_81: Entered,
+        hit_23: Hit,
+        params_60: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_motif_of(hit_22);
-        let _e5 = self.v_covector(at_79, _e3.facet);
+        let _e3 = self.v_motif_of(hit_23);
+        let _e5 = self.v_covector(at_81, _e3.facet);
         return _e5.normalize();
     }
-    pub(crate) fn normal_of_field(&self, at_80: Entered, hit_23: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_field(at_80, hit_23))
+    pub(crate) fn normal_of_field(&self, at_82: Entered, hit_24: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_field(at_82, hit_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_normal_of_field(&self, at_80: Entered, hit_23: Hit) -> rt::Vec3<f32> {
+    pub(super) fn v_normal_of_field(&self, at_82: Entered, hit_24: Hit) -> rt::Vec3<f32> {
         let mut local_58: rt::Scalar<bool>;
 
-        let _e5 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(hit_23.uv, rt::Scalar(hit_23.height)));
+        let _e5 = self.v_voxel_place(<rt::Vec3<f32>>::new_21(hit_24.uv, rt::Scalar(hit_24.height)));
         let _e6 = self.v_field_at_voxel(_e5);
         if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0.51f32))) {
-            return at_80.normal;
+            return at_82.normal;
         }
         let _e10 = self.v_field_slopes(_e5);
         let _e11 = self.v_volume_size();
-        let _e13 = self.v_covector(at_80, (_e10 * _e11));
+        let _e13 = self.v_covector(at_82, (_e10 * _e11));
         let steepness_1 = _e13.length();
         if rt::Scalar::into_branch_condition(steepness_1.elementwise_gt(rt::Scalar(0f32))) {
             local_58 = steepness_1.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32));
@@ -11454,103 +11614,103 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e22) {
             return (_e13 * (rt::Scalar(-1f32) / steepness_1));
         }
-        return at_80.normal;
+        return at_82.normal;
     }
     pub(crate) fn field_volume_normals(
         &self,
-        at_81: Entered,
-        hit_24: Hit,
-        view_21: impl rt::Into<rt::Vec3<f32>>,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        at_83: Entered,
+        hit_25: Hit,
+        view_22: impl rt::Into<rt::Vec3<f32>>,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_volume_normals(at_81, hit_24, rt::into(view_21), rt::into(params_57)))
+        rt::into(self.v_field_volume_normals(at_83, hit_25, rt::into(view_22), rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_normals(
         &self,
-        at_81: Entered,
-        hit_24: Hit,
-        view_21: rt::Vec3<f32>,
-        params_57: rt::Vec4<f32>,
+        at_83: Entered,
+        hit_25: Hit,
+        view_22: rt::Vec3<f32>,
+        params_61: rt::Vec4<f32>,
     ) -> SeenNormals {
-        let _e4 = self.v_normal_of_field(at_81, hit_24);
+        let _e4 = self.v_normal_of_field(at_83, hit_25);
         let _e5 = self.v_one_seen(_e4);
         return _e5;
     }
     pub(crate) fn field_normals_stage(
         &self,
-        at_82: Entered,
-        hit_25: Hit,
-        view_22: impl rt::Into<rt::Vec3<f32>>,
+        at_84: Entered,
+        hit_26: Hit,
+        view_23: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_field_normals_stage(at_82, hit_25, rt::into(view_22)))
+        rt::into(self.v_field_normals_stage(at_84, hit_26, rt::into(view_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_field_normals_stage(
         &self,
-        at_82: Entered,
-        hit_25: Hit,
-        view_22: rt::Vec3<f32>,
+        at_84: Entered,
+        hit_26: Hit,
+        view_23: rt::Vec3<f32>,
     ) -> SeenNormals {
         let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_field_heights_normals(at_82, hit_25, view_22, _e12);
+                let _e13 = self.v_field_heights_normals(at_84, hit_26, view_23, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_field_volume_normals(at_82, hit_25, view_22, _e18);
+                let _e19 = self.v_field_volume_normals(at_84, hit_26, view_23, _e18);
                 return _e19;
             }
             _ => {
                 let _e24 = self.surface_settings.choices[4usize].params;
-                let _e25 = self.v_field_motif_normals(at_82, hit_25, view_22, _e24);
+                let _e25 = self.v_field_motif_normals(at_84, hit_26, view_23, _e24);
                 return _e25;
             }
         }
     }
     pub(crate) fn field_volume_patch_normal(
         &self,
-        at_83: Entered,
-        hit_26: Hit,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        at_85: Entered,
+        hit_27: Hit,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_field_volume_patch_normal(at_83, hit_26, rt::into(params_58)))
+        rt::into(self.v_field_volume_patch_normal(at_85, hit_27, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_field_volume_patch_normal(
         &self,
-        at_83: Entered,
-        hit_26: Hit,
-        params_58: rt::Vec4<f32>,
+        at_85: Entered,
+        hit_27: Hit,
+        params_62: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_normal_of_field(at_83, hit_26);
+        let _e3 = self.v_normal_of_field(at_85, hit_27);
         return _e3;
     }
-    pub(crate) fn field_patch_normal_stage(&self, at_84: Entered, hit_27: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_field_patch_normal_stage(at_84, hit_27))
+    pub(crate) fn field_patch_normal_stage(&self, at_86: Entered, hit_28: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_field_patch_normal_stage(at_86, hit_28))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_field_patch_normal_stage(&self, at_84: Entered, hit_27: Hit) -> rt::Vec3<f32> {
+    pub(super) fn v_field_patch_normal_stage(&self, at_86: Entered, hit_28: Hit) -> rt::Vec3<f32> {
         let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[4usize].params;
-                let _e12 = self.v_field_heights_patch_normal(at_84, hit_27, _e11);
+                let _e12 = self.v_field_heights_patch_normal(at_86, hit_28, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[4usize].params;
-                let _e18 = self.v_field_volume_patch_normal(at_84, hit_27, _e17);
+                let _e18 = self.v_field_volume_patch_normal(at_86, hit_28, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[4usize].params;
-                let _e24 = self.v_field_motif_patch_normal(at_84, hit_27, _e23);
+                let _e24 = self.v_field_motif_patch_normal(at_86, hit_28, _e23);
                 return _e24;
             }
         }
@@ -11563,103 +11723,126 @@ impl<'g> Resources<'g> {
     pub(super) fn v_miss(&self, cost_2: rt::Vec3<u32>) -> Hit {
         return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), cost_2);
     }
-    pub(crate) fn surface_plane_segment(
+    pub(crate) fn surface_plane_way(
         &self,
-        pixel_47: PixelIn,
-        at_85: Entered,
+        at_87: Entered,
+        direction_6: impl rt::Into<rt::Vec3<f32>>,
+        distance: impl rt::Into<rt::Scalar<f32>>,
+        eye_3: impl rt::Into<rt::Scalar<f32>>,
         k_8: impl rt::Into<rt::Scalar<u32>>,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_47, at_85, rt::into(k_8), rt::into(params_59)))
+        rt::into(self.v_surface_plane_way(at_87, rt::into(direction_6), rt::into(distance), rt::into(eye_3), rt::into(k_8), rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_plane_segment(
+    pub(super) fn v_surface_plane_way(
         &self,
-        pixel_47: PixelIn,
-        at_85: Entered,
+        at_87: Entered,
+        direction_6: rt::Vec3<f32>,
+        distance: rt::Scalar<f32>,
+        eye_3: rt::Scalar<f32>,
         k_8: rt::Scalar<u32>,
-        params_59: rt::Vec4<f32>,
+        params_63: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_5: rt::Vec2<f32>;
 
-        let along_32 = pixel_47.direction.length();
-        let direction_8 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_32));
-        let _e9 = self.v_climb(at_85, direction_8);
-        let duv_5 = _e9.xy();
-        let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let is_flat = _e13.elementwise_eq(rt::Scalar(0f32));
-        let descent_3 = (rt::Scalar(0f32) - at_85.normal.dot(direction_8)).max(rt::Scalar(-300000000000000000000000000000000000000f32).select(rt::Scalar(0.001f32), is_flat));
-        let _e24 = self.v_traced_scale_m();
-        let _e25 = self.v_base_height();
-        let slope_12 = ((rt::Scalar(0f32) - descent_3) / _e24);
-        let _e29 = self.v_plane_normal(pixel_47);
-        let _e30 = self.v_plane_distance(pixel_47, _e29);
-        let distance = (_e30 * along_32);
-        let eye_3 = (rt::Scalar(0f32) - distance);
-        let top_8 = (((_e25 - rt::Scalar(1f32)) * _e24) / descent_3);
-        enter = top_8.max(eye_3);
-        leave_4 = ((_e25 * _e24) / descent_3);
-        let _e43 = leave_4;
-        let _e44 = leave_4;
-        leave_4 = (_e43 + ((_e44 - top_8) * rt::Scalar(0.000001f32)));
-        let _e51 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e51.elementwise_eq(WRAP_CLAMP)) {
-            let _e57 = enter;
-            let _e58 = leave_4;
-            let _e60 = self.v_inside_unit(at_85.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e57, _e58));
-            interval_5 = _e60;
-            let _e65 = interval_5;
-            let _e66 = self.v_inside_unit(at_85.uv.y(), duv_5.y(), _e65);
-            interval_5 = _e66;
-            let _e68 = interval_5.x();
-            enter = _e68;
-            let _e70 = interval_5.y();
-            leave_4 = _e70;
+        let _e6 = self.v_climb(at_87, direction_6);
+        let duv_5 = _e6.xy();
+        let _e10 = rt::Scalar(self.surface_settings.scale_m);
+        let is_flat = _e10.elementwise_eq(rt::Scalar(0f32));
+        let descent_3 = (rt::Scalar(0f32) - at_87.normal.dot(direction_6)).max(rt::Scalar(-300000000000000000000000000000000000000f32).select(rt::Scalar(0.001f32), is_flat));
+        let _e21 = self.v_traced_scale_m();
+        let _e22 = self.v_base_height();
+        let slope_12 = ((rt::Scalar(0f32) - descent_3) / _e21);
+        let top_9 = (((_e22 - rt::Scalar(1f32)) * _e21) / descent_3);
+        enter = top_9.max(eye_3);
+        leave_4 = ((_e22 * _e21) / descent_3);
+        let _e35 = leave_4;
+        let _e36 = leave_4;
+        leave_4 = (_e35 + ((_e36 - top_9) * rt::Scalar(0.000001f32)));
+        let _e43 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e43.elementwise_eq(WRAP_CLAMP)) {
+            let _e49 = enter;
+            let _e50 = leave_4;
+            let _e52 = self.v_inside_unit(at_87.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e49, _e50));
+            interval_5 = _e52;
+            let _e57 = interval_5;
+            let _e58 = self.v_inside_unit(at_87.uv.y(), duv_5.y(), _e57);
+            interval_5 = _e58;
+            let _e60 = interval_5.x();
+            enter = _e60;
+            let _e62 = interval_5.y();
+            leave_4 = _e62;
         }
-        let _e71 = enter;
-        let _e74 = enter;
-        let entry_height = (_e25 + (slope_12 * _e71)).select(rt::Scalar(1f32), _e74.elementwise_eq(top_8));
-        let _e78 = enter;
-        let base_2 = (rt::Scalar(0f32) - _e78).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e85 = enter;
-        let _e90 = leave_4;
-        let _e91 = enter;
-        let _e96 = enter;
-        return <Path>::new((at_85.uv + (duv_5 * _e85)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_12, rt::Scalar(0f32)), (_e90 - _e91), base_2, at_85.metric, RAY_VIEW, rt::Scalar(at_85.level), (distance + _e96), rt::Scalar(1f32), rt::Scalar(0f32));
+        let _e63 = enter;
+        let _e66 = enter;
+        let entry_height = (_e22 + (slope_12 * _e63)).select(rt::Scalar(1f32), _e66.elementwise_eq(top_9));
+        let _e70 = enter;
+        let base_3 = (rt::Scalar(0f32) - _e70).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e77 = enter;
+        let _e82 = leave_4;
+        let _e83 = enter;
+        let _e92 = enter;
+        return <Path>::new((at_87.uv + (duv_5 * _e77)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_12, rt::Scalar(0f32)), rt::Scalar(0f32).select((_e82 - _e83), descent_3.elementwise_gt(rt::Scalar(0f32))), base_3, at_87.metric, RAY_VIEW, rt::Scalar(at_87.level), (distance + _e92), rt::Scalar(1f32), rt::Scalar(0f32));
+    }
+    pub(crate) fn surface_plane_segment(
+        &self,
+        pixel_47: PixelIn,
+        at_88: Entered,
+        k_9: impl rt::Into<rt::Scalar<u32>>,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_plane_segment(pixel_47, at_88, rt::into(k_9), rt::into(params_64)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_surface_plane_segment(
+        &self,
+        pixel_47: PixelIn,
+        at_88: Entered,
+        k_9: rt::Scalar<u32>,
+        params_64: rt::Vec4<f32>,
+    ) -> Path {
+        let along_32 = pixel_47.direction.length();
+        let _e6 = self.v_plane_normal(pixel_47);
+        let _e7 = self.v_plane_distance(pixel_47, _e6);
+        let distance_3 = (_e7 * along_32);
+        let _e14 = self.v_surface_plane_way(at_88, (pixel_47.direction / rt::Vec3::splat_from_scalar(along_32)), distance_3, (rt::Scalar(0f32) - distance_3), k_9, params_64);
+        return _e14;
     }
     pub(crate) fn folded_segment(
         &self,
         pixel_48: PixelIn,
-        at_86: Entered,
-        k_9: impl rt::Into<rt::Scalar<u32>>,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        at_89: Entered,
+        k_10: impl rt::Into<rt::Scalar<u32>>,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_48, at_86, rt::into(k_9), rt::into(params_60)))
+        rt::into(self.v_folded_segment(pixel_48, at_89, rt::into(k_10), rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_folded_segment(
         &self,
         pixel_48: PixelIn,
-        at_86: Entered,
-        k_9: rt::Scalar<u32>,
-        params_60: rt::Vec4<f32>,
+        at_89: Entered,
+        k_10: rt::Scalar<u32>,
+        params_65: rt::Vec4<f32>,
     ) -> Path {
         let mut a_17: WayPoint;
         let mut b_17: WayPoint;
-        let mut path_33: Path;
+        let mut path_35: Path;
         let mut local_59: rt::Scalar<bool>;
 
         let along_33 = pixel_48.direction.normalize();
         let _e6 = self.v_middle_of(pixel_48, along_33);
-        let _e7 = self.v_prism_of(pixel_48, along_33, _e6, params_60);
+        let _e7 = self.v_prism_of(pixel_48, along_33, _e6, params_65);
         let _e8 = self.v_shell_slack(pixel_48, _e6);
         let _e9 = self.v_way_of(pixel_48, _e7, along_33);
         let _e10 = self.v_way_offsets(pixel_48, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_48, at_86, _e6, params_60);
+        let _e11 = self.v_chord_reach(pixel_48, at_89, _e6, params_65);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_48, _e7, along_33, _e9, _e10, _e12, params_60.x(), k_9);
+        let _e14 = self.v_way_chord(pixel_48, _e7, along_33, _e9, _e10, _e12, params_65.x(), k_10);
         let _e16 = self.v_before_turn(_e7, along_33, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_33, _e9, _e16.x());
         a_17 = _e18;
@@ -11677,16 +11860,16 @@ impl<'g> Resources<'g> {
         let _e38 = rt::Scalar(a_17.t);
         let _e41 = rt::Scalar(b_17.t);
         let _e43 = rt::Scalar(a_17.t);
-        let part_29 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
+        let part_30 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
         let _e48 = rt::Scalar(a_17.point.height);
         let _e53 = rt::Scalar(b_17.point.height);
-        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_29);
+        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_30);
         let _e56 = a_17.point;
         let _e58 = b_17.point;
         let _e60 = rt::Scalar(a_17.t);
         let _e62 = rt::Scalar(b_17.t);
-        let _e64 = self.v_chord_path(pixel_48, at_86, _e6, params_60, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
-        path_33 = _e64;
+        let _e64 = self.v_chord_path(pixel_48, at_89, _e6, params_65, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        path_35 = _e64;
         let _e67 = rt::Scalar(a_17.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
             let _e76 = rt::Scalar(b_17.beside);
@@ -11696,263 +11879,311 @@ impl<'g> Resources<'g> {
         }
         let _e82 = local_59;
         if rt::Scalar::into_branch_condition(_e82) {
-            rt::Scalar(path_33.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_35.exit) = rt::Scalar(0f32);
         }
-        let _e85 = path_33;
+        let _e85 = path_35;
         return _e85;
     }
     pub(crate) fn surface_prism_segment(
         &self,
         pixel_49: PixelIn,
-        at_87: Entered,
-        k_10: impl rt::Into<rt::Scalar<u32>>,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        at_90: Entered,
+        k_11: impl rt::Into<rt::Scalar<u32>>,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_49, at_87, rt::into(k_10), rt::into(params_61)))
+        rt::into(self.v_surface_prism_segment(pixel_49, at_90, rt::into(k_11), rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_segment(
         &self,
         pixel_49: PixelIn,
-        at_87: Entered,
-        k_10: rt::Scalar<u32>,
-        params_61: rt::Vec4<f32>,
+        at_90: Entered,
+        k_11: rt::Scalar<u32>,
+        params_66: rt::Vec4<f32>,
     ) -> Path {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_49.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_49, at_87, k_10, params_61);
+            let _e8 = self.v_folded_segment(pixel_49, at_90, k_11, params_66);
             return _e8;
         }
         let along_34 = pixel_49.direction.normalize();
         let _e11 = self.v_middle_of(pixel_49, along_34);
-        let _e12 = self.v_prism_of(pixel_49, along_34, _e11, params_61);
+        let _e12 = self.v_prism_of(pixel_49, along_34, _e11, params_66);
         let heights_2 = pixel_49.shell.heights;
         let mean_13 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_87, k_10);
-        let _e23 = self.v_chord_end(at_87, (k_10 + rt::Scalar(1u32)));
+        let _e20 = self.v_chord_end(at_90, k_11);
+        let _e23 = self.v_chord_end(at_90, (k_11 + rt::Scalar(1u32)));
         let _e25 = self.v_shell_point(_e12, (along_34 * _e20), mean_13);
         let _e27 = self.v_shell_point(_e12, (along_34 * _e23), mean_13);
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_34 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_8 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_49, at_87, _e11, params_61);
+        let _e56 = self.v_chord_reach(pixel_49, at_90, _e11, params_66);
         let beyond_6 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_49, at_87, _e11, params_61, _e25, _e27, bend_8, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_6);
+        let _e68 = self.v_chord_path(pixel_49, at_90, _e11, params_66, _e25, _e27, bend_8, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_6);
         return _e68;
     }
-    pub(crate) fn surface_quadric_perpendicular_segment(
+    pub(crate) fn surface_quadric_perpendicular_way(
         &self,
-        pixel_50: PixelIn,
-        at_88: Entered,
-        k_11: impl rt::Into<rt::Scalar<u32>>,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        at_91: Entered,
+        direction_7: impl rt::Into<rt::Vec3<f32>>,
+        distance_1: impl rt::Into<rt::Scalar<f32>>,
+        eye_4: impl rt::Into<rt::Scalar<f32>>,
+        k_12: impl rt::Into<rt::Scalar<u32>>,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_88, rt::into(k_11), rt::into(params_62)))
+        rt::into(self.v_surface_quadric_perpendicular_way(at_91, rt::into(direction_7), rt::into(distance_1), rt::into(eye_4), rt::into(k_12), rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_quadric_perpendicular_segment(
+    pub(super) fn v_surface_quadric_perpendicular_way(
         &self,
-        pixel_50: PixelIn,
-        at_88: Entered,
-        k_11: rt::Scalar<u32>,
-        params_62: rt::Vec4<f32>,
+        at_91: Entered,
+        direction_7: rt::Vec3<f32>,
+        distance_1: rt::Scalar<f32>,
+        eye_4: rt::Scalar<f32>,
+        k_12: rt::Scalar<u32>,
+        params_67: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_5: rt::Scalar<f32>;
         let mut end_3: rt::Scalar<f32>;
         let mut local_60: rt::Scalar<bool>;
-        let mut path_34: Path;
+        let mut path_36: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_35 = pixel_50.direction.length();
-        let _e9 = self.v_across_of(at_88, (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35)));
-        let _e10 = self.v_traced_scale_m();
-        let _e11 = self.v_plane_normal(pixel_50);
-        let _e12 = self.v_plane_distance(pixel_50, _e11);
-        let distance_1 = (_e12 * along_35);
-        let whole_1 = (at_88.span.y() - at_88.span.x());
-        let first_23 = (at_88.span.x() + (whole_1 * (k_11.to_f32() / params_62.z())));
-        let last_12 = (at_88.span.x() + (whole_1 * ((k_11 + rt::Scalar(1u32)).to_f32() / params_62.z())));
+        let _e6 = self.v_across_of(at_91, direction_7);
+        let _e7 = self.v_traced_scale_m();
+        let whole_1 = (at_91.span.y() - at_91.span.x());
+        let first_23 = (at_91.span.x() + (whole_1 * (k_12.to_f32() / params_67.z())));
+        let last_12 = (at_91.span.x() + (whole_1 * ((k_12 + rt::Scalar(1u32)).to_f32() / params_67.z())));
         let long_4 = (last_12 - first_23);
-        let _e38 = self.v_across_depth(_e9, first_23);
-        begin_5 = (at_88.of_surface.w() - (_e38 / _e10));
-        if rt::Scalar::into_branch_condition(k_11.elementwise_eq(rt::Scalar(0u32))) {
-            let _e44 = begin_5;
-            begin_5 = _e44.min(rt::Scalar(1f32));
+        let _e32 = self.v_across_depth(_e6, first_23);
+        begin_5 = (at_91.of_surface.w() - (_e32 / _e7));
+        if rt::Scalar::into_branch_condition(k_12.elementwise_eq(rt::Scalar(0u32))) {
+            let _e38 = begin_5;
+            begin_5 = _e38.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_23 + last_12)));
-        let middle_15 = (at_88.of_surface.w() - (_e52 / _e10));
-        let _e57 = self.v_across_depth(_e9, last_12);
-        end_3 = (at_88.of_surface.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_11 + rt::Scalar(1u32)).elementwise_eq(params_62.z().to_u32())) {
-            let _e68 = end_3;
-            local_60 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+        let _e46 = self.v_across_depth(_e6, (rt::Scalar(0.5f32) * (first_23 + last_12)));
+        let middle_15 = (at_91.of_surface.w() - (_e46 / _e7));
+        let _e51 = self.v_across_depth(_e6, last_12);
+        end_3 = (at_91.of_surface.w() - (_e51 / _e7));
+        if rt::Scalar::into_branch_condition((k_12 + rt::Scalar(1u32)).elementwise_eq(params_67.z().to_u32())) {
+            let _e62 = end_3;
+            local_60 = _e62.elementwise_lt(rt::Scalar(0.5f32));
         } else {
             local_60 = rt::Scalar(false);
         }
-        let _e72 = local_60;
-        if rt::Scalar::into_branch_condition(_e72) {
-            let _e73 = end_3;
-            end_3 = _e73.min(rt::Scalar(-0.000001f32));
+        let _e66 = local_60;
+        if rt::Scalar::into_branch_condition(_e66) {
+            let _e67 = end_3;
+            end_3 = _e67.min(rt::Scalar(-0.000001f32));
         }
-        let _e76 = begin_5;
-        let _e77 = end_3;
-        let bend_9 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_15)));
-        let _e84 = end_3;
-        let _e85 = begin_5;
-        let slope_13 = ((_e84 - _e85) - bend_9);
-        let base_3 = (rt::Scalar(0f32) - first_23).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e98 = begin_5;
-        path_34 = <Path>::new((at_88.uv + (_e9.duv * first_23)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_13 / long_4), (bend_9 / (long_4 * long_4))), long_4, base_3, at_88.metric, RAY_VIEW, rt::Scalar(at_88.level), (distance_1 + first_23), (rt::Scalar(1f32) / params_62.z()), rt::Scalar(0f32));
+        let _e70 = begin_5;
+        let _e71 = end_3;
+        let bend_9 = (rt::Scalar(2f32) * ((_e70 + _e71) - (rt::Scalar(2f32) * middle_15)));
+        let _e78 = end_3;
+        let _e79 = begin_5;
+        let slope_13 = ((_e78 - _e79) - bend_9);
+        let base_4 = (rt::Scalar(0f32) - first_23).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e92 = begin_5;
+        path_36 = <Path>::new((at_91.uv + (_e6.duv * first_23)), _e6.duv, <rt::Vec3<f32>>::from_scalars(_e92, (slope_13 / long_4), (bend_9 / (long_4 * long_4))), long_4, base_4, at_91.metric, RAY_VIEW, rt::Scalar(at_91.level), (distance_1 + first_23), (rt::Scalar(1f32) / params_67.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
-        let _e118 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
-            let _e123 = path_34.uv.x();
-            let _e126 = inside_2;
-            let _e127 = self.v_inside_unit(_e123, _e9.duv.x(), _e126);
-            inside_2 = _e127;
-            let _e130 = path_34.uv.y();
-            let _e133 = inside_2;
-            let _e134 = self.v_inside_unit(_e130, _e9.duv.y(), _e133);
-            inside_2 = _e134;
-            let _e137 = inside_2.y();
-            rt::Scalar(path_34.exit) = _e137;
-            let _e138 = path_34;
-            let _e140 = inside_2.x();
-            let _e141 = self.v_path_from(_e138, _e140);
-            path_34 = _e141;
+        let _e112 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e112.elementwise_eq(WRAP_CLAMP)) {
+            let _e117 = path_36.uv.x();
+            let _e120 = inside_2;
+            let _e121 = self.v_inside_unit(_e117, _e6.duv.x(), _e120);
+            inside_2 = _e121;
+            let _e124 = path_36.uv.y();
+            let _e127 = inside_2;
+            let _e128 = self.v_inside_unit(_e124, _e6.duv.y(), _e127);
+            inside_2 = _e128;
+            let _e131 = inside_2.y();
+            rt::Scalar(path_36.exit) = _e131;
+            let _e132 = path_36;
+            let _e134 = inside_2.x();
+            let _e135 = self.v_path_from(_e132, _e134);
+            path_36 = _e135;
         }
-        let _e143 = rt::Scalar(path_34.exit);
-        if rt::Scalar::into_branch_condition((!_e143.elementwise_gt(rt::Scalar(0f32)))) {
-            rt::Scalar(path_34.exit) = rt::Scalar(0f32);
+        let _e137 = rt::Scalar(path_36.exit);
+        if rt::Scalar::into_branch_condition((!_e137.elementwise_gt(rt::Scalar(0f32)))) {
+            rt::Scalar(path_36.exit) = rt::Scalar(0f32);
         }
-        let _e149 = path_34;
-        return _e149;
+        let _e143 = path_36;
+        return _e143;
     }
-    pub(crate) fn surface_quadric_vertical_segment(
+    pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
-        pixel_51: PixelIn,
-        at_89: Entered,
-        k_12: impl rt::Into<rt::Scalar<u32>>,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        pixel_50: PixelIn,
+        at_92: Entered,
+        k_13: impl rt::Into<rt::Scalar<u32>>,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_89, rt::into(k_12), rt::into(params_63)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_92, rt::into(k_13), rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_quadric_vertical_segment(
+    #[inline(always)]
+    pub(super) fn v_surface_quadric_perpendicular_segment(
         &self,
-        pixel_51: PixelIn,
-        at_89: Entered,
-        k_12: rt::Scalar<u32>,
-        params_63: rt::Vec4<f32>,
+        pixel_50: PixelIn,
+        at_92: Entered,
+        k_13: rt::Scalar<u32>,
+        params_68: rt::Vec4<f32>,
+    ) -> Path {
+        let along_35 = pixel_50.direction.length();
+        let _e6 = self.v_plane_normal(pixel_50);
+        let _e7 = self.v_plane_distance(pixel_50, _e6);
+        let distance_4 = (_e7 * along_35);
+        let _e14 = self.v_surface_quadric_perpendicular_way(at_92, (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35)), distance_4, (rt::Scalar(0f32) - distance_4), k_13, params_68);
+        return _e14;
+    }
+    pub(crate) fn surface_quadric_vertical_way(
+        &self,
+        at_93: Entered,
+        direction_8: impl rt::Into<rt::Vec3<f32>>,
+        distance_2: impl rt::Into<rt::Scalar<f32>>,
+        eye_5: impl rt::Into<rt::Scalar<f32>>,
+        k_14: impl rt::Into<rt::Scalar<u32>>,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_quadric_vertical_way(at_93, rt::into(direction_8), rt::into(distance_2), rt::into(eye_5), rt::into(k_14), rt::into(params_69)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    pub(super) fn v_surface_quadric_vertical_way(
+        &self,
+        at_93: Entered,
+        direction_8: rt::Vec3<f32>,
+        distance_2: rt::Scalar<f32>,
+        eye_5: rt::Scalar<f32>,
+        k_14: rt::Scalar<u32>,
+        params_69: rt::Vec4<f32>,
     ) -> Path {
         let mut local_61: rt::Scalar<bool>;
         let mut local_62: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_6: rt::Vec2<f32>;
-        let mut path_35: Path;
+        let mut path_37: Path;
         let mut local_63: rt::Scalar<bool>;
 
-        let along_36 = pixel_51.direction.length();
-        let direction_9 = (pixel_51.direction / rt::Vec3::splat_from_scalar(along_36));
-        let _e9 = self.v_climb(at_89, direction_9);
-        let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_89.normal.dot(direction_9));
-        let _e15 = self.v_traced_scale_m();
-        let height_23 = at_89.of_surface.w();
-        let slope_14 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_89.of_surface.xyz(), duv_6);
-        let curve = ((rt::Scalar(0f32) - _e23) / _e15);
-        let _e27 = self.v_plane_normal(pixel_51);
-        let _e28 = self.v_plane_distance(pixel_51, _e27);
-        let distance_2 = (_e28 * along_36);
-        let eye_4 = (rt::Scalar(0f32) - distance_2);
-        let _e35 = self.v_bent_descent(((height_23 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
-        if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-            if rt::Scalar::into_branch_condition((!height_23.elementwise_lt(rt::Scalar(1f32)))) {
-                local_62 = _e35.elementwise_ge(rt::Scalar(0f32));
+        let _e6 = self.v_climb(at_93, direction_8);
+        let duv_6 = _e6.xy();
+        let descent_4 = (rt::Scalar(0f32) - at_93.normal.dot(direction_8));
+        let _e12 = self.v_traced_scale_m();
+        let height_24 = at_93.of_surface.w();
+        let slope_14 = ((rt::Scalar(0f32) - descent_4) / _e12);
+        let _e20 = self.v_quadric_at(at_93.of_surface.xyz(), duv_6);
+        let curve = ((rt::Scalar(0f32) - _e20) / _e12);
+        let _e27 = self.v_bent_descent(((height_24 - rt::Scalar(1f32)) * _e12), descent_4, _e20);
+        if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+            if rt::Scalar::into_branch_condition((!height_24.elementwise_lt(rt::Scalar(1f32)))) {
+                local_62 = _e27.elementwise_ge(rt::Scalar(0f32));
             } else {
                 local_62 = rt::Scalar(true);
             }
-            let _e48 = local_62;
-            local_61 = _e48;
+            let _e40 = local_62;
+            local_61 = _e40;
         } else {
             local_61 = rt::Scalar(false);
         }
         let comes_down = local_61;
-        enter_1 = _e35.max(eye_4);
-        let _e53 = enter_1;
-        let _e54 = enter_1;
-        let _e59 = enter_1;
-        let begin_11 = (height_23 + (_e53 * (slope_14 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
-        let _e63 = enter_1;
-        let _e66 = enter_1;
-        let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_11, (slope_14 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
-        leave_5 = (_e63 + _e70);
-        if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
-            leave_5 = ((height_23 * _e15) / descent_4);
-            let _e77 = leave_5;
-            let _e78 = leave_5;
-            leave_5 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
+        enter_1 = _e27.max(eye_5);
+        let _e45 = enter_1;
+        let _e46 = enter_1;
+        let _e51 = enter_1;
+        let begin_11 = (height_24 + (_e45 * (slope_14 + (curve * _e46)))).select(rt::Scalar(1f32), _e51.elementwise_eq(_e27));
+        let _e55 = enter_1;
+        let _e58 = enter_1;
+        let _e62 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_11, (slope_14 + ((rt::Scalar(2f32) * curve) * _e58)), curve));
+        leave_5 = (_e55 + _e62);
+        if rt::Scalar::into_branch_condition(_e20.elementwise_eq(rt::Scalar(0f32))) {
+            leave_5 = ((height_24 * _e12) / descent_4);
+            let _e69 = leave_5;
+            let _e70 = leave_5;
+            leave_5 = (_e69 + ((_e70 - _e27) * rt::Scalar(0.000001f32)));
         }
-        let _e85 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
-            let _e91 = enter_1;
-            let _e92 = leave_5;
-            let _e94 = self.v_inside_unit(at_89.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
-            interval_6 = _e94;
-            let _e99 = interval_6;
-            let _e100 = self.v_inside_unit(at_89.uv.y(), duv_6.y(), _e99);
-            interval_6 = _e100;
-            let _e102 = interval_6.x();
-            enter_1 = _e102;
-            let _e104 = interval_6.y();
-            leave_5 = _e104;
+        let _e77 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e77.elementwise_eq(WRAP_CLAMP)) {
+            let _e83 = enter_1;
+            let _e84 = leave_5;
+            let _e86 = self.v_inside_unit(at_93.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e83, _e84));
+            interval_6 = _e86;
+            let _e91 = interval_6;
+            let _e92 = self.v_inside_unit(at_93.uv.y(), duv_6.y(), _e91);
+            interval_6 = _e92;
+            let _e94 = interval_6.x();
+            enter_1 = _e94;
+            let _e96 = interval_6.y();
+            leave_5 = _e96;
         }
-        let _e105 = enter_1;
-        let _e106 = enter_1;
-        let _e111 = enter_1;
-        let entry_height_1 = (height_23 + (_e105 * (slope_14 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
-        let _e115 = enter_1;
-        let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e122 = enter_1;
-        let _e127 = enter_1;
-        let _e131 = leave_5;
-        let _e132 = enter_1;
-        let _e137 = enter_1;
-        path_35 = <Path>::new((at_89.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_14 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_89.metric, RAY_VIEW, rt::Scalar(at_89.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
+        let _e97 = enter_1;
+        let _e98 = enter_1;
+        let _e103 = enter_1;
+        let entry_height_1 = (height_24 + (_e97 * (slope_14 + (curve * _e98)))).select(rt::Scalar(1f32), _e103.elementwise_eq(_e27));
+        let _e107 = enter_1;
+        let base_5 = (rt::Scalar(0f32) - _e107).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e114 = enter_1;
+        let _e119 = enter_1;
+        let _e123 = leave_5;
+        let _e124 = enter_1;
+        let _e129 = enter_1;
+        path_37 = <Path>::new((at_93.uv + (duv_6 * _e114)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_14 + ((rt::Scalar(2f32) * curve) * _e119)), curve), (_e123 - _e124), base_5, at_93.metric, RAY_VIEW, rt::Scalar(at_93.level), (distance_2 + _e129), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
-            let _e148 = rt::Scalar(path_35.exit);
-            local_63 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
+            let _e140 = rt::Scalar(path_37.exit);
+            local_63 = (!_e140.elementwise_gt(rt::Scalar(0f32)));
         } else {
             local_63 = rt::Scalar(true);
         }
-        let _e153 = local_63;
-        if rt::Scalar::into_branch_condition(_e153) {
-            rt::Scalar(path_35.exit) = rt::Scalar(0f32);
+        let _e145 = local_63;
+        if rt::Scalar::into_branch_condition(_e145) {
+            rt::Scalar(path_37.exit) = rt::Scalar(0f32);
         }
-        let _e156 = path_35;
-        return _e156;
+        let _e148 = path_37;
+        return _e148;
+    }
+    pub(crate) fn surface_quadric_vertical_segment(
+        &self,
+        pixel_51: PixelIn,
+        at_94: Entered,
+        k_15: impl rt::Into<rt::Scalar<u32>>,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_94, rt::into(k_15), rt::into(params_70)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    pub(super) fn v_surface_quadric_vertical_segment(
+        &self,
+        pixel_51: PixelIn,
+        at_94: Entered,
+        k_15: rt::Scalar<u32>,
+        params_70: rt::Vec4<f32>,
+    ) -> Path {
+        let along_36 = pixel_51.direction.length();
+        let _e6 = self.v_plane_normal(pixel_51);
+        let _e7 = self.v_plane_distance(pixel_51, _e6);
+        let distance_5 = (_e7 * along_36);
+        let _e14 = self.v_surface_quadric_vertical_way(at_94, (pixel_51.direction / rt::Vec3::splat_from_scalar(along_36)), distance_5, (rt::Scalar(0f32) - distance_5), k_15, params_70);
+        return _e14;
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
         pixel_52: PixelIn,
-        at_90: Entered,
-        k_13: impl rt::Into<rt::Scalar<u32>>,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        at_95: Entered,
+        k_16: impl rt::Into<rt::Scalar<u32>>,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_90, rt::into(k_13), rt::into(params_64)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_95, rt::into(k_16), rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_segment(
         &self,
         pixel_52: PixelIn,
-        at_90: Entered,
-        k_13: rt::Scalar<u32>,
-        params_64: rt::Vec4<f32>,
+        at_95: Entered,
+        k_16: rt::Scalar<u32>,
+        params_71: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
-        let mut path_36: Path;
+        let mut path_38: Path;
 
         let along_37 = pixel_52.direction.normalize();
         let _e6 = self.v_middle_of(pixel_52, along_37);
@@ -11963,10 +12194,10 @@ impl<'g> Resources<'g> {
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
         chosen_1 = _e8;
-        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_13)) {
+        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_16)) {
             chosen_1 = _e10;
         }
-        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_13)) {
+        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_16)) {
             chosen_1 = _e12;
         }
         let _e30 = self.v_ordered(pixel_52, rt::Scalar(0u32));
@@ -12003,52 +12234,52 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_36 = <Path>::new((uv_44 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_90.metric, RAY_VIEW, rt::Scalar(at_90.level), (_e6 + _e146), ((_e149 - _e151) / whole_2), rt::Scalar(0f32));
-        let _e159 = rt::Scalar(path_36.exit);
+        path_38 = <Path>::new((uv_44 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_95.metric, RAY_VIEW, rt::Scalar(at_95.level), (_e6 + _e146), ((_e149 - _e151) / whole_2), rt::Scalar(0f32));
+        let _e159 = rt::Scalar(path_38.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
-            let _e162 = path_36;
-            let _e163 = path_36;
+            let _e162 = path_38;
+            let _e163 = path_38;
             let _e167 = self.v_out_of_ground(_e163, (rt::Scalar(4f32) * _e61), rt::Scalar(0f32));
             let _e168 = self.v_path_from(_e162, _e167);
-            path_36 = _e168;
+            path_38 = _e168;
         }
-        let _e169 = path_36;
+        let _e169 = path_38;
         return _e169;
     }
     pub(crate) fn surface_facets_segment(
         &self,
         pixel_53: PixelIn,
-        at_91: Entered,
-        k_14: impl rt::Into<rt::Scalar<u32>>,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        at_96: Entered,
+        k_17: impl rt::Into<rt::Scalar<u32>>,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_53, at_91, rt::into(k_14), rt::into(params_65)))
+        rt::into(self.v_surface_facets_segment(pixel_53, at_96, rt::into(k_17), rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_segment(
         &self,
         pixel_53: PixelIn,
-        at_91: Entered,
-        k_14: rt::Scalar<u32>,
-        params_65: rt::Vec4<f32>,
+        at_96: Entered,
+        k_17: rt::Scalar<u32>,
+        params_72: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_53);
         let _e5 = self.v_triangle_distance(pixel_53, _e4);
         let start_6 = (_e5 * pixel_53.direction.length());
-        let _e11 = self.v_height_at(at_91.uv, rt::Scalar(at_91.level));
+        let _e11 = self.v_height_at(at_96.uv, rt::Scalar(at_96.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let h_10 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_91.uv, duv_8, h_10, rt::Scalar(1f32), rt::Scalar(0f32), at_91.metric, RAY_VIEW, rt::Scalar(at_91.level), start_6, rt::Scalar(1f32), rt::Scalar(0f32));
+        let h_11 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Path>::new(at_96.uv, duv_8, h_11, rt::Scalar(1f32), rt::Scalar(0f32), at_96.metric, RAY_VIEW, rt::Scalar(at_96.level), start_6, rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn slice_inside(
         &self,
         map_1: impl rt::Into<rt::Scalar<f32>>,
         slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice_2), rt::into(spacing), rt::into(params_66)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice_2), rt::into(spacing), rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12057,7 +12288,7 @@ impl<'g> Resources<'g> {
         map_1: rt::Scalar<f32>,
         slice_2: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
-        params_66: rt::Vec4<f32>,
+        params_73: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_1.elementwise_gt(slice_2);
     }
@@ -12066,9 +12297,9 @@ impl<'g> Resources<'g> {
         map_2: impl rt::Into<rt::Scalar<f32>>,
         slice_3: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_3), rt::into(spacing_1), rt::into(params_67)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_3), rt::into(spacing_1), rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12077,7 +12308,7 @@ impl<'g> Resources<'g> {
         map_2: rt::Scalar<f32>,
         slice_3: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
-        params_67: rt::Vec4<f32>,
+        params_74: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_2.elementwise_ge(slice_3);
     }
@@ -12086,9 +12317,9 @@ impl<'g> Resources<'g> {
         map_3: impl rt::Into<rt::Scalar<f32>>,
         slice_4: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_4), rt::into(spacing_2), rt::into(params_68)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_4), rt::into(spacing_2), rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12097,7 +12328,7 @@ impl<'g> Resources<'g> {
         map_3: rt::Scalar<f32>,
         slice_4: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
-        params_68: rt::Vec4<f32>,
+        params_75: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return (map_3 - slice_4).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
@@ -12137,29 +12368,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_spacing(
         &self,
-        at_92: Entered,
+        at_97: Entered,
         axis_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_slice_spacing(at_92, rt::into(axis_1)))
+        rt::into(self.v_slice_spacing(at_97, rt::into(axis_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_spacing(
         &self,
-        at_92: Entered,
+        at_97: Entered,
         axis_1: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let step_7 = at_92.of_surface.y();
+        let step_7 = at_97.of_surface.y();
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
             return step_7;
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
             let _e12 = self.v_traced_scale_m();
-            return ((step_7 * at_92.metric.x().sqrt()) / _e12);
+            return ((step_7 * at_97.metric.x().sqrt()) / _e12);
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
             let _e20 = self.v_traced_scale_m();
-            return ((step_7 * at_92.metric.z().sqrt()) / _e20);
+            return ((step_7 * at_97.metric.z().sqrt()) / _e20);
         }
         let _e22 = self.v_traced_scale_m();
         return (step_7 / _e22);
@@ -12167,23 +12398,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_above(
         &self,
         pixel_54: PixelIn,
-        at_93: Entered,
+        at_98: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_54, at_93, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_54, at_98, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_above(
         &self,
         pixel_54: PixelIn,
-        at_93: Entered,
+        at_98: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_64: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_54.direction.dot(at_93.normal).elementwise_lt(rt::Scalar(0f32))) * at_93.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_54.direction.dot(at_98.normal).elementwise_lt(rt::Scalar(0f32))) * at_98.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
         let a_41 = (pixel_54.a.position + (pixel_54.a.normal * step_m));
@@ -12202,29 +12433,29 @@ impl<'g> Resources<'g> {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
         let _e68 = self.v_weights_of(a_41, b_41, c_29, n_19, (pixel_54.origin + (pixel_54.direction * t_52)));
-        let aside_6 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_93.uv);
+        let aside_6 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_98.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_6, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
         &self,
-        at_94: Entered,
+        at_99: Entered,
         climbs: impl rt::Into<rt::Vec3<f32>>,
         pace: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_beside(at_94, rt::into(climbs), rt::into(pace)))
+        rt::into(self.v_slice_beside(at_99, rt::into(climbs), rt::into(pace)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_slice_beside(
         &self,
-        at_94: Entered,
+        at_99: Entered,
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_65: rt::Scalar<bool>;
 
-        let up_4 = (at_94.of_surface.x().select((rt::Scalar(1f32) - at_94.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
-        let lead_1 = (at_94.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_4, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        let up_4 = (at_99.of_surface.x().select((rt::Scalar(1f32) - at_99.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_99.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_4, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
             local_65 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
@@ -12239,68 +12470,68 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_before(
         &self,
         pixel_55: PixelIn,
-        at_95: Entered,
+        at_100: Entered,
         axis_2: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_55, at_95, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_55, at_100, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_slice_before(
         &self,
         pixel_55: PixelIn,
-        at_95: Entered,
+        at_100: Entered,
         axis_2: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_55, at_95, along_17, far_3);
+            let _e7 = self.v_slice_above(pixel_55, at_100, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_95, (pixel_55.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e11 = self.v_climb(at_100, (pixel_55.direction / rt::Vec3::splat_from_scalar(along_17)));
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_U)) {
-            let _e16 = self.v_slice_beside(at_95, _e11, _e11.x().abs());
+            let _e16 = self.v_slice_beside(at_100, _e11, _e11.x().abs());
             return _e16;
         }
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_V)) {
-            let _e21 = self.v_slice_beside(at_95, _e11, _e11.y().abs());
+            let _e21 = self.v_slice_beside(at_100, _e11, _e11.y().abs());
             return _e21;
         }
-        let _e24 = self.v_slice_beside(at_95, _e11, (rt::Scalar(1f32) / along_17));
+        let _e24 = self.v_slice_beside(at_100, _e11, (rt::Scalar(1f32) / along_17));
         return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
         pixel_56: PixelIn,
-        at_96: Entered,
-        k_15: impl rt::Into<rt::Scalar<u32>>,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        at_101: Entered,
+        k_18: impl rt::Into<rt::Scalar<u32>>,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_56, at_96, rt::into(k_15), rt::into(params_69)))
+        rt::into(self.v_surface_slices_segment(pixel_56, at_101, rt::into(k_18), rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_segment(
         &self,
         pixel_56: PixelIn,
-        at_96: Entered,
-        k_15: rt::Scalar<u32>,
-        params_69: rt::Vec4<f32>,
+        at_101: Entered,
+        k_18: rt::Scalar<u32>,
+        params_76: rt::Vec4<f32>,
     ) -> Path {
         let along_38 = pixel_56.direction.length();
         let _e6 = self.v_plane_normal(pixel_56);
         let _e7 = self.v_triangle_distance(pixel_56, _e6);
         let far_13 = (_e7 * along_38);
         let axis_7 = pixel_56.a.of_surface.z().to_u32();
-        let height_24 = at_96.of_surface.x();
-        let _e17 = self.v_height_at(at_96.uv, rt::Scalar(at_96.level));
-        let _e18 = self.v_slice_spacing(at_96, axis_7);
-        let _e19 = self.v_slices_stage(_e17, height_24, _e18);
-        let _e20 = self.v_slice_before(pixel_56, at_96, axis_7, along_38, far_13);
+        let height_25 = at_101.of_surface.x();
+        let _e17 = self.v_height_at(at_101.uv, rt::Scalar(at_101.level));
+        let _e18 = self.v_slice_spacing(at_101, axis_7);
+        let _e19 = self.v_slices_stage(_e17, height_25, _e18);
+        let _e20 = self.v_slice_before(pixel_56, at_101, axis_7, along_38, far_13);
         let lead_2 = (far_13 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_13), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_96.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_24 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_96.metric, RAY_VIEW, rt::Scalar(at_96.level), (far_13 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_101.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_25 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_101.metric, RAY_VIEW, rt::Scalar(at_101.level), (far_13 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn within_bounds(
         &self,
@@ -12342,36 +12573,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn metric_of_image(
         &self,
         image_8: Image,
-        depth_7: impl rt::Into<rt::Scalar<f32>>,
+        depth_8: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_metric_of_image(image_8, rt::into(depth_7)))
+        rt::into(self.v_metric_of_image(image_8, rt::into(depth_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_metric_of_image(
         &self,
         image_8: Image,
-        depth_7: rt::Scalar<f32>,
+        depth_8: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_tangent_of_image(image_8);
-        let tangent_5 = (_e2 * depth_7);
+        let tangent_5 = (_e2 * depth_8);
         let _e4 = self.v_bitangent_of_image(image_8);
-        let bitangent_4 = (_e4 * depth_7);
+        let bitangent_4 = (_e4 * depth_8);
         let _e11 = rt::Scalar(self.surface_settings.scale_m);
         return <rt::Vec4<f32>>::from_scalars(tangent_5.dot(tangent_5), tangent_5.dot(bitangent_4), bitangent_4.dot(bitangent_4), _e11);
     }
     pub(crate) fn path_through_image(
         &self,
         pixel_57: PixelIn,
-        k_16: impl rt::Into<rt::Scalar<u32>>,
+        k_19: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_path_through_image(pixel_57, rt::into(k_16)))
+        rt::into(self.v_path_through_image(pixel_57, rt::into(k_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_path_through_image(
         &self,
         pixel_57: PixelIn,
-        k_16: rt::Scalar<u32>,
+        k_19: rt::Scalar<u32>,
     ) -> Path {
         let mut begin_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_67: rt::Scalar<bool>;
@@ -12379,7 +12610,7 @@ impl<'g> Resources<'g> {
         let mut height_9: rt::Vec3<f32>;
 
         let along_39 = pixel_57.direction.normalize();
-        let _e4 = self.v_image_of_object(k_16);
+        let _e4 = self.v_image_of_object(k_19);
         let deepens = _e4.depth.xyz().dot(along_39);
         let _e9 = self.v_depth_in_image(_e4, pixel_57.origin);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e4.has_eye)) {
@@ -12401,10 +12632,10 @@ impl<'g> Resources<'g> {
         let bend_10 = (deepens / _e33);
         let u_3 = ((_e4.u.xyz().dot(origin_7) + _e4.u.w()) / _e33);
         let v_6 = ((_e4.v.xyz().dot(origin_7) + _e4.v.w()) / _e33);
-        let h_11 = ((_e4.height.xyz().dot(origin_7) + _e4.height.w()) / _e33);
+        let h_12 = ((_e4.height.xyz().dot(origin_7) + _e4.height.w()) / _e33);
         let du_1 = ((_e4.u.xyz().dot(along_39) - (u_3 * deepens)) / _e33);
         let dv_1 = ((_e4.v.xyz().dot(along_39) - (v_6 * deepens)) / _e33);
-        let dh_1 = ((_e4.height.xyz().dot(along_39) - (h_11 * deepens)) / _e33);
+        let dh_1 = ((_e4.height.xyz().dot(along_39) - (h_12 * deepens)) / _e33);
         let _e74 = self.v_beyond_image(_e4);
         let _e85 = interval_8;
         let _e86 = self.v_within_bounds(u_3, du_1, (rt::Scalar(0f32) - _e74.x()), (rt::Scalar(1f32) + _e74.x()), _e85);
@@ -12413,12 +12644,12 @@ impl<'g> Resources<'g> {
         let _e94 = self.v_within_bounds(v_6, dv_1, (rt::Scalar(0f32) - _e74.y()), (rt::Scalar(1f32) + _e74.y()), _e93);
         interval_8 = _e94;
         let _e97 = interval_8;
-        let _e98 = self.v_within_bounds(h_11, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
+        let _e98 = self.v_within_bounds(h_12, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
         interval_8 = _e98;
         let start_7 = interval_8.x();
         let nearer = (rt::Scalar(1f32) - (bend_10 * start_7));
         let change_6 = (nearer * nearer);
-        height_9 = <rt::Vec3<f32>>::from_scalars((h_11 + (dh_1 * start_7)), (dh_1 * change_6), rt::Scalar(0f32));
+        height_9 = <rt::Vec3<f32>>::from_scalars((h_12 + (dh_1 * start_7)), (dh_1 * change_6), rt::Scalar(0f32));
         let _e113 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e113.elementwise_eq(CELLS_MASK)) {
             height_9 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
@@ -12427,49 +12658,49 @@ impl<'g> Resources<'g> {
         let _e135 = interval_8.y();
         let _e140 = self.v_metric_of_image(_e4, (_e33 / nearer));
         let _e143 = begin_6;
-        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_3 + (du_1 * start_7)), (v_6 + (dv_1 * start_7))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_6), _e133, ((_e135 - start_7) / change_6), k_16.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_7 / nearer)), rt::Scalar(1f32), (bend_10 * nearer));
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_3 + (du_1 * start_7)), (v_6 + (dv_1 * start_7))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_6), _e133, ((_e135 - start_7) / change_6), k_19.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_7 / nearer)), rt::Scalar(1f32), (bend_10 * nearer));
     }
     pub(crate) fn surface_object_segment(
         &self,
         pixel_58: PixelIn,
-        at_97: Entered,
-        k_17: impl rt::Into<rt::Scalar<u32>>,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        at_102: Entered,
+        k_20: impl rt::Into<rt::Scalar<u32>>,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_58, at_97, rt::into(k_17), rt::into(params_70)))
+        rt::into(self.v_surface_object_segment(pixel_58, at_102, rt::into(k_20), rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_segment(
         &self,
         pixel_58: PixelIn,
-        at_97: Entered,
-        k_17: rt::Scalar<u32>,
-        params_70: rt::Vec4<f32>,
+        at_102: Entered,
+        k_20: rt::Scalar<u32>,
+        params_77: rt::Vec4<f32>,
     ) -> Path {
-        let _e4 = self.v_path_through_image(pixel_58, k_17);
+        let _e4 = self.v_path_through_image(pixel_58, k_20);
         return _e4;
     }
     pub(crate) fn surface_frames_segment(
         &self,
         pixel_59: PixelIn,
-        at_98: Entered,
-        k_18: impl rt::Into<rt::Scalar<u32>>,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        at_103: Entered,
+        k_21: impl rt::Into<rt::Scalar<u32>>,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_59, at_98, rt::into(k_18), rt::into(params_71)))
+        rt::into(self.v_surface_frames_segment(pixel_59, at_103, rt::into(k_21), rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_segment(
         &self,
         pixel_59: PixelIn,
-        at_98: Entered,
-        k_18: rt::Scalar<u32>,
-        params_71: rt::Vec4<f32>,
+        at_103: Entered,
+        k_21: rt::Scalar<u32>,
+        params_78: rt::Vec4<f32>,
     ) -> Path {
         let _e7 = self.v_frames_around((-pixel_59.direction.normalize()));
-        let _e8 = self.v_frame_number(_e7, k_18);
+        let _e8 = self.v_frame_number(_e7, k_21);
         let _e9 = self.v_path_through_image(pixel_59, _e8);
         return _e9;
     }
@@ -12493,19 +12724,19 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_depth_in_image(image_9, point_15);
         let u_4 = ((image_9.u.xyz().dot(point_15) + image_9.u.w()) / _e2);
         let v_7 = ((image_9.v.xyz().dot(point_15) + image_9.v.w()) / _e2);
-        let h_12 = ((image_9.height.xyz().dot(point_15) + image_9.height.w()) / _e2);
+        let h_13 = ((image_9.height.xyz().dot(point_15) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
         let beside_6 = ((u_4 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_7 - rt::Scalar(0.5f32)).abs() - _e24.y()));
         let uv_45 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_4, v_7)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_183 = (((uv_45 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
-        let _e52 = self.v_cell_of(at_183);
-        let part_30 = (at_183 - _e52);
+        let at_188 = (((uv_45 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let _e52 = self.v_cell_of(at_188);
+        let part_31 = (at_188 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
-        let top_9 = (_e56.x() + ((_e56.y() - _e56.x()) * part_30.x()));
-        let bottom_5 = (_e56.z() + ((_e56.w() - _e56.z()) * part_30.x()));
-        let map_5 = (top_9 + ((bottom_5 - top_9) * part_30.y()));
+        let top_10 = (_e56.x() + ((_e56.y() - _e56.x()) * part_31.x()));
+        let bottom_5 = (_e56.z() + ((_e56.w() - _e56.z()) * part_31.x()));
+        let map_5 = (top_10 + ((bottom_5 - top_10) * part_31.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
             local_68 = beside_6.elementwise_le(rt::Scalar(0.5f32));
         } else {
@@ -12513,30 +12744,30 @@ impl<'g> Resources<'g> {
         }
         let _e82 = local_68;
         if rt::Scalar::into_branch_condition(_e82) {
-            local_69 = h_12.elementwise_gt(rt::Scalar(0.00001f32));
+            local_69 = h_13.elementwise_gt(rt::Scalar(0.00001f32));
         } else {
             local_69 = rt::Scalar(false);
         }
         let _e88 = local_69;
         if rt::Scalar::into_branch_condition(_e88) {
-            local_70 = h_12.elementwise_le(rt::Scalar(1f32));
+            local_70 = h_13.elementwise_le(rt::Scalar(1f32));
         } else {
             local_70 = rt::Scalar(false);
         }
         let is_inside_2 = local_70;
         let _e97 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_45, h_12.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
+        return <OnImage>::new(uv_45, h_13.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
     }
-    pub(crate) fn is_in_image(&self, at_99: OnImage) -> bool {
-        rt::into(self.v_is_in_image(at_99))
+    pub(crate) fn is_in_image(&self, at_104: OnImage) -> bool {
+        rt::into(self.v_is_in_image(at_104))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_is_in_image(&self, at_99: OnImage) -> rt::Scalar<bool> {
+    pub(super) fn v_is_in_image(&self, at_104: OnImage) -> rt::Scalar<bool> {
         let mut local_71: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_99.is_inside)) {
-            let _e7 = self.v_slices_stage(rt::Scalar(at_99.map), rt::Scalar(at_99.height), rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_104.is_inside)) {
+            let _e7 = self.v_slices_stage(rt::Scalar(at_104.map), rt::Scalar(at_104.height), rt::Scalar(0f32));
             local_71 = _e7;
         } else {
             local_71 = rt::Scalar(false);
@@ -12609,191 +12840,139 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_segment(
         &self,
         pixel_60: PixelIn,
-        at_100: Entered,
-        k_19: impl rt::Into<rt::Scalar<u32>>,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        at_105: Entered,
+        k_22: impl rt::Into<rt::Scalar<u32>>,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_60, at_100, rt::into(k_19), rt::into(params_72)))
+        rt::into(self.v_surface_object_slices_segment(pixel_60, at_105, rt::into(k_22), rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_segment(
         &self,
         pixel_60: PixelIn,
-        at_100: Entered,
-        k_19: rt::Scalar<u32>,
-        params_72: rt::Vec4<f32>,
+        at_105: Entered,
+        k_22: rt::Scalar<u32>,
+        params_79: rt::Vec4<f32>,
     ) -> Path {
-        let _e5 = self.v_slice_at(at_100.point);
+        let _e5 = self.v_slice_at(at_105.point);
         let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
-        let far_14 = (at_100.point - pixel_60.origin).length();
+        let far_14 = (at_105.point - pixel_60.origin).length();
         let lead_3 = (far_14 * rt::Scalar(0.0000005f32));
-        let _e28 = self.v_depth_in_image(_e7, at_100.point);
+        let _e28 = self.v_depth_in_image(_e7, at_105.point);
         let _e29 = self.v_metric_of_image(_e7, _e28);
         return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e29, RAY_VIEW, rt::Scalar(0u32), (far_14 - lead_3), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
         pixel_61: PixelIn,
-        at_101: Entered,
-        k_20: impl rt::Into<rt::Scalar<u32>>,
+        at_106: Entered,
+        k_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_61, at_101, rt::into(k_20)))
+        rt::into(self.v_surface_segment_stage(pixel_61, at_106, rt::into(k_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_segment_stage(
         &self,
         pixel_61: PixelIn,
-        at_101: Entered,
-        k_20: rt::Scalar<u32>,
+        at_106: Entered,
+        k_23: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_61, at_101, k_20, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_61, at_106, k_23, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_61, at_101, k_20, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_61, at_106, k_23, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_61, at_101, k_20, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_61, at_106, k_23, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_61, at_101, k_20, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_61, at_106, k_23, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_61, at_101, k_20, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_61, at_106, k_23, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_61, at_101, k_20, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_61, at_106, k_23, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_61, at_101, k_20, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_61, at_106, k_23, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_61, at_101, k_20, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_61, at_106, k_23, _e54);
                 return _e55;
             }
             8u32 => {
                 let _e60 = self.surface_settings.choices[1usize].params;
-                let _e61 = self.v_surface_frames_segment(pixel_61, at_101, k_20, _e60);
+                let _e61 = self.v_surface_frames_segment(pixel_61, at_106, k_23, _e60);
                 return _e61;
             }
             _ => {
                 let _e66 = self.surface_settings.choices[1usize].params;
-                let _e67 = self.v_surface_object_slices_segment(pixel_61, at_101, k_20, _e66);
+                let _e67 = self.v_surface_object_slices_segment(pixel_61, at_106, k_23, _e66);
                 return _e67;
             }
         }
     }
-    pub(crate) fn flattened(
-        &self,
-        path_37: Path,
-        middle_9: impl rt::Into<rt::Scalar<f32>>,
-        part_12: impl rt::Into<rt::Scalar<f32>>,
-    ) -> Path {
-        rt::into(self.v_flattened(path_37, rt::into(middle_9), rt::into(part_12)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_flattened(
-        &self,
-        path_37: Path,
-        middle_9: rt::Scalar<f32>,
-        part_12: rt::Scalar<f32>,
-    ) -> Path {
-        let mut start_1: rt::Scalar<f32> = rt::Scalar(0f32);
-
-        let kept = (rt::Scalar(1f32) - part_12);
-        let top_10 = (middle_9 + ((rt::Scalar(1f32) - middle_9) * kept));
-        let above_8 = (path_37.h.x() - top_10);
-        let begins = above_8.elementwise_gt(rt::Scalar(0f32));
-        if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_8, path_37.h.y(), path_37.h.z()), rt::Scalar(path_37.exit));
-            start_1 = _e22.min(rt::Scalar(path_37.exit));
-        }
-        let height_25 = (middle_9 + ((path_37.h.x() - middle_9) / kept)).select(rt::Scalar(1f32), begins);
-        let _e32 = start_1;
-        let _e33 = self.v_path_slope(path_37, _e32);
-        let h_13 = <rt::Vec3<f32>>::from_scalars(height_25, (_e33 / kept), (path_37.h.z() / kept));
-        let _e40 = start_1;
-        let rest_9 = (rt::Scalar(path_37.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_13.x().max(rt::Scalar(0f32)), h_13.y(), h_13.z()), rest_9);
-        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_9);
-        let _e53 = start_1;
-        let base_5 = (rt::Scalar(path_37.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e58 = start_1;
-        let _e59 = self.v_path_uv(path_37, _e58);
-        let _e65 = start_1;
-        return <Path>::new(_e59, path_37.duv, h_13, exit_1, base_5, path_37.metric, rt::Scalar(path_37.ray), rt::Scalar(path_37.level), (rt::Scalar(path_37.start) + _e65), rt::Scalar(path_37.share), rt::Scalar(path_37.bend));
-    }
     pub(crate) fn segment_of(
         &self,
         pixel_62: PixelIn,
-        at_102: Entered,
-        k_21: impl rt::Into<rt::Scalar<u32>>,
+        at_107: Entered,
+        k_24: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_62, at_102, rt::into(k_21)))
+        rt::into(self.v_segment_of(pixel_62, at_107, rt::into(k_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     pub(super) fn v_segment_of(
         &self,
         pixel_62: PixelIn,
-        at_102: Entered,
-        k_21: rt::Scalar<u32>,
+        at_107: Entered,
+        k_24: rt::Scalar<u32>,
     ) -> Path {
-        let mut path_38: Path;
-
-        let _e3 = self.v_surface_segment_stage(pixel_62, at_102, k_21);
-        path_38 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_102.fade).elementwise_gt(rt::Scalar(0f32))) {
-            let _e8 = path_38;
-            let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_102.fade));
-            path_38 = _e13;
-            let _e16 = path_38.h.x();
-            if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
-                rt::Scalar(path_38.exit) = rt::Scalar(0f32);
-            }
-        }
-        let _e22 = path_38;
-        return _e22;
+        let _e3 = self.v_surface_segment_stage(pixel_62, at_107, k_24);
+        let _e5 = self.v_faded(_e3, rt::Scalar(at_107.fade));
+        return _e5;
     }
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_63: PixelIn,
-        at_103: Entered,
+        at_108: Entered,
         path_39: Path,
-        hit_28: Hit,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
+        hit_29: Hit,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_63, at_103, path_39, hit_28, rt::into(params_73)))
+        rt::into(self.v_surface_plane_polish(pixel_63, at_108, path_39, hit_29, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_plane_polish(
         &self,
         pixel_63: PixelIn,
-        at_103: Entered,
+        at_108: Entered,
         path_39: Path,
-        hit_28: Hit,
-        params_73: rt::Vec4<f32>,
+        hit_29: Hit,
+        params_80: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_28;
+        return hit_29;
     }
     pub(crate) fn weights_at_offset(
         &self,
@@ -12883,21 +13062,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_polish(
         &self,
         pixel_65: PixelIn,
-        at_104: Entered,
+        at_109: Entered,
         path_40: Path,
-        hit_29: Hit,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
+        hit_30: Hit,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_65, at_104, path_40, hit_29, rt::into(params_74)))
+        rt::into(self.v_surface_prism_polish(pixel_65, at_109, path_40, hit_30, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_prism_polish(
         &self,
         pixel_65: PixelIn,
-        at_104: Entered,
+        at_109: Entered,
         path_40: Path,
-        hit_29: Hit,
-        params_74: rt::Vec4<f32>,
+        hit_30: Hit,
+        params_81: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_23: rt::Scalar<f32>;
         let mut point_18: ShellPoint;
@@ -12905,16 +13084,16 @@ impl<'g> Resources<'g> {
 
         let _e6 = self.v_field_is_ground_stage(rt::Scalar(path_40.level));
         if rt::Scalar::into_branch_condition((!_e6)) {
-            return hit_29;
+            return hit_30;
         }
         let along_40 = pixel_65.direction.normalize();
         let _e10 = self.v_middle_of(pixel_65, along_40);
-        let _e11 = self.v_prism_of(pixel_65, along_40, _e10, params_74);
-        let _e13 = self.v_path_gap(path_40, rt::Scalar(hit_29.t));
+        let _e11 = self.v_prism_of(pixel_65, along_40, _e10, params_81);
+        let _e13 = self.v_path_gap(path_40, rt::Scalar(hit_30.t));
         let _e14 = self.v_grid_of(path_40);
         let texels_7 = _e14.step.abs();
-        let most_16 = ((rt::Scalar(2f32) * params_74.x()) / texels_7.x().max(texels_7.y()).max((path_40.h.y().abs() / rt::Scalar(0.0625f32))));
-        t_23 = rt::Scalar(hit_29.t);
+        let most_16 = ((rt::Scalar(2f32) * params_81.x()) / texels_7.x().max(texels_7.y()).max((path_40.h.y().abs() / rt::Scalar(0.0625f32))));
+        t_23 = rt::Scalar(hit_30.t);
         let _e33 = t_23;
         let _e37 = t_23;
         let _e38 = self.v_path_height(path_40, _e37);
@@ -12942,7 +13121,7 @@ impl<'g> Resources<'g> {
                     let change_7 = _e65.y();
                     if rt::Scalar::into_branch_condition(change_7.elementwise_lt(rt::Scalar(0f32))) {
                         let _e69 = t_23;
-                        t_23 = (_e69 - (gap_3 / change_7)).clamp((rt::Scalar(hit_29.t) - most_16), (rt::Scalar(hit_29.t) + most_16));
+                        t_23 = (_e69 - (gap_3 / change_7)).clamp((rt::Scalar(hit_30.t) - most_16), (rt::Scalar(hit_30.t) + most_16));
                     }
                     let _e78 = t_23;
                     let place_43 = (along_40 * ((rt::Scalar(path_40.start) + _e78) - _e10));
@@ -12963,120 +13142,120 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_uv_of(pixel_65, _e94);
         let _e97 = rt::Scalar(point_18.height);
         let _e98 = t_23;
-        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_29.exhausted), _e95, _e97, _e98, hit_29.cost);
+        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_30.exhausted), _e95, _e97, _e98, hit_30.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
         pixel_66: PixelIn,
-        at_105: Entered,
+        at_110: Entered,
         path_41: Path,
-        hit_30: Hit,
-        params_75: impl rt::Into<rt::Vec4<f32>>,
+        hit_31: Hit,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_105, path_41, hit_30, rt::into(params_75)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_110, path_41, hit_31, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_66: PixelIn,
-        at_105: Entered,
+        at_110: Entered,
         path_41: Path,
-        hit_30: Hit,
-        params_75: rt::Vec4<f32>,
+        hit_31: Hit,
+        params_82: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_30;
+        return hit_31;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
         pixel_67: PixelIn,
-        at_106: Entered,
+        at_111: Entered,
         path_42: Path,
-        hit_31: Hit,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        hit_32: Hit,
+        params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_106, path_42, hit_31, rt::into(params_76)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_111, path_42, hit_32, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_vertical_polish(
         &self,
         pixel_67: PixelIn,
-        at_106: Entered,
+        at_111: Entered,
         path_42: Path,
-        hit_31: Hit,
-        params_76: rt::Vec4<f32>,
+        hit_32: Hit,
+        params_83: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_31;
+        return hit_32;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
         pixel_68: PixelIn,
-        at_107: Entered,
+        at_112: Entered,
         path_43: Path,
-        hit_32: Hit,
-        params_77: impl rt::Into<rt::Vec4<f32>>,
+        hit_33: Hit,
+        params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_107, path_43, hit_32, rt::into(params_77)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_112, path_43, hit_33, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_tetrahedra_polish(
         &self,
         pixel_68: PixelIn,
-        at_107: Entered,
+        at_112: Entered,
         path_43: Path,
-        hit_32: Hit,
-        params_77: rt::Vec4<f32>,
+        hit_33: Hit,
+        params_84: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_32;
+        return hit_33;
     }
     pub(crate) fn surface_facets_polish(
         &self,
         pixel_69: PixelIn,
-        at_108: Entered,
+        at_113: Entered,
         path_44: Path,
-        hit_33: Hit,
-        params_78: impl rt::Into<rt::Vec4<f32>>,
+        hit_34: Hit,
+        params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_69, at_108, path_44, hit_33, rt::into(params_78)))
+        rt::into(self.v_surface_facets_polish(pixel_69, at_113, path_44, hit_34, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_polish(
         &self,
         pixel_69: PixelIn,
-        at_108: Entered,
+        at_113: Entered,
         path_44: Path,
-        hit_33: Hit,
-        params_78: rt::Vec4<f32>,
+        hit_34: Hit,
+        params_85: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_33;
+        return hit_34;
     }
     pub(crate) fn surface_slices_polish(
         &self,
         pixel_70: PixelIn,
-        at_109: Entered,
+        at_114: Entered,
         path_45: Path,
-        hit_34: Hit,
-        params_79: impl rt::Into<rt::Vec4<f32>>,
+        hit_35: Hit,
+        params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_70, at_109, path_45, hit_34, rt::into(params_79)))
+        rt::into(self.v_surface_slices_polish(pixel_70, at_114, path_45, hit_35, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_polish(
         &self,
         pixel_70: PixelIn,
-        at_109: Entered,
+        at_114: Entered,
         path_45: Path,
-        hit_34: Hit,
-        params_79: rt::Vec4<f32>,
+        hit_35: Hit,
+        params_86: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted: Hit;
 
-        counted = hit_34;
-        counted.cost = (hit_34.cost + HEIGHTS_READ);
+        counted = hit_35;
+        counted.cost = (hit_35.cost + HEIGHTS_READ);
         let _e10 = counted;
         return _e10;
     }
@@ -13096,16 +13275,16 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (t_24 / (rt::Scalar(1f32) - (rt::Scalar(path_46.bend) * t_24)));
     }
-    pub(crate) fn polished_on_image(&self, path_47: Path, hit_35: Hit) -> Hit {
-        rt::into(self.v_polished_on_image(path_47, hit_35))
+    pub(crate) fn polished_on_image(&self, path_47: Path, hit_36: Hit) -> Hit {
+        rt::into(self.v_polished_on_image(path_47, hit_36))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_polished_on_image(&self, path_47: Path, hit_35: Hit) -> Hit {
+    pub(super) fn v_polished_on_image(&self, path_47: Path, hit_36: Hit) -> Hit {
         let mut polished: Hit;
 
-        polished = hit_35;
-        let _e5 = self.v_metres_on(path_47, rt::Scalar(hit_35.t));
+        polished = hit_36;
+        let _e5 = self.v_metres_on(path_47, rt::Scalar(hit_36.t));
         rt::Scalar(polished.t) = _e5;
         let _e6 = polished;
         return _e6;
@@ -13113,155 +13292,155 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_polish(
         &self,
         pixel_71: PixelIn,
-        at_110: Entered,
+        at_115: Entered,
         path_48: Path,
-        hit_36: Hit,
-        params_80: impl rt::Into<rt::Vec4<f32>>,
+        hit_37: Hit,
+        params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_71, at_110, path_48, hit_36, rt::into(params_80)))
+        rt::into(self.v_surface_object_polish(pixel_71, at_115, path_48, hit_37, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_polish(
         &self,
         pixel_71: PixelIn,
-        at_110: Entered,
+        at_115: Entered,
         path_48: Path,
-        hit_36: Hit,
-        params_80: rt::Vec4<f32>,
+        hit_37: Hit,
+        params_87: rt::Vec4<f32>,
     ) -> Hit {
-        let _e5 = self.v_polished_on_image(path_48, hit_36);
+        let _e5 = self.v_polished_on_image(path_48, hit_37);
         return _e5;
     }
     pub(crate) fn surface_frames_polish(
         &self,
         pixel_72: PixelIn,
-        at_111: Entered,
+        at_116: Entered,
         path_49: Path,
-        hit_37: Hit,
-        params_81: impl rt::Into<rt::Vec4<f32>>,
+        hit_38: Hit,
+        params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_72, at_111, path_49, hit_37, rt::into(params_81)))
+        rt::into(self.v_surface_frames_polish(pixel_72, at_116, path_49, hit_38, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_frames_polish(
         &self,
         pixel_72: PixelIn,
-        at_111: Entered,
+        at_116: Entered,
         path_49: Path,
-        hit_37: Hit,
-        params_81: rt::Vec4<f32>,
+        hit_38: Hit,
+        params_88: rt::Vec4<f32>,
     ) -> Hit {
-        let _e5 = self.v_polished_on_image(path_49, hit_37);
+        let _e5 = self.v_polished_on_image(path_49, hit_38);
         return _e5;
     }
     pub(crate) fn surface_object_slices_polish(
         &self,
         pixel_73: PixelIn,
-        at_112: Entered,
+        at_117: Entered,
         path_50: Path,
-        hit_38: Hit,
-        params_82: impl rt::Into<rt::Vec4<f32>>,
+        hit_39: Hit,
+        params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_73, at_112, path_50, hit_38, rt::into(params_82)))
+        rt::into(self.v_surface_object_slices_polish(pixel_73, at_117, path_50, hit_39, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_slices_polish(
         &self,
         pixel_73: PixelIn,
-        at_112: Entered,
+        at_117: Entered,
         path_50: Path,
-        hit_38: Hit,
-        params_82: rt::Vec4<f32>,
+        hit_39: Hit,
+        params_89: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted_1: Hit;
 
-        counted_1 = hit_38;
+        counted_1 = hit_39;
         let _e10 = rt::Scalar(self.surface_settings.solids);
         let _e15 = rt::Scalar(self.surface_settings.solids);
-        counted_1.cost = (hit_38.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
+        counted_1.cost = (hit_39.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_113: Entered, path_51: Path, hit_39: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_74, at_113, path_51, hit_39))
+    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_118: Entered, path_51: Path, hit_40: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_74, at_118, path_51, hit_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_113: Entered, path_51: Path, hit_39: Hit) -> Hit {
+    pub(super) fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_118: Entered, path_51: Path, hit_40: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_74, at_113, path_51, hit_39, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_74, at_118, path_51, hit_40, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_74, at_113, path_51, hit_39, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_74, at_118, path_51, hit_40, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_113, path_51, hit_39, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_118, path_51, hit_40, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_113, path_51, hit_39, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_118, path_51, hit_40, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_113, path_51, hit_39, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_118, path_51, hit_40, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_74, at_113, path_51, hit_39, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_74, at_118, path_51, hit_40, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_74, at_113, path_51, hit_39, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_74, at_118, path_51, hit_40, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_74, at_113, path_51, hit_39, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_74, at_118, path_51, hit_40, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_74, at_113, path_51, hit_39, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_74, at_118, path_51, hit_40, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_113, path_51, hit_39, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_118, path_51, hit_40, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_114: Entered, path_52: Path, hit_40: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_75, at_114, path_52, hit_40))
+    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_119: Entered, path_52: Path, hit_41: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_75, at_119, path_52, hit_41))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_114: Entered, path_52: Path, hit_40: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_75, at_114, path_52, hit_40);
+    pub(super) fn v_polish_hit(&self, pixel_75: PixelIn, at_119: Entered, path_52: Path, hit_41: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_75, at_119, path_52, hit_41);
         return _e4;
     }
-    pub(crate) fn key_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_key_of(rt::into(depth_8)))
+    pub(crate) fn key_of(&self, depth_9: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_key_of(rt::into(depth_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_key_of(&self, depth_8: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_key_of(&self, depth_9: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.frame.near);
         let _e6 = rt::Scalar(self.frame.near);
-        return (_e3 / (_e6 + depth_8.max(rt::Scalar(0f32))));
+        return (_e3 / (_e6 + depth_9.max(rt::Scalar(0f32))));
     }
     pub(crate) fn is_in_hole(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> bool {
         rt::into(self.v_is_in_hole(rt::into(uv_30)))
@@ -13310,30 +13489,30 @@ impl<'g> Resources<'g> {
     pub(crate) fn hit_on_segment(
         &self,
         pixel_76: PixelIn,
-        at_115: Entered,
+        at_120: Entered,
         path_53: Path,
         found: Hit,
-        k_22: impl rt::Into<rt::Scalar<u32>>,
+        k_25: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_76, at_115, path_53, found, rt::into(k_22)))
+        rt::into(self.v_hit_on_segment(pixel_76, at_120, path_53, found, rt::into(k_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_hit_on_segment(
         &self,
         pixel_76: PixelIn,
-        at_115: Entered,
+        at_120: Entered,
         path_53: Path,
         found: Hit,
-        k_22: rt::Scalar<u32>,
+        k_25: rt::Scalar<u32>,
     ) -> FirstHit {
         let mut first_2: FirstHit;
 
-        first_2 = <FirstHit>::new(found, k_22, rt::Scalar(0f32));
+        first_2 = <FirstHit>::new(found, k_25, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_76, at_115, path_53, found);
+            let _e11 = self.v_polish_hit(pixel_76, at_120, path_53, found);
             let _e12 = self.v_depth_on_ray(pixel_76, path_53, _e11);
             let _e13 = self.v_key_of(_e12);
-            first_2 = <FirstHit>::new(_e11, k_22, _e13);
+            first_2 = <FirstHit>::new(_e11, k_25, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
             if rt::Scalar::into_branch_condition(_e16) {
                 rt::Scalar(first_2.hit.found) = rt::Scalar(0u32);
@@ -13420,9 +13599,9 @@ impl<'g> Resources<'g> {
         &self,
         path_57: Path,
         found_2: SearchResult,
-        params_83: impl rt::Into<rt::Vec4<f32>>,
+        params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_57, found_2, rt::into(params_83)))
+        rt::into(self.v_refine_none(path_57, found_2, rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13430,7 +13609,7 @@ impl<'g> Resources<'g> {
         &self,
         path_57: Path,
         found_2: SearchResult,
-        params_83: rt::Vec4<f32>,
+        params_90: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
@@ -13445,16 +13624,16 @@ impl<'g> Resources<'g> {
         &self,
         path_58: Path,
         found_3: SearchResult,
-        params_84: impl rt::Into<rt::Vec4<f32>>,
+        params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_58, found_3, rt::into(params_84)))
+        rt::into(self.v_refine_offset(path_58, found_3, rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_offset(
         &self,
         path_58: Path,
         found_3: SearchResult,
-        params_84: rt::Vec4<f32>,
+        params_91: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_26: rt::Scalar<f32>;
 
@@ -13479,18 +13658,18 @@ impl<'g> Resources<'g> {
         &self,
         path_59: Path,
         found_4: SearchResult,
-        params_85: impl rt::Into<rt::Vec4<f32>>,
+        params_92: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_59, found_4, rt::into(params_85)))
+        rt::into(self.v_refine_offset_limited(path_59, found_4, rt::into(params_92)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_offset_limited(
         &self,
         path_59: Path,
         found_4: SearchResult,
-        params_85: rt::Vec4<f32>,
+        params_92: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_41: Hit;
+        let mut hit_42: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
@@ -13503,12 +13682,12 @@ impl<'g> Resources<'g> {
         let rise_m = ((_e11 - _e12) * path_59.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
         let _e27 = self.v_hit_on_path(path_59, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
-        hit_41 = _e27;
-        let _e30 = rt::Scalar(hit_41.found);
+        hit_42 = _e27;
+        let _e30 = rt::Scalar(hit_42.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_41.height) = _e11;
+            rt::Scalar(hit_42.height) = _e11;
         }
-        let _e34 = hit_41;
+        let _e34 = hit_42;
         return _e34;
     }
     pub(crate) fn normal_z(
@@ -13534,16 +13713,16 @@ impl<'g> Resources<'g> {
         &self,
         path_61: Path,
         found_5: SearchResult,
-        params_86: impl rt::Into<rt::Vec4<f32>>,
+        params_93: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_61, found_5, rt::into(params_86)))
+        rt::into(self.v_refine_slope(path_61, found_5, rt::into(params_93)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_slope(
         &self,
         path_61: Path,
         found_5: SearchResult,
-        params_86: rt::Vec4<f32>,
+        params_93: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_27: rt::Scalar<f32>;
 
@@ -13557,7 +13736,7 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_path_height(path_61, _e8);
         let rise_3 = (_e11.x() - _e13);
         t_27 = _e8;
-        if rt::Scalar::into_branch_condition(params_86.x().elementwise_gt(rt::Scalar(0.5f32))) {
+        if rt::Scalar::into_branch_condition(params_93.x().elementwise_gt(rt::Scalar(0.5f32))) {
             let _e19 = self.v_path_slope(path_61, _e8);
             let closing = (_e19 - ((_e11.y() * path_61.duv.x()) + (_e11.z() * path_61.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
@@ -13575,20 +13754,20 @@ impl<'g> Resources<'g> {
         &self,
         path_62: Path,
         found_6: SearchResult,
-        params_87: impl rt::Into<rt::Vec4<f32>>,
+        params_94: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_62, found_6, rt::into(params_87)))
+        rt::into(self.v_refine_slope_iterative(path_62, found_6, rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_slope_iterative(
         &self,
         path_62: Path,
         found_6: SearchResult,
-        params_87: rt::Vec4<f32>,
+        params_94: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_28: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
-        let mut k_23: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_26: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_6.cost);
@@ -13599,8 +13778,8 @@ impl<'g> Resources<'g> {
         cost_4 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_23;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_87.x())) {
+                let _e14 = k_26;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_94.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13615,7 +13794,7 @@ impl<'g> Resources<'g> {
                     let _e28 = t_28;
                     let _e29 = self.v_path_height(path_62, _e28);
                     let rise_4 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_87.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_94.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_28;
                         let _e35 = self.v_path_slope(path_62, _e34);
                         let closing_1 = (_e35 - ((_e23.y() * path_62.duv.x()) + (_e23.z() * path_62.duv.y())));
@@ -13630,8 +13809,8 @@ impl<'g> Resources<'g> {
                     }
                     let _e61 = t_28;
                     t_28 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_62.exit));
-                    let _e65 = k_23;
-                    k_23 = (_e65 + rt::Scalar(1f32));
+                    let _e65 = k_26;
+                    k_26 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
@@ -13673,27 +13852,27 @@ impl<'g> Resources<'g> {
         &self,
         path_63: Path,
         found_8: SearchResult,
-        params_88: impl rt::Into<rt::Vec4<f32>>,
+        params_95: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_63, found_8, rt::into(params_88)))
+        rt::into(self.v_refine_binary(path_63, found_8, rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_binary(
         &self,
         path_63: Path,
         found_8: SearchResult,
-        params_88: rt::Vec4<f32>,
+        params_95: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
         let mut local_79: rt::Scalar<bool>;
-        let mut crossed: rt::Scalar<bool>;
-        let mut k_24: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut crossed_1: rt::Scalar<bool>;
+        let mut k_27: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_63, found_8, params_88);
+            let _e5 = self.v_refine_none(path_63, found_8, params_95);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -13707,11 +13886,11 @@ impl<'g> Resources<'g> {
             local_79 = rt::Scalar(true);
         }
         let _e23 = local_79;
-        crossed = _e23;
+        crossed_1 = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_24;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_88.x())) {
+                let _e27 = k_27;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_95.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13727,16 +13906,16 @@ impl<'g> Resources<'g> {
                     let _e42 = self.v_path_gap(path_63, middle_16);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
                         far_4 = middle_16;
-                        crossed = rt::Scalar(true);
+                        crossed_1 = rt::Scalar(true);
                     } else {
                         near_2 = middle_16;
                     }
-                    let _e46 = k_24;
-                    k_24 = (_e46 + rt::Scalar(1f32));
+                    let _e46 = k_27;
+                    k_27 = (_e46 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e49 = crossed;
+        let _e49 = crossed_1;
         if rt::Scalar::into_branch_condition((!_e49)) {
             let _e51 = cost_5;
             let _e52 = self.v_miss(_e51);
@@ -13752,16 +13931,16 @@ impl<'g> Resources<'g> {
         &self,
         path_64: Path,
         found_9: SearchResult,
-        params_89: impl rt::Into<rt::Vec4<f32>>,
+        params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_64, found_9, rt::into(params_89)))
+        rt::into(self.v_refine_secant(path_64, found_9, rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_secant(
         &self,
         path_64: Path,
         found_9: SearchResult,
-        params_89: rt::Vec4<f32>,
+        params_96: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
@@ -13769,11 +13948,11 @@ impl<'g> Resources<'g> {
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
         let mut t_29: rt::Scalar<f32>;
-        let mut k_25: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_28: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_64, found_9, params_89);
+            let _e5 = self.v_refine_none(path_64, found_9, params_96);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -13803,8 +13982,8 @@ impl<'g> Resources<'g> {
         t_29 = _e35;
         'naga_break: loop {
             'naga_continue: {
-                let _e39 = k_25;
-                if rt::Scalar::into_branch_condition(_e39.elementwise_le(params_89.x())) {
+                let _e39 = k_28;
+                if rt::Scalar::into_branch_condition(_e39.elementwise_le(params_96.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13822,8 +14001,8 @@ impl<'g> Resources<'g> {
                     let _e53 = near_3;
                     let _e55 = near_gap_1;
                     t_29 = (_e51 + ((_e52 - _e53) * (_e55 / drop)));
-                    let _e59 = k_25;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_89.x())) {
+                    let _e59 = k_28;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_96.x())) {
                         let _e62 = t_29;
                         let _e63 = self.v_path_gap(path_64, _e62);
                         let _e64 = cost_6;
@@ -13839,8 +14018,8 @@ impl<'g> Resources<'g> {
                             near_gap_1 = _e63;
                         }
                     }
-                    let _e72 = k_25;
-                    k_25 = (_e72 + rt::Scalar(1f32));
+                    let _e72 = k_28;
+                    k_28 = (_e72 + rt::Scalar(1f32));
                 }
             }
         }
@@ -13853,27 +14032,27 @@ impl<'g> Resources<'g> {
         &self,
         path_65: Path,
         found_10: SearchResult,
-        params_90: impl rt::Into<rt::Vec4<f32>>,
+        params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_65, found_10, rt::into(params_90)))
+        rt::into(self.v_refine_true_secant(path_65, found_10, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_true_secant(
         &self,
         path_65: Path,
         found_10: SearchResult,
-        params_90: rt::Vec4<f32>,
+        params_97: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_3: rt::Scalar<f32>;
         let mut last_1: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_26: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_29: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_65, found_10, params_90);
+            let _e5 = self.v_refine_none(path_65, found_10, params_97);
             return _e5;
         }
         before_3 = rt::Scalar(found_10.near);
@@ -13901,8 +14080,8 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_26;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_90.x())) {
+                let _e37 = k_29;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_97.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13925,16 +14104,16 @@ impl<'g> Resources<'g> {
                     let _e60 = last_gap;
                     before_gap = _e60;
                     last_1 = t_53;
-                    let _e61 = k_26;
-                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(params_90.x())) {
+                    let _e61 = k_29;
+                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(params_97.x())) {
                         let _e64 = self.v_path_gap(path_65, t_53);
                         last_gap = _e64;
                         let _e65 = cost_7;
                         let _e67 = self.v_field_cost_stage(rt::Scalar(path_65.level));
                         cost_7 = (_e65 + _e67);
                     }
-                    let _e69 = k_26;
-                    k_26 = (_e69 + rt::Scalar(1f32));
+                    let _e69 = k_29;
+                    k_29 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
@@ -13947,16 +14126,16 @@ impl<'g> Resources<'g> {
         &self,
         path_66: Path,
         found_11: SearchResult,
-        params_91: impl rt::Into<rt::Vec4<f32>>,
+        params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_66, found_11, rt::into(params_91)))
+        rt::into(self.v_refine_patch(path_66, found_11, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_patch(
         &self,
         path_66: Path,
         found_11: SearchResult,
-        params_91: rt::Vec4<f32>,
+        params_98: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_30: rt::Scalar<f32>;
         let mut cell_25: rt::Vec2<f32>;
@@ -13982,7 +14161,7 @@ impl<'g> Resources<'g> {
         cell_25 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit_3 = (_e35 + params_91.x().to_u32());
+        let limit_3 = (_e35 + params_98.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -14049,27 +14228,27 @@ impl<'g> Resources<'g> {
         &self,
         path_67: Path,
         found_12: SearchResult,
-        params_92: impl rt::Into<rt::Vec4<f32>>,
+        params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_67, found_12, rt::into(params_92)))
+        rt::into(self.v_refine_half_texel(path_67, found_12, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_half_texel(
         &self,
         path_67: Path,
         found_12: SearchResult,
-        params_92: rt::Vec4<f32>,
+        params_99: rt::Vec4<f32>,
     ) -> Hit {
-        let mut part_13: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut part_14: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_67, found_12, params_92);
+            let _e6 = self.v_refine_none(path_67, found_12, params_99);
             return _e6;
         }
         let _e9 = self.v_height_size(rt::Scalar(path_67.level));
         let speed_1 = (path_67.duv * _e9).length();
         if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_67.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_67, found_12, params_92);
+            let _e17 = self.v_refine_none(path_67, found_12, params_99);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
@@ -14080,10 +14259,10 @@ impl<'g> Resources<'g> {
         let _e30 = self.v_path_gap(path_67, forward_2);
         let behind_3 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_13 + behind_3).elementwise_gt(rt::Scalar(0f32))) {
-            part_13 = (before_13 / (before_13 + behind_3));
+            part_14 = (before_13 / (before_13 + behind_3));
         }
         let cost_32 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
-        let _e45 = part_13;
+        let _e45 = part_14;
         let _e49 = self.v_hit_on_path(path_67, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_32);
         return _e49;
     }
@@ -14175,13 +14354,13 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let mut near_4: rt::Scalar<f32>;
         let mut far_6: rt::Scalar<f32>;
-        let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
 
         near_4 = above_2;
         far_6 = below_2;
         'naga_break: loop {
             'naga_continue: {
-                let _e7 = k_27;
+                let _e7 = k_30;
                 if rt::Scalar::into_branch_condition(_e7.elementwise_lt(HALVINGS)) {
                 } else {
                     break 'naga_break;
@@ -14196,8 +14375,8 @@ impl<'g> Resources<'g> {
                     } else {
                         far_6 = middle_17;
                     }
-                    let _e18 = k_27;
-                    k_27 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_30;
+                    k_30 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -14210,7 +14389,7 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_first_root_of_quartic(&self, q_7: Quartic) -> rt::Scalar<f32> {
         let mut begin_7: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_28: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_83: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(q_7.a).elementwise_gt(rt::Scalar(0f32)))) {
@@ -14223,14 +14402,14 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_inflections(q_7);
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = k_28;
+                let _e13 = k_31;
                 if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(3u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = k_28;
-                    let _e23 = k_28;
+                    let _e17 = k_31;
+                    let _e23 = k_31;
                     let end_13 = rt::Scalar(1f32).select(_e8.y(), _e17.elementwise_eq(rt::Scalar(1u32))).select(_e8.x(), _e23.elementwise_eq(rt::Scalar(0u32)));
                     let _e27 = begin_7;
                     if rt::Scalar::into_branch_condition(end_13.elementwise_gt(_e27)) {
@@ -14262,8 +14441,8 @@ impl<'g> Resources<'g> {
                     }
                     let _e54 = begin_7;
                     begin_7 = _e54.max(end_13);
-                    let _e56 = k_28;
-                    k_28 = (_e56 + rt::Scalar(1u32));
+                    let _e56 = k_31;
+                    k_31 = (_e56 + rt::Scalar(1u32));
                 }
             }
         }
@@ -14380,23 +14559,23 @@ impl<'g> Resources<'g> {
         &self,
         path_69: Path,
         found_13: SearchResult,
-        params_93: impl rt::Into<rt::Vec4<f32>>,
+        params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_trilinear(path_69, found_13, rt::into(params_93)))
+        rt::into(self.v_refine_trilinear(path_69, found_13, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_refine_trilinear(
         &self,
         path_69: Path,
         found_13: SearchResult,
-        params_93: rt::Vec4<f32>,
+        params_100: rt::Vec4<f32>,
     ) -> Hit {
         let _e3 = self.v_has_interval(found_13);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_69, found_13, params_93);
+            let _e5 = self.v_refine_none(path_69, found_13, params_100);
             return _e5;
         }
-        let _e10 = self.v_first_root_on_path(path_69, rt::Scalar(found_13.near), rt::Scalar(found_13.far), params_93.x().to_u32());
+        let _e10 = self.v_first_root_on_path(path_69, rt::Scalar(found_13.near), rt::Scalar(found_13.far), params_100.x().to_u32());
         let cost_33 = (found_13.cost + _e10.cost);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e10.status).elementwise_eq(FOUND_BRACKET)) {
             let _e19 = self.v_hit_on_path(path_69, rt::Scalar(_e10.far), rt::Scalar(0u32), cost_33);
@@ -14476,39 +14655,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_none(
         &self,
         path_71: Path,
-        params_94: impl rt::Into<rt::Vec4<f32>>,
+        params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_none(path_71, rt::into(params_94)))
+        rt::into(self.v_search_none(path_71, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_search_none(
         &self,
         path_71: Path,
-        params_94: rt::Vec4<f32>,
+        params_101: rt::Vec4<f32>,
     ) -> SearchResult {
         return <SearchResult>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_71.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
         path_72: Path,
-        params_95: impl rt::Into<rt::Vec4<f32>>,
+        params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_linear(path_72, rt::into(params_95)))
+        rt::into(self.v_search_linear(path_72, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_linear(
         &self,
         path_72: Path,
-        params_95: rt::Vec4<f32>,
+        params_102: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_10: rt::Vec3<u32>;
-        let mut k_29: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_32: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let cosine_12 = (path_72.h.y().abs() * path_72.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_2 = rt::Scalar(1f32).max(((params_95.x() * params_95.y().mix_scalar(rt::Scalar(1f32), cosine_12)) * rt::Scalar(path_72.share)).ceil());
+        let steps_2 = rt::Scalar(1f32).max(((params_102.x() * params_102.y().mix_scalar(rt::Scalar(1f32), cosine_12)) * rt::Scalar(path_72.share)).ceil());
         let _e24 = self.v_path_gap(path_72, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e27 = self.v_field_cost_stage(rt::Scalar(path_72.level));
@@ -14522,7 +14701,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e41 = k_29;
+                let _e41 = k_32;
                 if rt::Scalar::into_branch_condition(_e41.elementwise_le(steps_2)) {
                 } else {
                     break 'naga_break;
@@ -14530,7 +14709,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e43 = cost_10;
                     cost_10 = (_e43 + STEP);
-                    let _e47 = k_29;
+                    let _e47 = k_32;
                     let t_54 = (rt::Scalar(path_72.exit) * (_e47 / steps_2));
                     let _e50 = self.v_path_gap(path_72, t_54);
                     let _e51 = cost_10;
@@ -14544,8 +14723,8 @@ impl<'g> Resources<'g> {
                     }
                     near_5 = t_54;
                     near_gap_2 = _e50;
-                    let _e62 = k_29;
-                    k_29 = (_e62 + rt::Scalar(1f32));
+                    let _e62 = k_32;
+                    k_32 = (_e62 + rt::Scalar(1f32));
                 }
             }
         }
@@ -14596,15 +14775,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cells(
         &self,
         path_73: Path,
-        params_96: impl rt::Into<rt::Vec4<f32>>,
+        params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cells(path_73, rt::into(params_96)))
+        rt::into(self.v_search_cells(path_73, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cells(
         &self,
         path_73: Path,
-        params_96: rt::Vec4<f32>,
+        params_103: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_29: rt::Vec2<f32>;
         let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -14613,7 +14792,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_73);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_29 = _e4;
-        let limit_4 = params_96.x().to_u32();
+        let limit_4 = params_103.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_12.x();
@@ -14794,15 +14973,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_76: Path,
-        params_97: impl rt::Into<rt::Vec4<f32>>,
+        params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_frustum(path_76, rt::into(params_97)))
+        rt::into(self.v_search_frustum(path_76, rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_frustum(
         &self,
         path_76: Path,
-        params_97: rt::Vec4<f32>,
+        params_104: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_32: rt::Vec2<f32>;
         let mut t_35: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -14815,7 +14994,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_32 = _e9;
-        let limit_5 = params_97.x().to_u32();
+        let limit_5 = params_104.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -14887,8 +15066,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(0f32))) {
                         let _e114 = cell_32;
                         let _e117 = t_35;
-                        let at_184 = ((_e2.origin - _e114) + (_e2.step * _e117));
-                        let left_5 = at_184.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_184), forward_3);
+                        let at_189 = ((_e2.origin - _e114) + (_e2.step * _e117));
+                        let left_5 = at_189.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_189), forward_3);
                         let _e129 = t_35;
                         let far_15 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e137 = slope_3;
@@ -14929,13 +15108,13 @@ impl<'g> Resources<'g> {
         let _e184 = cost_13;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_76.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
     }
-    pub(crate) fn nearest_corner(&self, at_116: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_116)))
+    pub(crate) fn nearest_corner(&self, at_121: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_121)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_nearest_corner(&self, at_116: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_116.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    pub(super) fn v_nearest_corner(&self, at_121: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_121.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -15019,15 +15198,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone(
         &self,
         path_78: Path,
-        params_98: impl rt::Into<rt::Vec4<f32>>,
+        params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cone(path_78, rt::into(params_98)))
+        rt::into(self.v_search_cone(path_78, rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cone(
         &self,
         path_78: Path,
-        params_98: rt::Vec4<f32>,
+        params_105: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_33: rt::Vec2<f32>;
         let mut t_37: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15038,7 +15217,7 @@ impl<'g> Resources<'g> {
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_33 = _e9;
-        let limit_6 = params_98.x().to_u32();
+        let limit_6 = params_105.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_14.x();
@@ -15063,8 +15242,8 @@ impl<'g> Resources<'g> {
                     let span_12 = (end_18 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_33;
                     let _e49 = t_37;
-                    let at_185 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_185);
+                    let at_190 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_190);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_37;
                     next_4 = _e54;
@@ -15123,9 +15302,9 @@ impl<'g> Resources<'g> {
         cell_34: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
         n_15: impl rt::Into<rt::Scalar<i32>>,
-        level_51: impl rt::Into<rt::Scalar<u32>>,
+        level_54: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_34), rt::into(image_10), rt::into(n_15), rt::into(level_51)))
+        rt::into(self.v_node_extent(rt::into(cell_34), rt::into(image_10), rt::into(n_15), rt::into(level_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_node_extent(
@@ -15133,12 +15312,12 @@ impl<'g> Resources<'g> {
         cell_34: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
         n_15: rt::Scalar<i32>,
-        level_51: rt::Scalar<u32>,
+        level_54: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_89: rt::Scalar<bool>;
 
-        let first_27 = ((image_10.x() >> level_51) << level_51);
-        let side_11 = (rt::Scalar(1i32) << level_51);
+        let first_27 = ((image_10.x() >> level_54) << level_54);
+        let side_11 = (rt::Scalar(1i32) << level_54);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
             let low_8 = (cell_34 - (image_10.x() - first_27));
             return <rt::Vec2<i32>>::from_scalars(low_8, (low_8 + side_11.min((n_15 - first_27))));
@@ -15147,7 +15326,7 @@ impl<'g> Resources<'g> {
             let high_5 = ((cell_34 + (image_10.x() - first_27)) + rt::Scalar(1i32));
             return <rt::Vec2<i32>>::from_scalars((high_5 - side_11.min(((n_15 - rt::Scalar(1i32)) - first_27))), high_5);
         }
-        if rt::Scalar::into_branch_condition(level_51.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_54.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
             local_89 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
@@ -15186,18 +15365,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid(
         &self,
         path_79: Path,
-        params_99: impl rt::Into<rt::Vec4<f32>>,
+        params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_pyramid(path_79, rt::into(params_99)))
+        rt::into(self.v_search_pyramid(path_79, rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_pyramid(
         &self,
         path_79: Path,
-        params_99: rt::Vec4<f32>,
+        params_106: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_52: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_55: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_35: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_38: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15219,17 +15398,17 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_52;
+                    let _e28 = level_55;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_52;
-                        level_52 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_55;
+                        level_55 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_35 = _e37.to_i32();
-        let limit_7 = params_99.x().to_u32();
+        let limit_7 = params_106.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_15.x();
@@ -15245,7 +15424,7 @@ impl<'g> Resources<'g> {
                     let _e61 = cell_35.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
                     let place_44 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_52;
+                    let _e67 = level_55;
                     let above_level = (_e67 + rt::Scalar(1u32));
                     let over_3 = <rt::Vec2<i32>>::from_scalars((place_44.x() >> above_level), (place_44.y() >> above_level));
                     let _e76 = parent.x();
@@ -15264,7 +15443,7 @@ impl<'g> Resources<'g> {
                     }
                     let left_6 = local_90;
                     if rt::Scalar::into_branch_condition(left_6) {
-                        let _e98 = level_52;
+                        let _e98 = level_55;
                         let _e99 = top;
                         local_92 = _e98.elementwise_lt(_e99);
                     } else {
@@ -15272,13 +15451,13 @@ impl<'g> Resources<'g> {
                     }
                     let _e102 = local_92;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_52 = above_level;
+                        level_55 = above_level;
                     }
                     let _e104 = cell_35.x();
-                    let _e106 = level_52;
+                    let _e106 = level_55;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
                     let _e109 = cell_35.y();
-                    let _e111 = level_52;
+                    let _e111 = level_55;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
@@ -15287,7 +15466,7 @@ impl<'g> Resources<'g> {
                     let span_13 = (end_19 - _e126).max(rt::Scalar(0f32));
                     let low_9 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_13 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_52;
+                    let _e140 = level_55;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_15;
                         cost_15 = (_e143 + HEIGHTS_READ);
@@ -15308,10 +15487,10 @@ impl<'g> Resources<'g> {
                         let _e160 = cost_15;
                         let _e162 = self.v_map_read(path_79, rt::Scalar(1u32));
                         cost_15 = (_e160 + _e162);
-                        let _e165 = level_52;
-                        let _e168 = level_52;
+                        let _e165 = level_55;
+                        let _e168 = level_55;
                         let node_2 = <rt::Vec2<i32>>::from_scalars((place_44.x() >> _e165), (place_44.y() >> _e168));
-                        let _e172 = level_52;
+                        let _e172 = level_55;
                         let _e178 = self.v_search_texel(path_79, node_2, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_79.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
                         let _e180 = t_38;
@@ -15332,8 +15511,8 @@ impl<'g> Resources<'g> {
                             let _e216 = t_38;
                             let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
                             cell_35 = _e219.to_i32().clamp(low_9, last_13);
-                            let _e222 = level_52;
-                            level_52 = (_e222 - rt::Scalar(1u32));
+                            let _e222 = level_55;
+                            level_55 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -15351,8 +15530,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_19)) {
                         cell_35.set_y((low_9.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e267 = level_52;
-                    let _e272 = level_52;
+                    let _e267 = level_55;
+                    let _e272 = level_55;
                     parent = <rt::Vec2<i32>>::from_scalars((place_44.x() >> (_e267 + rt::Scalar(1u32))), (place_44.y() >> (_e272 + rt::Scalar(1u32))));
                     let _e277 = t_38;
                     t_38 = _e277.max(end_19);
@@ -15367,22 +15546,22 @@ impl<'g> Resources<'g> {
         &self,
         texel_4: impl rt::Into<rt::Scalar<i32>>,
         n_16: impl rt::Into<rt::Scalar<i32>>,
-        level_53: impl rt::Into<rt::Scalar<u32>>,
+        level_56: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_4), rt::into(n_16), rt::into(level_53)))
+        rt::into(self.v_texel_extent(rt::into(texel_4), rt::into(n_16), rt::into(level_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_texel_extent(
         &self,
         texel_4: rt::Scalar<i32>,
         n_16: rt::Scalar<i32>,
-        level_53: rt::Scalar<u32>,
+        level_56: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_93: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_4, n_16);
-        let first_28 = ((_e3 >> level_53) << level_53);
-        let last_14 = (first_28 + (rt::Scalar(1i32) << level_53)).min(n_16);
+        let first_28 = ((_e3 >> level_56) << level_56);
+        let last_14 = (first_28 + (rt::Scalar(1i32) << level_56)).min(n_16);
         if rt::Scalar::into_branch_condition((!texel_4.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_93 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -15407,17 +15586,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid_texels(
         &self,
         path_80: Path,
-        params_100: impl rt::Into<rt::Vec4<f32>>,
+        params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_pyramid_texels(path_80, rt::into(params_100)))
+        rt::into(self.v_search_pyramid_texels(path_80, rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_pyramid_texels(
         &self,
         path_80: Path,
-        params_100: rt::Vec4<f32>,
+        params_107: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut level_54: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_57: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_5: rt::Vec2<i32>;
         let mut t_39: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
@@ -15432,22 +15611,22 @@ impl<'g> Resources<'g> {
         let step_8 = (path_80.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_54;
+                let _e14 = level_57;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_54;
-                    level_54 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_57;
+                    level_57 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_8);
         texel_5 = _e24.to_i32();
-        let limit_8 = params_100.x().to_u32();
-        let _e35 = level_54;
-        finest_1 = params_100.y().to_u32().min(_e35);
+        let limit_8 = params_107.x().to_u32();
+        let _e35 = level_57;
+        finest_1 = params_107.y().to_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_80.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
@@ -15467,28 +15646,28 @@ impl<'g> Resources<'g> {
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
                     let place_45 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_54;
+                    let _e59 = level_57;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_16;
                         cost_16 = (_e62 + HEIGHT_READ);
                         let _e67 = rt::texture::Read::read_texel((&self.height_map), place_45, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_54;
-                        let _e73 = level_54;
+                        let _e70 = level_57;
+                        let _e73 = level_57;
                         let node_3 = <rt::Vec2<i32>>::from_scalars((place_45.x() >> _e70), (place_45.y() >> _e73));
                         let _e76 = cost_16;
                         let _e78 = self.v_map_read(path_80, rt::Scalar(1u32));
                         cost_16 = (_e76 + _e78);
-                        let _e81 = level_54;
+                        let _e81 = level_57;
                         let _e85 = self.v_search_texel(path_80, node_3, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_5.x();
-                    let _e90 = level_54;
+                    let _e90 = level_57;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_5.y();
-                    let _e95 = level_54;
+                    let _e95 = level_57;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_8.x(), step_8.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_8.y(), step_8.y(), _e96);
@@ -15514,15 +15693,15 @@ impl<'g> Resources<'g> {
                         let _e141 = t_39;
                         let _e142 = sinks;
                         t_39 = (_e141 + _e142);
-                        let _e144 = level_54;
+                        let _e144 = level_57;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_39;
                             let _e149 = cost_16;
                             return <SearchResult>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_54;
-                        level_54 = (_e154 - rt::Scalar(1u32));
+                        let _e154 = level_57;
+                        level_57 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_39;
                         let _e160 = self.v_cell_of((origin_8 + (step_8 * _e157)));
                         texel_5 = _e160.to_i32().clamp(low_10, last_15);
@@ -15574,15 +15753,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_dilation_erosion(
         &self,
         path_81: Path,
-        params_101: impl rt::Into<rt::Vec4<f32>>,
+        params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_dilation_erosion(path_81, rt::into(params_101)))
+        rt::into(self.v_search_dilation_erosion(path_81, rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_dilation_erosion(
         &self,
         path_81: Path,
-        params_101: rt::Vec4<f32>,
+        params_108: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_37: rt::Vec2<f32>;
         let mut t_40: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15600,7 +15779,7 @@ impl<'g> Resources<'g> {
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_37 = _e11;
-        let limit_9 = params_101.x().to_u32();
+        let limit_9 = params_108.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_17.x();
@@ -15618,7 +15797,7 @@ impl<'g> Resources<'g> {
                     let span_14 = (end_21 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_40;
                     next_5 = _e38;
-                    looks = params_101.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_108.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e44 = cell_37;
                     let _e45 = self.v_whole_cell(_e44);
                     let _e48 = self.v_image_of(_e45.x(), _e4.x());
@@ -15637,7 +15816,7 @@ impl<'g> Resources<'g> {
                         let _e73 = self.v_map_read(path_81, rt::Scalar(1u32));
                         cost_17 = (_e71 + _e73);
                         let _e75 = cell_37;
-                        let _e77 = self.v_leaves_window(_e2, _e75, params_101.z());
+                        let _e77 = self.v_leaves_window(_e2, _e75, params_108.z());
                         let _e80 = t_40;
                         let reach_6 = (_e77.min(rt::Scalar(path_81.exit)) - _e80).max(rt::Scalar(0f32));
                         let _e84 = t_40;
@@ -15734,15 +15913,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_sphere(
         &self,
         path_82: Path,
-        params_102: impl rt::Into<rt::Vec4<f32>>,
+        params_109: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_sphere(path_82, rt::into(params_102)))
+        rt::into(self.v_search_sphere(path_82, rt::into(params_109)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_sphere(
         &self,
         path_82: Path,
-        params_102: rt::Vec4<f32>,
+        params_109: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_38: rt::Vec2<f32>;
         let mut t_41: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15762,7 +15941,7 @@ impl<'g> Resources<'g> {
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_17.x() + far_17.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_38 = _e52;
-        let limit_10 = params_102.x().to_u32();
+        let limit_10 = params_109.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_18.x();
@@ -15782,7 +15961,7 @@ impl<'g> Resources<'g> {
                     let _e78 = self.v_path_uv(path_82, _e77);
                     let _e79 = t_41;
                     let _e80 = self.v_path_height(path_82, _e79);
-                    let _e82 = self.v_distance_at(path_82, _e78, _e80, params_102.z());
+                    let _e82 = self.v_distance_at(path_82, _e78, _e80, params_109.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_18;
                     let _e86 = self.v_map_read(path_82, rt::Scalar(4u32));
@@ -15794,7 +15973,7 @@ impl<'g> Resources<'g> {
                         let _e95 = t_41;
                         next_6 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_102.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_109.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_6;
                         let _e102 = t_41;
                         if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_82.exit))))) {
@@ -15854,28 +16033,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone_moved(
         &self,
         path_83: Path,
-        params_103: impl rt::Into<rt::Vec4<f32>>,
+        params_110: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_cone_moved(path_83, rt::into(params_103)))
+        rt::into(self.v_search_cone_moved(path_83, rt::into(params_110)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_cone_moved(
         &self,
         path_83: Path,
-        params_103: rt::Vec4<f32>,
+        params_110: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut t_42: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut k_30: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_33: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_99: rt::Scalar<bool>;
 
         let aside_8 = path_83.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_30;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_103.x())) {
+                let _e14 = k_33;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_110.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -15940,8 +16119,8 @@ impl<'g> Resources<'g> {
                         let _e130 = cost_19;
                         return <SearchResult>::new(FOUND_MISS, _e128, rt::Scalar(path_83.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_30;
-                    k_30 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_33;
+                    k_33 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
@@ -15954,15 +16133,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone(
         &self,
         path_84: Path,
-        params_104: impl rt::Into<rt::Vec4<f32>>,
+        params_111: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_relaxed_cone(path_84, rt::into(params_104)))
+        rt::into(self.v_search_relaxed_cone(path_84, rt::into(params_111)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_relaxed_cone(
         &self,
         path_84: Path,
-        params_104: rt::Vec4<f32>,
+        params_111: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_39: rt::Vec2<f32>;
         let mut t_43: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15984,7 +16163,7 @@ impl<'g> Resources<'g> {
         let far_19 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_84.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_39 = _e36;
-        let limit_11 = params_104.x().to_u32();
+        let limit_11 = params_111.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_20.x();
@@ -16035,7 +16214,7 @@ impl<'g> Resources<'g> {
                     let _e100 = t_43;
                     start_2 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_104.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_111.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = self.v_falls_in_cell(_e71, span_16);
                         if rt::Scalar::into_branch_condition(_e107) {
                             let _e108 = t_43;
@@ -16080,7 +16259,7 @@ impl<'g> Resources<'g> {
                             next_7 = (_e165 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_104.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_111.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e175 = next_7;
                         let _e176 = t_43;
                         local_101 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_84.exit))));
@@ -16126,15 +16305,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone_resting(
         &self,
         path_85: Path,
-        params_105: impl rt::Into<rt::Vec4<f32>>,
+        params_112: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_relaxed_cone_resting(path_85, rt::into(params_105)))
+        rt::into(self.v_search_relaxed_cone_resting(path_85, rt::into(params_112)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_relaxed_cone_resting(
         &self,
         path_85: Path,
-        params_105: rt::Vec4<f32>,
+        params_112: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cell_40: rt::Vec2<f32>;
         let mut t_44: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -16148,7 +16327,7 @@ impl<'g> Resources<'g> {
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_40 = _e9;
-        let limit_12 = params_105.x().to_u32();
+        let limit_12 = params_112.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_21.x();
@@ -16261,15 +16440,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_voxels(
         &self,
         path_86: Path,
-        params_106: impl rt::Into<rt::Vec4<f32>>,
+        params_113: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_voxels(path_86, rt::into(params_106)))
+        rt::into(self.v_search_voxels(path_86, rt::into(params_113)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_voxels(
         &self,
         path_86: Path,
-        params_106: rt::Vec4<f32>,
+        params_113: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut has_turned_4: rt::Scalar<bool> = rt::Scalar(false);
         let mut t_45: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -16282,7 +16461,7 @@ impl<'g> Resources<'g> {
         let _e8 = t_45;
         let _e9 = self.v_voxel_place_on(_e2, _e8);
         cell_41 = _e9.floor();
-        let limit_13 = params_106.x().to_u32();
+        let limit_13 = params_113.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = cost_22.y();
@@ -16360,59 +16539,59 @@ impl<'g> Resources<'g> {
         &self,
         path_87: Path,
         place_31: impl rt::Into<rt::Vec3<f32>>,
-        direction_5: impl rt::Into<rt::Vec3<f32>>,
-        params_107: impl rt::Into<rt::Vec4<f32>>,
+        direction_9: impl rt::Into<rt::Vec3<f32>>,
+        params_114: impl rt::Into<rt::Vec4<f32>>,
     ) -> WayToSolid {
-        rt::into(self.v_way_to_solid(path_87, rt::into(place_31), rt::into(direction_5), rt::into(params_107)))
+        rt::into(self.v_way_to_solid(path_87, rt::into(place_31), rt::into(direction_9), rt::into(params_114)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_way_to_solid(
         &self,
         path_87: Path,
         place_31: rt::Vec3<f32>,
-        direction_5: rt::Vec3<f32>,
-        params_107: rt::Vec4<f32>,
+        direction_9: rt::Vec3<f32>,
+        params_114: rt::Vec4<f32>,
     ) -> WayToSolid {
         let mut sum_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut weights_4: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e4 = self.v_volume_size();
         let last_16 = (_e4.z() - rt::Scalar(1f32));
         let inside_7 = <rt::Vec3<f32>>::new_21(place_31.xy(), place_31.z().clamp(rt::Scalar(0f32), last_16));
         let first_29 = inside_7.floor();
-        let part_31 = (inside_7 - first_29);
+        let part_32 = (inside_7 - first_29);
         let _e15 = self.v_volume_size();
         let size_6 = _e15.xy().to_i32();
         let cell_45 = first_29.to_i32();
         let _e21 = self.v_wrap_pair(cell_45.x(), size_6.x());
         let _e24 = self.v_wrap_pair(cell_45.y(), size_6.y());
-        let elevation_4 = ((rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * direction_5.z())) * (params_107.z() - rt::Scalar(1f32))).clamp(rt::Scalar(0f32), (params_107.z() - rt::Scalar(1f32)));
-        let below_8 = elevation_4.floor().min((params_107.z() - rt::Scalar(2f32)));
-        let _e45 = self.v_turn_of(direction_5.xy());
-        let turn_8 = (_e45 * params_107.y());
+        let elevation_4 = ((rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * direction_9.z())) * (params_114.z() - rt::Scalar(1f32))).clamp(rt::Scalar(0f32), (params_114.z() - rt::Scalar(1f32)));
+        let below_8 = elevation_4.floor().min((params_114.z() - rt::Scalar(2f32)));
+        let _e45 = self.v_turn_of(direction_9.xy());
+        let turn_8 = (_e45 * params_114.y());
         let before_14 = turn_8.floor();
-        let most_18 = (params_107.w() * rt::Scalar(0.998f32));
+        let most_18 = (params_114.w() * rt::Scalar(0.998f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e58 = k_31;
+                let _e58 = k_34;
                 if rt::Scalar::into_branch_condition(_e58.elementwise_lt(rt::Scalar(8u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e61 = k_31;
+                    let _e61 = k_34;
                     let is_next = (_e61 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(1u32));
-                    let _e66 = k_31;
+                    let _e66 = k_34;
                     let is_above = (_e66 & rt::Scalar(2u32)).elementwise_eq(rt::Scalar(2u32));
-                    let _e71 = k_31;
+                    let _e71 = k_34;
                     let is_upper_1 = (_e71 & rt::Scalar(4u32)).elementwise_eq(rt::Scalar(4u32));
-                    let behind_4 = (before_14 + rt::Scalar(1f32)).select(rt::Scalar(0f32), (before_14 + rt::Scalar(1f32)).elementwise_ge(params_107.y()));
+                    let behind_4 = (before_14 + rt::Scalar(1f32)).select(rt::Scalar(0f32), (before_14 + rt::Scalar(1f32)).elementwise_ge(params_114.y()));
                     let azimuth_5 = before_14.select(behind_4, is_next);
-                    let layer_18 = (((azimuth_5 * params_107.z()) + below_8) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_above)).to_i32();
+                    let layer_18 = (((azimuth_5 * params_114.z()) + below_8) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_above)).to_i32();
                     let of_azimuth = (rt::Scalar(1f32) - (turn_8 - before_14)).select((turn_8 - before_14), is_next);
                     let of_elevation = (rt::Scalar(1f32) - (elevation_4 - below_8)).select((elevation_4 - below_8), is_above);
-                    let of_slice = (rt::Scalar(1f32) - part_31.z()).select(part_31.z(), is_upper_1);
+                    let of_slice = (rt::Scalar(1f32) - part_32.z()).select(part_32.z(), is_upper_1);
                     let weight_2 = ((of_azimuth * of_elevation) * of_slice);
                     let _e115 = self.v_slice_begin((cell_45.z() + rt::Scalar(0i32).select(rt::Scalar(1i32), is_upper_1)));
                     let _e121 = self.v_search_texel(path_87, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.x())), layer_18, rt::Scalar(0i32));
@@ -16420,8 +16599,8 @@ impl<'g> Resources<'g> {
                     let _e135 = self.v_search_texel(path_87, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.x(), _e24.y())), layer_18, rt::Scalar(0i32));
                     let _e142 = self.v_search_texel(path_87, (_e115 + <rt::Vec2<i32>>::from_scalars(_e21.y(), _e24.y())), layer_18, rt::Scalar(0i32));
                     let ways_1 = <rt::Vec4<f32>>::from_scalars(_e121.x(), _e128.x(), _e135.x(), _e142.x());
-                    let beside_7 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) - part_31.x()), part_31.x());
-                    let corners_5 = (<rt::Vec4<f32>>::new_22((beside_7 * (rt::Scalar(1f32) - part_31.y())), (beside_7 * part_31.y())) * weight_2);
+                    let beside_7 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) - part_32.x()), part_32.x());
+                    let corners_5 = (<rt::Vec4<f32>>::new_22((beside_7 * (rt::Scalar(1f32) - part_32.y())), (beside_7 * part_32.y())) * weight_2);
                     let limit_14 = <rt::Vec4<f32>>::from_scalars(most_18, most_18, most_18, most_18);
                     let none_3 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let solid = none_3.select(corners_5, ways_1.elementwise_lt(limit_14));
@@ -16430,8 +16609,8 @@ impl<'g> Resources<'g> {
                     weights_4 = (_e167 + ((solid.x() + solid.y()) + (solid.z() + solid.w())));
                     let _e176 = sum_4;
                     sum_4 = (_e176 + ((way_29.x() + way_29.y()) + (way_29.z() + way_29.w())));
-                    let _e185 = k_31;
-                    k_31 = (_e185 + rt::Scalar(1u32));
+                    let _e185 = k_34;
+                    k_34 = (_e185 + rt::Scalar(1u32));
                 }
             }
         }
@@ -16441,20 +16620,20 @@ impl<'g> Resources<'g> {
             let _e193 = weights_4;
             return <WayToSolid>::new(rt::Scalar(1u32), (_e192 / _e193));
         }
-        return <WayToSolid>::new(rt::Scalar(0u32), params_107.w());
+        return <WayToSolid>::new(rt::Scalar(0u32), params_114.w());
     }
     pub(crate) fn search_generalised(
         &self,
         path_88: Path,
-        params_108: impl rt::Into<rt::Vec4<f32>>,
+        params_115: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_generalised(path_88, rt::into(params_108)))
+        rt::into(self.v_search_generalised(path_88, rt::into(params_115)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_generalised(
         &self,
         path_88: Path,
-        params_108: rt::Vec4<f32>,
+        params_115: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut t_46: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_23: rt::Vec3<u32> = VOXELS_READ;
@@ -16472,7 +16651,7 @@ impl<'g> Resources<'g> {
         }
         let _e19 = self.v_volume_size();
         let last_17 = (_e19.z() - rt::Scalar(1f32));
-        let limit_15 = params_108.x().to_u32();
+        let limit_15 = params_115.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = looked;
@@ -16484,13 +16663,13 @@ impl<'g> Resources<'g> {
                     let _e33 = t_46;
                     let toward_10 = (_e2.step + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), ((rt::Scalar(2f32) * rt::Scalar(_e2.bend)) * _e33)));
                     let speed_3 = toward_10.length();
-                    let direction_10 = (toward_10 / rt::Vec3::splat_from_scalar(speed_3));
+                    let direction_12 = (toward_10 / rt::Vec3::splat_from_scalar(speed_3));
                     let _e42 = t_46;
                     let _e43 = self.v_voxel_place_on(_e2, _e42);
                     let beyond_8 = (_e43.z() - _e43.z().clamp(rt::Scalar(0f32), last_17));
-                    let is_inward = (beyond_8 * direction_10.z()).elementwise_lt(rt::Scalar(0f32));
-                    let before_15 = rt::Scalar(0f32).select((beyond_8 / direction_10.z()).abs(), is_inward);
-                    let _e60 = self.v_way_to_solid(path_88, (_e43 + (direction_10 * before_15)), direction_10, params_108);
+                    let is_inward = (beyond_8 * direction_12.z()).elementwise_lt(rt::Scalar(0f32));
+                    let before_15 = rt::Scalar(0f32).select((beyond_8 / direction_12.z()).abs(), is_inward);
+                    let _e60 = self.v_way_to_solid(path_88, (_e43 + (direction_12 * before_15)), direction_12, params_115);
                     let _e61 = cost_23;
                     let _e65 = self.v_map_read(path_88, rt::Scalar(32u32));
                     cost_23 = ((_e61 + STEP) + _e65);
@@ -16533,15 +16712,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn path_axes(
         &self,
         path_89: Path,
-        depth_9: impl rt::Into<rt::Scalar<f32>>,
+        depth_10: impl rt::Into<rt::Scalar<f32>>,
     ) -> PathAxes {
-        rt::into(self.v_path_axes(path_89, rt::into(depth_9)))
+        rt::into(self.v_path_axes(path_89, rt::into(depth_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_path_axes(
         &self,
         path_89: Path,
-        depth_9: rt::Scalar<f32>,
+        depth_10: rt::Scalar<f32>,
     ) -> PathAxes {
         let mut start_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut fall: rt::Scalar<f32>;
@@ -16588,29 +16767,29 @@ impl<'g> Resources<'g> {
         let _e90 = fall;
         let _e102 = start_3;
         let _e103 = fall;
-        return <PathAxes>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), comes_in), _e89, (speed_4 / (speed_4 + (depth_9 * _e90))), (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * (bend_11 / (rt::Scalar(0.25f32) + bend_11.abs())))), _e102, whole_3, _e103);
+        return <PathAxes>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), comes_in), _e89, (speed_4 / (speed_4 + (depth_10 * _e90))), (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * (bend_11 / (rt::Scalar(0.25f32) + bend_11.abs())))), _e102, whole_3, _e103);
     }
     pub(crate) fn views_around(
         &self,
         axes: PathAxes,
-        params_109: impl rt::Into<rt::Vec4<f32>>,
+        params_116: impl rt::Into<rt::Vec4<f32>>,
     ) -> ViewsAround {
-        rt::into(self.v_views_around(axes, rt::into(params_109)))
+        rt::into(self.v_views_around(axes, rt::into(params_116)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_views_around(
         &self,
         axes: PathAxes,
-        params_109: rt::Vec4<f32>,
+        params_116: rt::Vec4<f32>,
     ) -> ViewsAround {
-        let elevation_5 = ((rt::Scalar(axes.elevation) * params_109.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_109.y() - rt::Scalar(1f32)));
-        let below_10 = elevation_5.floor().min((params_109.y() - rt::Scalar(2f32)));
-        let bend_12 = ((rt::Scalar(axes.bend) * params_109.z()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_109.z() - rt::Scalar(1f32)));
-        let lower_5 = bend_12.floor().min((params_109.z() - rt::Scalar(2f32)).max(rt::Scalar(0f32)));
-        let turn_9 = ((rt::Scalar(axes.turn) * params_109.x()) - rt::Scalar(0.5f32));
+        let elevation_5 = ((rt::Scalar(axes.elevation) * params_116.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_116.y() - rt::Scalar(1f32)));
+        let below_10 = elevation_5.floor().min((params_116.y() - rt::Scalar(2f32)));
+        let bend_12 = ((rt::Scalar(axes.bend) * params_116.z()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_116.z() - rt::Scalar(1f32)));
+        let lower_5 = bend_12.floor().min((params_116.z() - rt::Scalar(2f32)).max(rt::Scalar(0f32)));
+        let turn_9 = ((rt::Scalar(axes.turn) * params_116.x()) - rt::Scalar(0.5f32));
         let before_16 = turn_9.floor();
-        return <ViewsAround>::new(rt::Scalar(4u32).select(rt::Scalar(2u32), params_109.z().elementwise_eq(rt::Scalar(1f32))), before_16, params_109.x(), below_10, params_109.y(), lower_5, <rt::Vec3<f32>>::from_scalars((turn_9 - before_16), (elevation_5 - below_10), (bend_12 - lower_5)));
+        return <ViewsAround>::new(rt::Scalar(4u32).select(rt::Scalar(2u32), params_116.z().elementwise_eq(rt::Scalar(1f32))), before_16, params_116.x(), below_10, params_116.y(), lower_5, <rt::Vec3<f32>>::from_scalars((turn_9 - before_16), (elevation_5 - below_10), (bend_12 - lower_5)));
     }
     pub(crate) fn no_views(&self) -> JoinedViews {
         rt::into(self.v_no_views())
@@ -16623,19 +16802,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn view_pair(
         &self,
         views: ViewsAround,
-        k_32: impl rt::Into<rt::Scalar<u32>>,
+        k_35: impl rt::Into<rt::Scalar<u32>>,
     ) -> ViewPair {
-        rt::into(self.v_view_pair(views, rt::into(k_32)))
+        rt::into(self.v_view_pair(views, rt::into(k_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_view_pair(
         &self,
         views: ViewsAround,
-        k_32: rt::Scalar<u32>,
+        k_35: rt::Scalar<u32>,
     ) -> ViewPair {
         let mut azimuth_2: rt::Scalar<f32>;
 
-        let is_next_1 = (k_32 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(1u32));
+        let is_next_1 = (k_35 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(1u32));
         azimuth_2 = (rt::Scalar(views.before) + rt::Scalar(0f32).select(rt::Scalar(1f32), is_next_1));
         let _e12 = azimuth_2;
         let _e13 = azimuth_2;
@@ -16647,16 +16826,16 @@ impl<'g> Resources<'g> {
         azimuth_2 = _e20.select((_e21 - rt::Scalar(views.azimuths)), _e24.elementwise_ge(rt::Scalar(views.azimuths)));
         let _e28 = azimuth_2;
         let layer_19 = ((_e28 * rt::Scalar(views.elevations)) + rt::Scalar(views.below)).to_i32();
-        return <ViewPair>::new(layer_19, (rt::Scalar(views.lower) + rt::Scalar(0f32).select(rt::Scalar(1f32), k_32.elementwise_gt(rt::Scalar(1u32)))));
+        return <ViewPair>::new(layer_19, (rt::Scalar(views.lower) + rt::Scalar(0f32).select(rt::Scalar(1f32), k_35.elementwise_gt(rt::Scalar(1u32)))));
     }
     pub(crate) fn with_pair(
         &self,
         joined: JoinedViews,
         views_1: ViewsAround,
-        k_33: impl rt::Into<rt::Scalar<u32>>,
+        k_36: impl rt::Into<rt::Scalar<u32>>,
         ways: impl rt::Into<rt::Vec4<f32>>,
     ) -> JoinedViews {
-        rt::into(self.v_with_pair(joined, views_1, rt::into(k_33), rt::into(ways)))
+        rt::into(self.v_with_pair(joined, views_1, rt::into(k_36), rt::into(ways)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16664,13 +16843,13 @@ impl<'g> Resources<'g> {
         &self,
         joined: JoinedViews,
         views_1: ViewsAround,
-        k_33: rt::Scalar<u32>,
+        k_36: rt::Scalar<u32>,
         ways: rt::Vec4<f32>,
     ) -> JoinedViews {
         let of_below = <rt::Vec2<f32>>::from_scalars(ways.x(), ways.y());
         let of_azimuth_1 = (of_below + ((<rt::Vec2<f32>>::from_scalars(ways.z(), ways.w()) - of_below) * views_1.part.y()));
         let of_bend = (joined.first + ((of_azimuth_1 - joined.first) * views_1.part.x()));
-        if rt::Scalar::into_branch_condition(k_33.elementwise_eq(rt::Scalar(1u32))) {
+        if rt::Scalar::into_branch_condition(k_36.elementwise_eq(rt::Scalar(1u32))) {
             return <JoinedViews>::new(of_azimuth_1, of_bend, of_bend);
         }
         return <JoinedViews>::new(of_azimuth_1, joined.low, of_bend);
@@ -16709,10 +16888,10 @@ impl<'g> Resources<'g> {
         texel_6: rt::Vec2<i32>,
         layer_11: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let level_68 = rt::Scalar(path_90.level).to_i32();
-        let _e5 = self.v_search_texel(path_90, texel_6, layer_11, level_68);
+        let level_71 = rt::Scalar(path_90.level).to_i32();
+        let _e5 = self.v_search_texel(path_90, texel_6, layer_11, level_71);
         let below_11 = _e5.x();
-        let _e9 = self.v_search_texel(path_90, texel_6, (layer_11 + rt::Scalar(1i32)), level_68);
+        let _e9 = self.v_search_texel(path_90, texel_6, (layer_11 + rt::Scalar(1i32)), level_71);
         let above_11 = _e9.x();
         let is_below = below_11.elementwise_lt(rt::Scalar(0.998f32));
         let is_above_1 = above_11.elementwise_lt(rt::Scalar(0.998f32));
@@ -16796,21 +16975,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_view_dependent(
         &self,
         path_93: Path,
-        params_110: impl rt::Into<rt::Vec4<f32>>,
+        params_117: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_view_dependent(path_93, rt::into(params_110)))
+        rt::into(self.v_search_view_dependent(path_93, rt::into(params_117)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_view_dependent(
         &self,
         path_93: Path,
-        params_110: rt::Vec4<f32>,
+        params_117: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut joined_2: JoinedViews;
-        let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e3 = self.v_path_axes(path_93, params_110.w());
-        let _e4 = self.v_views_around(_e3, params_110);
+        let _e3 = self.v_path_axes(path_93, params_117.w());
+        let _e4 = self.v_views_around(_e3, params_117);
         let _e9 = self.v_map_read(path_93, (rt::Scalar(_e4.pairs) * rt::Scalar(8u32)));
         let cost_34 = (STEP + _e9);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(0u32))) {
@@ -16823,21 +17002,21 @@ impl<'g> Resources<'g> {
         joined_2 = _e26;
         'naga_break: loop {
             'naga_continue: {
-                let _e30 = k_34;
+                let _e30 = k_37;
                 if rt::Scalar::into_branch_condition(_e30.elementwise_lt(rt::Scalar(_e4.pairs))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e33 = k_34;
+                    let _e33 = k_37;
                     let _e34 = self.v_view_pair(_e4, _e33);
                     let _e35 = joined_2;
-                    let _e36 = k_34;
+                    let _e36 = k_37;
                     let _e39 = self.v_ways_of_bend(path_93, _e25, rt::Scalar(_e34.layer), rt::Scalar(_e34.bend));
                     let _e40 = self.v_with_pair(_e35, _e4, _e36, _e39);
                     joined_2 = _e40;
-                    let _e41 = k_34;
-                    k_34 = (_e41 + rt::Scalar(1u32));
+                    let _e41 = k_37;
+                    k_37 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
@@ -16937,9 +17116,9 @@ impl<'g> Resources<'g> {
         path_94: Path,
         axes_2: PathAxes,
         square_1: impl rt::Into<rt::Vec2<i32>>,
-        params_111: impl rt::Into<rt::Vec4<f32>>,
+        params_118: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_free_way_of_step(path_94, axes_2, rt::into(square_1), rt::into(params_111)))
+        rt::into(self.v_free_way_of_step(path_94, axes_2, rt::into(square_1), rt::into(params_118)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16948,33 +17127,33 @@ impl<'g> Resources<'g> {
         path_94: Path,
         axes_2: PathAxes,
         square_1: rt::Vec2<i32>,
-        params_111: rt::Vec4<f32>,
+        params_118: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e5 = self.v_height_texels(rt::Scalar(path_94.level));
-        let _e8 = self.v_step_of_axis(rt::Scalar(axes_2.turn), params_111.x());
-        let _e11 = self.v_step_of_axis(rt::Scalar(axes_2.elevation), params_111.y());
-        let _e14 = self.v_step_of_axis(rt::Scalar(axes_2.bend), params_111.z());
+        let _e8 = self.v_step_of_axis(rt::Scalar(axes_2.turn), params_118.x());
+        let _e11 = self.v_step_of_axis(rt::Scalar(axes_2.elevation), params_118.y());
+        let _e14 = self.v_step_of_axis(rt::Scalar(axes_2.bend), params_118.z());
         let _e17 = self.v_wrap_index(square_1.y(), _e5.y());
         let _e19 = self.v_row_of_bend(_e17, _e14, _e5.y());
         let _e22 = self.v_wrap_index(square_1.x(), _e5.x());
-        let at_186 = <rt::Vec2<i32>>::from_scalars(_e22, _e19);
-        let _e30 = self.v_search_texel(path_94, at_186, ((_e8 * params_111.y()) + _e11).to_i32(), rt::Scalar(path_94.level).to_i32());
-        let part_32 = _e30.x();
-        let _e33 = self.v_longest_of_step(_e14, params_111.z());
-        return (part_32 * _e33);
+        let at_191 = <rt::Vec2<i32>>::from_scalars(_e22, _e19);
+        let _e30 = self.v_search_texel(path_94, at_191, ((_e8 * params_118.y()) + _e11).to_i32(), rt::Scalar(path_94.level).to_i32());
+        let part_33 = _e30.x();
+        let _e33 = self.v_longest_of_step(_e14, params_118.z());
+        return (part_33 * _e33);
     }
     pub(crate) fn search_view_dependent_free(
         &self,
         path_95: Path,
-        params_112: impl rt::Into<rt::Vec4<f32>>,
+        params_119: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_view_dependent_free(path_95, rt::into(params_112)))
+        rt::into(self.v_search_view_dependent_free(path_95, rt::into(params_119)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_view_dependent_free(
         &self,
         path_95: Path,
-        params_112: rt::Vec4<f32>,
+        params_119: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut local_112: rt::Scalar<bool>;
         let mut local_113: rt::Scalar<bool>;
@@ -16982,7 +17161,7 @@ impl<'g> Resources<'g> {
         let mut local_115: rt::Scalar<bool>;
         let mut local_116: rt::Scalar<bool>;
 
-        let _e3 = self.v_path_axes(path_95, params_112.w());
+        let _e3 = self.v_path_axes(path_95, params_119.w());
         let _e6 = self.v_height_size(rt::Scalar(path_95.level));
         let place_46 = (path_95.uv * _e6);
         let _e8 = self.v_cell_of(place_46);
@@ -17010,7 +17189,7 @@ impl<'g> Resources<'g> {
         }
         let is_known = local_114;
         if rt::Scalar::into_branch_condition((!(!is_known))) {
-            if rt::Scalar::into_branch_condition(params_112.z().elementwise_eq(rt::Scalar(1f32))) {
+            if rt::Scalar::into_branch_condition(params_119.z().elementwise_eq(rt::Scalar(1f32))) {
                 local_116 = path_95.h.z().elementwise_ne(rt::Scalar(0f32));
             } else {
                 local_116 = rt::Scalar(false);
@@ -17025,7 +17204,7 @@ impl<'g> Resources<'g> {
             return <SearchResult>::new(FOUND_ABOVE, rt::Scalar(0f32), rt::Scalar(path_95.exit), rt::Scalar(0f32), rt::Scalar(1f32), STEP);
         }
         let _e77 = self.v_whole_cell(_e8);
-        let _e78 = self.v_free_way_of_step(path_95, _e3, _e77, params_112);
+        let _e78 = self.v_free_way_of_step(path_95, _e3, _e77, params_119);
         let free_2 = (_e78 / rt::Scalar(_e3.fall));
         let _e87 = self.v_map_read(path_95, rt::Scalar(1u32));
         return <SearchResult>::new(FOUND_ABOVE, free_2.min(rt::Scalar(path_95.exit)), rt::Scalar(path_95.exit), rt::Scalar(0f32), rt::Scalar(1f32), (STEP + _e87));
@@ -17033,24 +17212,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_translucent(
         &self,
         path_96: Path,
-        params_113: impl rt::Into<rt::Vec4<f32>>,
+        params_120: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_translucent(path_96, rt::into(params_113)))
+        rt::into(self.v_search_translucent(path_96, rt::into(params_120)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_translucent(
         &self,
         path_96: Path,
-        params_113: rt::Vec4<f32>,
+        params_120: rt::Vec4<f32>,
     ) -> SearchResult {
-        let mut part_14: CellPart;
+        let mut part_15: CellPart;
         let mut cost_25: rt::Vec3<u32> = NO_COST;
 
         let _e2 = self.v_voxel_path(path_96);
         let _e3 = self.v_turning_point(_e2);
-        let limit_16 = params_113.z().to_u32();
+        let limit_16 = params_120.z().to_u32();
         let _e6 = self.v_first_part(path_96, _e2, _e3);
-        part_14 = _e6;
+        part_15 = _e6;
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = cost_25.y();
@@ -17062,28 +17241,28 @@ impl<'g> Resources<'g> {
                     let _e13 = cost_25;
                     let _e17 = self.v_map_read(path_96, rt::Scalar(1u32));
                     cost_25 = ((_e13 + STEP) + _e17);
-                    let _e20 = rt::Scalar(part_14.empty);
+                    let _e20 = rt::Scalar(part_15.empty);
                     if rt::Scalar::into_branch_condition(_e20.elementwise_lt(rt::Scalar(0f32))) {
-                        let _e25 = rt::Scalar(part_14.begin);
-                        let _e27 = rt::Scalar(part_14.begin);
+                        let _e25 = rt::Scalar(part_15.begin);
+                        let _e27 = rt::Scalar(part_15.begin);
                         let _e28 = cost_25;
                         return <SearchResult>::new(FOUND_ABOVE, _e25, _e27, rt::Scalar(0f32), rt::Scalar(1f32), _e28);
                     }
-                    let _e33 = rt::Scalar(part_14.is_last);
+                    let _e33 = rt::Scalar(part_15.is_last);
                     if rt::Scalar::into_branch_condition(_e33.elementwise_eq(rt::Scalar(1u32))) {
-                        let _e38 = rt::Scalar(part_14.end);
-                        let _e40 = rt::Scalar(part_14.end);
+                        let _e38 = rt::Scalar(part_15.end);
+                        let _e40 = rt::Scalar(part_15.end);
                         let _e41 = cost_25;
                         return <SearchResult>::new(FOUND_MISS, _e38, _e40, rt::Scalar(1f32), rt::Scalar(1f32), _e41);
                     }
-                    let _e45 = part_14;
+                    let _e45 = part_15;
                     let _e46 = self.v_next_part(path_96, _e2, _e3, _e45);
-                    part_14 = _e46;
+                    part_15 = _e46;
                 }
             }
         }
-        let _e49 = rt::Scalar(part_14.begin);
-        let _e51 = rt::Scalar(part_14.begin);
+        let _e49 = rt::Scalar(part_15.begin);
+        let _e51 = rt::Scalar(part_15.begin);
         let _e52 = cost_25;
         return <SearchResult>::new(FOUND_EXHAUSTED, _e49, _e51, rt::Scalar(1f32), rt::Scalar(1f32), _e52);
     }
@@ -17367,15 +17546,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_shell_map(
         &self,
         path_97: Path,
-        params_114: impl rt::Into<rt::Vec4<f32>>,
+        params_121: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_shell_map(path_97, rt::into(params_114)))
+        rt::into(self.v_search_shell_map(path_97, rt::into(params_121)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_shell_map(
         &self,
         path_97: Path,
-        params_114: rt::Vec4<f32>,
+        params_121: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut cost_28: rt::Vec3<u32> = NO_COST;
         let mut tile: rt::Vec2<f32>;
@@ -17383,7 +17562,7 @@ impl<'g> Resources<'g> {
 
         let step_9 = <rt::Vec3<f32>>::new_21(path_97.duv, path_97.h.y());
         let slack_7 = (rt::Scalar(0.00002f32) / step_9.x().abs().max(step_9.y().abs()).max(step_9.z().abs()));
-        let limit_17 = params_114.x().to_u32();
+        let limit_17 = params_121.x().to_u32();
         tile = path_97.uv.floor();
         'naga_break: loop {
             'naga_continue: {
@@ -17411,9 +17590,9 @@ impl<'g> Resources<'g> {
                     cost_28 = _e77.cost;
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e77.t).elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e82 = t_47;
-                        let at_187 = (_e82 + rt::Scalar(_e77.t)).clamp(rt::Scalar(0f32), rt::Scalar(path_97.exit));
+                        let at_192 = (_e82 + rt::Scalar(_e77.t)).clamp(rt::Scalar(0f32), rt::Scalar(path_97.exit));
                         let _e89 = cost_28;
-                        return <SearchResult>::new(FOUND_BRACKET, at_187, at_187, rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <SearchResult>::new(FOUND_BRACKET, at_192, at_192, rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     if rt::Scalar::into_branch_condition((!end_26.elementwise_lt(rt::Scalar(path_97.exit)))) {
                         let _e97 = cost_28;
@@ -17451,9 +17630,9 @@ impl<'g> Resources<'g> {
         path_99: Path,
         texel_7: impl rt::Into<rt::Vec2<i32>>,
         layer_13: impl rt::Into<rt::Scalar<i32>>,
-        level_55: impl rt::Into<rt::Scalar<i32>>,
+        level_58: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_signed_factors(path_99, rt::into(texel_7), rt::into(layer_13), rt::into(level_55)))
+        rt::into(self.v_signed_factors(path_99, rt::into(texel_7), rt::into(layer_13), rt::into(level_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17462,9 +17641,9 @@ impl<'g> Resources<'g> {
         path_99: Path,
         texel_7: rt::Vec2<i32>,
         layer_13: rt::Scalar<i32>,
-        level_55: rt::Scalar<i32>,
+        level_58: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = self.v_search_texel(path_99, texel_7, layer_13, level_55);
+        let _e4 = self.v_search_texel(path_99, texel_7, layer_13, level_58);
         return ((rt::Scalar(2f32) * _e4) - <rt::Vec4<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32)));
     }
     pub(crate) fn four_terms(
@@ -17491,9 +17670,9 @@ impl<'g> Resources<'g> {
         &self,
         before_5: impl rt::Into<rt::Vec4<f32>>,
         texels_4: FourTerms,
-        view_23: impl rt::Into<rt::Vec4<f32>>,
+        view_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_with_terms(rt::into(before_5), texels_4, rt::into(view_23)))
+        rt::into(self.v_with_terms(rt::into(before_5), texels_4, rt::into(view_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -17501,22 +17680,22 @@ impl<'g> Resources<'g> {
         &self,
         before_5: rt::Vec4<f32>,
         texels_4: FourTerms,
-        view_23: rt::Vec4<f32>,
+        view_24: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let one_2 = (before_5 + (texels_4.first * view_23.x()));
-        let two_1 = (one_2 + (texels_4.second * view_23.y()));
-        let three = (two_1 + (texels_4.third * view_23.z()));
-        return (three + (texels_4.fourth * view_23.w()));
+        let one_2 = (before_5 + (texels_4.first * view_24.x()));
+        let two_1 = (one_2 + (texels_4.second * view_24.y()));
+        let three = (two_1 + (texels_4.third * view_24.z()));
+        return (three + (texels_4.fourth * view_24.w()));
     }
     pub(crate) fn summed_ways(
         &self,
         path_100: Path,
         around_2: Around,
         pair_2: ViewPair,
-        params_115: impl rt::Into<rt::Vec4<f32>>,
+        params_122: impl rt::Into<rt::Vec4<f32>>,
         layers_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_summed_ways(path_100, around_2, pair_2, rt::into(params_115), rt::into(layers_2)))
+        rt::into(self.v_summed_ways(path_100, around_2, pair_2, rt::into(params_122), rt::into(layers_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_summed_ways(
@@ -17524,7 +17703,7 @@ impl<'g> Resources<'g> {
         path_100: Path,
         around_2: Around,
         pair_2: ViewPair,
-        params_115: rt::Vec4<f32>,
+        params_122: rt::Vec4<f32>,
         layers_2: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let mut lower_2: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
@@ -17532,12 +17711,12 @@ impl<'g> Resources<'g> {
         let mut layer_14: rt::Scalar<i32> = rt::Scalar(0i32);
 
         let _e6 = self.v_height_texels(rt::Scalar(path_100.level));
-        let level_69 = rt::Scalar(path_100.level).to_i32();
-        let bends_1 = params_115.z().to_i32();
+        let level_72 = rt::Scalar(path_100.level).to_i32();
+        let bends_1 = params_122.z().to_i32();
         let lower_view_1 = ((rt::Scalar(pair_2.layer) * bends_1) + rt::Scalar(pair_2.bend).to_i32());
         let _e16 = self.v_factor_place(lower_view_1, _e6);
         let _e18 = self.v_factor_place((lower_view_1 + bends_1), _e6);
-        let scale_number = ((params_115.x() * params_115.y()).to_i32() * bends_1);
+        let scale_number = ((params_122.x() * params_122.y()).to_i32() * bends_1);
         'naga_break: loop {
             'naga_continue: {
                 let _e38 = layer_14;
@@ -17549,19 +17728,19 @@ impl<'g> Resources<'g> {
                     let _e41 = layer_14;
                     let _e42 = self.v_term_scales(path_100, scale_number, _e6, _e41);
                     let _e43 = layer_14;
-                    let _e44 = self.v_signed_factors(path_100, _e16, _e43, level_69);
+                    let _e44 = self.v_signed_factors(path_100, _e16, _e43, level_72);
                     let a_47 = (_e44 * _e42);
                     let _e46 = layer_14;
-                    let _e47 = self.v_signed_factors(path_100, _e18, _e46, level_69);
+                    let _e47 = self.v_signed_factors(path_100, _e18, _e46, level_72);
                     let b_47 = (_e47 * _e42);
                     let _e54 = layer_14;
-                    let _e55 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.x(), around_2.rows.x()), _e54, level_69);
+                    let _e55 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.x(), around_2.rows.x()), _e54, level_72);
                     let _e61 = layer_14;
-                    let _e62 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.y(), around_2.rows.x()), _e61, level_69);
+                    let _e62 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.y(), around_2.rows.x()), _e61, level_72);
                     let _e68 = layer_14;
-                    let _e69 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.x(), around_2.rows.y()), _e68, level_69);
+                    let _e69 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.x(), around_2.rows.y()), _e68, level_72);
                     let _e75 = layer_14;
-                    let _e76 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.y(), around_2.rows.y()), _e75, level_69);
+                    let _e76 = self.v_signed_factors(path_100, <rt::Vec2<i32>>::from_scalars(around_2.columns.y(), around_2.rows.y()), _e75, level_72);
                     let _e77 = self.v_four_terms(_e55, _e62, _e69, _e76);
                     let _e78 = lower_2;
                     let _e79 = self.v_with_terms(_e78, _e77, a_47);
@@ -17599,24 +17778,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_view_dependent_svd(
         &self,
         path_102: Path,
-        params_116: impl rt::Into<rt::Vec4<f32>>,
+        params_123: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_view_dependent_svd(path_102, rt::into(params_116)))
+        rt::into(self.v_search_view_dependent_svd(path_102, rt::into(params_123)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_view_dependent_svd(
         &self,
         path_102: Path,
-        params_116: rt::Vec4<f32>,
+        params_123: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut joined_3: JoinedViews;
-        let mut k_35: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e3 = self.v_path_axes(path_102, params_116.w());
+        let _e3 = self.v_path_axes(path_102, params_123.w());
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(0u32))) {
             return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_102.exit), rt::Scalar(path_102.exit), rt::Scalar(1f32), rt::Scalar(1f32), STEP);
         }
-        let _e14 = self.v_views_around(_e3, params_116);
+        let _e14 = self.v_views_around(_e3, params_123);
         let _e16 = self.v_path_uv(path_102, rt::Scalar(_e3.start));
         let _e18 = self.v_height_texels(rt::Scalar(path_102.level));
         let _e19 = self.v_texels_around(_e16, _e18);
@@ -17625,21 +17804,21 @@ impl<'g> Resources<'g> {
         joined_3 = _e21;
         'naga_break: loop {
             'naga_continue: {
-                let _e25 = k_35;
+                let _e25 = k_38;
                 if rt::Scalar::into_branch_condition(_e25.elementwise_lt(rt::Scalar(_e14.pairs))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e28 = k_35;
+                    let _e28 = k_38;
                     let _e29 = self.v_view_pair(_e14, _e28);
-                    let _e30 = self.v_summed_ways(path_102, _e19, _e29, params_116, _e20);
+                    let _e30 = self.v_summed_ways(path_102, _e19, _e29, params_123, _e20);
                     let _e31 = joined_3;
-                    let _e32 = k_35;
+                    let _e32 = k_38;
                     let _e33 = self.v_with_pair(_e31, _e14, _e32, _e30);
                     joined_3 = _e33;
-                    let _e34 = k_35;
-                    k_35 = (_e34 + rt::Scalar(1u32));
+                    let _e34 = k_38;
+                    k_38 = (_e34 + rt::Scalar(1u32));
                 }
             }
         }
@@ -17653,24 +17832,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_view_dependent_clusters(
         &self,
         path_103: Path,
-        params_117: impl rt::Into<rt::Vec4<f32>>,
+        params_124: impl rt::Into<rt::Vec4<f32>>,
     ) -> SearchResult {
-        rt::into(self.v_search_view_dependent_clusters(path_103, rt::into(params_117)))
+        rt::into(self.v_search_view_dependent_clusters(path_103, rt::into(params_124)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_search_view_dependent_clusters(
         &self,
         path_103: Path,
-        params_117: rt::Vec4<f32>,
+        params_124: rt::Vec4<f32>,
     ) -> SearchResult {
         let mut joined_4: JoinedViews;
-        let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_39: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e3 = self.v_path_axes(path_103, params_117.w());
+        let _e3 = self.v_path_axes(path_103, params_124.w());
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.comes_in).elementwise_eq(rt::Scalar(0u32))) {
             return <SearchResult>::new(FOUND_MISS, rt::Scalar(path_103.exit), rt::Scalar(path_103.exit), rt::Scalar(1f32), rt::Scalar(1f32), STEP);
         }
-        let _e14 = self.v_views_around(_e3, params_117);
+        let _e14 = self.v_views_around(_e3, params_124);
         let _e16 = self.v_path_uv(path_103, rt::Scalar(_e3.start));
         let _e18 = self.v_height_texels(rt::Scalar(path_103.level));
         let _e19 = self.v_texels_around(_e16, _e18);
@@ -17679,21 +17858,21 @@ impl<'g> Resources<'g> {
         joined_4 = _e21;
         'naga_break: loop {
             'naga_continue: {
-                let _e25 = k_36;
+                let _e25 = k_39;
                 if rt::Scalar::into_branch_condition(_e25.elementwise_lt(rt::Scalar(_e14.pairs))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e28 = k_36;
+                    let _e28 = k_39;
                     let _e29 = self.v_view_pair(_e14, _e28);
-                    let _e30 = self.v_clustered_ways(path_103, _e19, _e29, params_117, _e20);
+                    let _e30 = self.v_clustered_ways(path_103, _e19, _e29, params_124, _e20);
                     let _e31 = joined_4;
-                    let _e32 = k_36;
+                    let _e32 = k_39;
                     let _e33 = self.v_with_pair(_e31, _e14, _e32, _e30);
                     joined_4 = _e33;
-                    let _e34 = k_36;
-                    k_36 = (_e34 + rt::Scalar(1u32));
+                    let _e34 = k_39;
+                    k_39 = (_e34 + rt::Scalar(1u32));
                 }
             }
         }
@@ -17826,21 +18005,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_none(
         &self,
         pixel_77: PixelIn,
-        at_117: Entered,
-        params_118: impl rt::Into<rt::Vec4<f32>>,
+        at_122: Entered,
+        params_125: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_77, at_117, rt::into(params_118)))
+        rt::into(self.v_object_none(pixel_77, at_122, rt::into(params_125)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_none(
         &self,
         pixel_77: PixelIn,
-        at_117: Entered,
-        params_118: rt::Vec4<f32>,
+        at_122: Entered,
+        params_125: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_29: rt::Vec3<u32> = NO_COST;
         let mut first_5: FirstHit;
-        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_121: rt::Scalar<bool>;
 
         let _e5 = cost_29;
@@ -17848,18 +18027,18 @@ impl<'g> Resources<'g> {
         first_5 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = k_37;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_117.segments))) {
+                let _e13 = k_40;
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_122.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e16 = k_37;
-                    let _e17 = self.v_segment_of(pixel_77, at_117, _e16);
+                    let _e16 = k_40;
+                    let _e17 = self.v_segment_of(pixel_77, at_122, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
-                        let _e22 = k_37;
-                        let _e23 = self.v_hit_on_segment(pixel_77, at_117, _e17, _e21, _e22);
+                        let _e22 = k_40;
+                        let _e23 = self.v_hit_on_segment(pixel_77, at_122, _e17, _e21, _e22);
                         let _e24 = cost_29;
                         cost_29 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
@@ -17879,8 +18058,8 @@ impl<'g> Resources<'g> {
                             }
                         }
                     }
-                    let _e50 = k_37;
-                    k_37 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_40;
+                    k_40 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
@@ -17889,16 +18068,16 @@ impl<'g> Resources<'g> {
         let _e56 = first_5;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_118: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_78, at_118))
+    pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_123: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_78, at_123))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_118: Entered) -> FirstHit {
+    pub(super) fn v_first_in_all(&self, pixel_78: PixelIn, at_123: Entered) -> FirstHit {
         let mut cost_30: rt::Vec3<u32> = NO_COST;
         let mut first_6: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_41: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_122: rt::Scalar<bool>;
         let mut local_123: rt::Scalar<bool>;
@@ -17907,11 +18086,11 @@ impl<'g> Resources<'g> {
         let _e4 = cost_30;
         let _e5 = self.v_miss(_e4);
         first_6 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_20 = (rt::Scalar(at_118.segments) * MOST_ROUNDS);
+        let most_20 = (rt::Scalar(at_123.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_118.segments))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_123.segments))) {
                     let _e26 = turns;
                     local_122 = _e26.elementwise_lt(most_20);
                 } else {
@@ -17923,8 +18102,8 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = k_38;
-                    let _e31 = self.v_segment_of(pixel_78, at_118, _e30);
+                    let _e30 = k_41;
+                    let _e31 = self.v_segment_of(pixel_78, at_123, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
                     let ahead_4 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
@@ -17969,24 +18148,24 @@ impl<'g> Resources<'g> {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
                         let _e93 = cost_30;
-                        let _e95 = k_38;
-                        let _e96 = self.v_hit_on_segment(pixel_78, at_118, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_56, _e93), _e95);
+                        let _e95 = k_41;
+                        let _e96 = self.v_hit_on_segment(pixel_78, at_123, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_56, _e93), _e95);
                         first_6 = _e96;
                         let _e99 = first_6.hit.cost;
                         cost_30 = _e99;
                     }
                     let _e100 = agreed;
                     agreed = (_e100 + rt::Scalar(1u32));
-                    let _e103 = k_38;
-                    let _e107 = k_38;
-                    k_38 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_118.segments)));
+                    let _e103 = k_41;
+                    let _e107 = k_41;
+                    k_41 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_123.segments)));
                     let _e113 = turns;
                     turns = (_e113 + rt::Scalar(1u32));
                 }
             }
         }
         let _e120 = agreed;
-        rt::Scalar(first_6.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_118.segments)));
+        rt::Scalar(first_6.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_123.segments)));
         let _e126 = cost_30;
         first_6.hit.cost = _e126;
         let _e127 = first_6;
@@ -17995,39 +18174,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_depth(
         &self,
         pixel_79: PixelIn,
-        at_119: Entered,
-        params_119: impl rt::Into<rt::Vec4<f32>>,
+        at_124: Entered,
+        params_126: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_79, at_119, rt::into(params_119)))
+        rt::into(self.v_object_depth(pixel_79, at_124, rt::into(params_126)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth(
         &self,
         pixel_79: PixelIn,
-        at_119: Entered,
-        params_119: rt::Vec4<f32>,
+        at_124: Entered,
+        params_126: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_79, at_119);
+        let _e3 = self.v_first_in_all(pixel_79, at_124);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
         pixel_80: PixelIn,
-        at_120: Entered,
-        params_120: impl rt::Into<rt::Vec4<f32>>,
+        at_125: Entered,
+        params_127: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_80, at_120, rt::into(params_120)))
+        rt::into(self.v_object_hull(pixel_80, at_125, rt::into(params_127)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull(
         &self,
         pixel_80: PixelIn,
-        at_120: Entered,
-        params_120: rt::Vec4<f32>,
+        at_125: Entered,
+        params_127: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_80, at_120);
+        let _e3 = self.v_first_in_all(pixel_80, at_125);
         return _e3;
     }
     pub(crate) fn look_into_frame(&self, uv_33: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
@@ -18037,13 +18216,13 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     pub(super) fn v_look_into_frame(&self, uv_33: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_188 = ((uv_33 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_188);
-        let part_33 = (at_188 - _e8);
+        let at_193 = ((uv_33 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_193);
+        let part_34 = (at_193 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_16 = (rt::Scalar(1f32) - part_33.x());
-        let y_11 = (rt::Scalar(1f32) - part_33.y());
-        let weights_8 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_33.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_33.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_33.x() * part_33.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let x_16 = (rt::Scalar(1f32) - part_34.x());
+        let y_11 = (rt::Scalar(1f32) - part_34.y());
+        let weights_8 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_16 * y_11), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_34.x() * y_11), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_16 * part_34.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_34.x() * part_34.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
         let cover_2 = ((weights_8.x() + weights_8.y()) + (weights_8.z() + weights_8.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_8.dot(_e12) / cover_2));
@@ -18100,24 +18279,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_blend(
         &self,
         pixel_81: PixelIn,
-        at_121: Entered,
-        params_121: impl rt::Into<rt::Vec4<f32>>,
+        at_126: Entered,
+        params_128: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_81, at_121, rt::into(params_121)))
+        rt::into(self.v_object_blend(pixel_81, at_126, rt::into(params_128)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_blend(
         &self,
         pixel_81: PixelIn,
-        at_121: Entered,
-        params_121: rt::Vec4<f32>,
+        at_126: Entered,
+        params_128: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_31: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut along_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut heaviest: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_39: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_42: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut first_7: FirstHit;
         let mut local_125: rt::Scalar<bool>;
 
@@ -18125,24 +18304,24 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_frames_around(toward_11);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_39;
+                let _e19 = k_42;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e22 = k_39;
+                    let _e22 = k_42;
                     let _e23 = self.v_frame_number(_e6, _e22);
                     let _e24 = self.v_image_of_object(_e23);
-                    let _e25 = k_39;
+                    let _e25 = k_42;
                     let _e26 = self.v_frame_weight(_e6, _e25);
                     if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_11).elementwise_ge(rt::Scalar(0.05f32))) {
-                        let _e31 = k_39;
-                        let _e32 = self.v_segment_of(pixel_81, at_121, _e31);
-                        let _e35 = self.v_look_along(_e32, _e24, params_121.w().to_u32());
+                        let _e31 = k_42;
+                        let _e32 = self.v_segment_of(pixel_81, at_126, _e31);
+                        let _e35 = self.v_look_along(_e32, _e24, params_128.w().to_u32());
                         let seen_10 = (_e26 * _e35.x());
                         let _e38 = cost_31;
-                        cost_31 = (_e38 + (LOOK * (params_121.w().to_u32() + rt::Scalar(1u32))));
+                        cost_31 = (_e38 + (LOOK * (params_128.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
                         cover_1 = (_e46 + seen_10);
                         let _e48 = along_18;
@@ -18150,12 +18329,12 @@ impl<'g> Resources<'g> {
                         let _e60 = most_2;
                         if rt::Scalar::into_branch_condition(seen_10.elementwise_gt(_e60)) {
                             most_2 = seen_10;
-                            let _e62 = k_39;
+                            let _e62 = k_42;
                             heaviest = _e62;
                         }
                     }
-                    let _e63 = k_39;
-                    k_39 = (_e63 + rt::Scalar(1u32));
+                    let _e63 = k_42;
+                    k_42 = (_e63 + rt::Scalar(1u32));
                 }
             }
         }
@@ -18175,54 +18354,54 @@ impl<'g> Resources<'g> {
             return _e83;
         }
         let _e84 = heaviest;
-        let _e85 = self.v_segment_of(pixel_81, at_121, _e84);
+        let _e85 = self.v_segment_of(pixel_81, at_126, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
         let t_57 = ((_e86 / _e87) - rt::Scalar(_e85.start));
         let _e93 = self.v_path_uv(_e85, t_57);
         let _e94 = self.v_path_height(_e85, t_57);
         let _e95 = cost_31;
-        let hit_86 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_57, _e95);
+        let hit_87 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_57, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_81, at_121, _e85, hit_86, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_81, at_126, _e85, hit_87, _e97);
         return _e98;
     }
-    pub(crate) fn object_stage(&self, pixel_82: PixelIn, at_122: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_82, at_122))
+    pub(crate) fn object_stage(&self, pixel_82: PixelIn, at_127: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_82, at_127))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_object_stage(&self, pixel_82: PixelIn, at_122: Entered) -> FirstHit {
+    pub(super) fn v_object_stage(&self, pixel_82: PixelIn, at_127: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_82, at_122, _e11);
+                let _e12 = self.v_object_none(pixel_82, at_127, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_82, at_122, _e17);
+                let _e18 = self.v_object_depth(pixel_82, at_127, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_82, at_122, _e23);
+                let _e24 = self.v_object_hull(pixel_82, at_127, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend(pixel_82, at_122, _e29);
+                let _e30 = self.v_object_blend(pixel_82, at_127, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_83: PixelIn, at_123: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_83, at_123))
+    pub(crate) fn first_hit(&self, pixel_83: PixelIn, at_128: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_83, at_128))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_first_hit(&self, pixel_83: PixelIn, at_123: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_83, at_123);
+    pub(super) fn v_first_hit(&self, pixel_83: PixelIn, at_128: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_83, at_128);
         return _e2;
     }
     pub(crate) fn quotient_up(
@@ -18379,13 +18558,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_124: Entered, hit_42: Hit, light_11: Toward) -> f32 {
-        rt::into(self.v_free_way(at_124, hit_42, light_11))
+    pub(crate) fn free_way(&self, at_129: Entered, hit_43: Hit, light_11: Toward) -> f32 {
+        rt::into(self.v_free_way(at_129, hit_43, light_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_free_way(&self, at_124: Entered, hit_42: Hit, light_11: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_field_light_ray_stage(at_124, hit_42, light_11);
+    pub(super) fn v_free_way(&self, at_129: Entered, hit_43: Hit, light_11: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_field_light_ray_stage(at_129, hit_43, light_11);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -18452,37 +18631,37 @@ impl<'g> Resources<'g> {
         let _e30 = rest_2;
         return _e30;
     }
-    pub(crate) fn light_around(&self, at_125: Entered, path_109: Path) -> rt::Vec3<f32> {
-        rt::into(self.v_light_around(at_125, path_109))
+    pub(crate) fn light_around(&self, at_130: Entered, path_109: Path) -> rt::Vec3<f32> {
+        rt::into(self.v_light_around(at_130, path_109))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_light_around(&self, at_125: Entered, path_109: Path) -> rt::Vec3<f32> {
+    pub(super) fn v_light_around(&self, at_130: Entered, path_109: Path) -> rt::Vec3<f32> {
         let mut light_12: rt::Vec3<f32>;
-        let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_43: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let hit_87 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_109.uv, path_109.h.x(), rt::Scalar(0f32), NO_COST);
+        let hit_88 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_109.uv, path_109.h.x(), rt::Scalar(0f32), NO_COST);
         let zero_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let white_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let material_14 = <Material>::new(white_1, zero_2, zero_2, white_1, zero_2, rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(0.5f32), rt::Scalar(0f32));
         light_12 = zero_2;
         'naga_break: loop {
             'naga_continue: {
-                let _e29 = k_40;
+                let _e29 = k_43;
                 if rt::Scalar::into_branch_condition(_e29.elementwise_lt(rt::Scalar(6u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e32 = k_40;
+                    let _e32 = k_43;
                     let along_42 = rt::Scalar(-1f32).select(rt::Scalar(1f32), (_e32 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32)));
-                    let _e40 = k_40;
+                    let _e40 = k_43;
                     let axis_8 = (_e40 >> rt::Scalar(1u32));
                     let normal_36 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32).select(along_42, axis_8.elementwise_eq(rt::Scalar(0u32))), rt::Scalar(0f32).select(along_42, axis_8.elementwise_eq(rt::Scalar(1u32))), rt::Scalar(0f32).select(along_42, axis_8.elementwise_eq(rt::Scalar(2u32))));
                     let _e56 = light_12;
-                    let _e57 = self.v_ambient_stage(at_125, hit_87, normal_36, normal_36, material_14);
+                    let _e57 = self.v_ambient_stage(at_130, hit_88, normal_36, normal_36, material_14);
                     light_12 = (_e56 + _e57);
-                    let _e59 = k_40;
-                    k_40 = (_e59 + rt::Scalar(1u32));
+                    let _e59 = k_43;
+                    k_43 = (_e59 + rt::Scalar(1u32));
                 }
             }
         }
@@ -18497,22 +18676,22 @@ impl<'g> Resources<'g> {
     pub(super) fn v_goes_on(&self, seen_2: Gathered) -> rt::Scalar<bool> {
         return rt::Scalar(seen_2.transmittance).elementwise_gt(rt::Scalar(0.000061035156f32));
     }
-    pub(crate) fn placed_over(&self, at_126: Entered, hit_43: Hit) -> Entered {
-        rt::into(self.v_placed_over(at_126, hit_43))
+    pub(crate) fn placed_over(&self, at_131: Entered, hit_44: Hit) -> Entered {
+        rt::into(self.v_placed_over(at_131, hit_44))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_placed_over(&self, at_126: Entered, hit_43: Hit) -> Entered {
+    pub(super) fn v_placed_over(&self, at_131: Entered, hit_44: Hit) -> Entered {
         let mut placed: Entered;
 
-        let uv_46 = hit_43.uv;
-        let aside_10 = (uv_46 - at_126.uv);
-        let _e7 = self.v_field_height_stage(uv_46, rt::Scalar(hit_43.height), rt::Scalar(at_126.level));
+        let uv_46 = hit_44.uv;
+        let aside_10 = (uv_46 - at_131.uv);
+        let _e7 = self.v_field_height_stage(uv_46, rt::Scalar(hit_44.height), rt::Scalar(at_131.level));
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
         let height_27 = (_e10 + (_e13 * _e7));
-        placed = at_126;
-        placed.point = (((at_126.point + (at_126.tangent * aside_10.x())) + (at_126.bitangent * aside_10.y())) + (at_126.normal * height_27));
+        placed = at_131;
+        placed.point = (((at_131.point + (at_131.tangent * aside_10.x())) + (at_131.bitangent * aside_10.y())) + (at_131.normal * height_27));
         placed.uv = uv_46;
         let _e31 = placed;
         return _e31;
@@ -18520,103 +18699,103 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_place(
         &self,
         pixel_84: PixelIn,
-        at_127: Entered,
+        at_132: Entered,
         path_110: Path,
-        hit_44: Hit,
-        params_122: impl rt::Into<rt::Vec4<f32>>,
+        hit_45: Hit,
+        params_129: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_84, at_127, path_110, hit_44, rt::into(params_122)))
+        rt::into(self.v_surface_plane_place(pixel_84, at_132, path_110, hit_45, rt::into(params_129)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_plane_place(
         &self,
         pixel_84: PixelIn,
-        at_127: Entered,
+        at_132: Entered,
         path_110: Path,
-        hit_44: Hit,
-        params_122: rt::Vec4<f32>,
+        hit_45: Hit,
+        params_129: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_over(at_127, hit_44);
+        let _e5 = self.v_placed_over(at_132, hit_45);
         return _e5;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_85: PixelIn,
-        at_128: Entered,
+        at_133: Entered,
         weights_5: impl rt::Into<rt::Vec3<f32>>,
         point_19: impl rt::Into<rt::Vec3<f32>>,
         uv_34: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_85, at_128, rt::into(weights_5), rt::into(point_19), rt::into(uv_34)))
+        rt::into(self.v_placed_at(pixel_85, at_133, rt::into(weights_5), rt::into(point_19), rt::into(uv_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_placed_at(
         &self,
         pixel_85: PixelIn,
-        at_128: Entered,
+        at_133: Entered,
         weights_5: rt::Vec3<f32>,
         point_19: rt::Vec3<f32>,
         uv_34: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_85, weights_5, point_19, uv_34, at_128.facing);
+        let _e6 = self.v_frame_at(pixel_85, weights_5, point_19, uv_34, at_133.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_128.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_128.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_128.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_133.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_133.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_133.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_86: PixelIn,
-        at_129: Entered,
+        at_134: Entered,
         path_111: Path,
-        hit_45: Hit,
-        params_123: impl rt::Into<rt::Vec4<f32>>,
+        hit_46: Hit,
+        params_130: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_86, at_129, path_111, hit_45, rt::into(params_123)))
+        rt::into(self.v_surface_prism_place(pixel_86, at_134, path_111, hit_46, rt::into(params_130)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_prism_place(
         &self,
         pixel_86: PixelIn,
-        at_129: Entered,
+        at_134: Entered,
         path_111: Path,
-        hit_45: Hit,
-        params_123: rt::Vec4<f32>,
+        hit_46: Hit,
+        params_130: rt::Vec4<f32>,
     ) -> Entered {
         let along_43 = pixel_86.direction.normalize();
         let _e7 = self.v_middle_of(pixel_86, along_43);
-        let _e8 = self.v_prism_of(pixel_86, along_43, _e7, params_123);
-        let s_3 = ((rt::Scalar(path_111.start) + rt::Scalar(hit_45.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_86, _e8, (along_43 * s_3), rt::Scalar(hit_45.height));
+        let _e8 = self.v_prism_of(pixel_86, along_43, _e7, params_130);
+        let s_3 = ((rt::Scalar(path_111.start) + rt::Scalar(hit_46.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_86, _e8, (along_43 * s_3), rt::Scalar(hit_46.height));
         let weights_9 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_86, at_129, weights_9, (pixel_86.origin + (along_43 * (rt::Scalar(path_111.start) + rt::Scalar(hit_45.t)))), hit_45.uv);
+        let _e24 = self.v_placed_at(pixel_86, at_134, weights_9, (pixel_86.origin + (along_43 * (rt::Scalar(path_111.start) + rt::Scalar(hit_46.t)))), hit_46.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_130: Entered,
+        at_135: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_130, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_135, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_quadric_frame(
         &self,
-        at_130: Entered,
+        at_135: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
         let mut local_127: rt::Scalar<bool>;
 
-        placed_2 = at_130;
-        let _e5 = self.v_quadric_slope(at_130.of_surface.xyz(), aside);
+        placed_2 = at_135;
+        let _e5 = self.v_quadric_slope(at_135.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
             local_127 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
@@ -18627,13 +18806,13 @@ impl<'g> Resources<'g> {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_7 = at_130.metric;
+        let m_7 = at_135.metric;
         let area_7 = ((m_7.x() * m_7.z()) - (m_7.y() * m_7.y()));
         let along_t = (((_e5.x() * m_7.z()) - (_e5.y() * m_7.y())) / area_7);
         let along_b = (((_e5.y() * m_7.x()) - (_e5.x() * m_7.y())) / area_7);
-        placed_2.tangent = (at_130.tangent + (at_130.normal * _e5.x()));
-        placed_2.bitangent = (at_130.bitangent + (at_130.normal * _e5.y()));
-        placed_2.normal = ((at_130.normal - (at_130.tangent * along_t)) - (at_130.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_135.tangent + (at_135.normal * _e5.x()));
+        placed_2.bitangent = (at_135.bitangent + (at_135.normal * _e5.y()));
+        placed_2.normal = ((at_135.normal - (at_135.tangent * along_t)) - (at_135.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -18650,87 +18829,87 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_87: PixelIn,
-        at_131: Entered,
+        at_136: Entered,
         path_112: Path,
-        hit_46: Hit,
-        params_124: impl rt::Into<rt::Vec4<f32>>,
+        hit_47: Hit,
+        params_131: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_87, at_131, path_112, hit_46, rt::into(params_124)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_87, at_136, path_112, hit_47, rt::into(params_131)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_87: PixelIn,
-        at_131: Entered,
+        at_136: Entered,
         path_112: Path,
-        hit_46: Hit,
-        params_124: rt::Vec4<f32>,
+        hit_47: Hit,
+        params_131: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_131, (hit_46.uv - at_131.uv));
+        let _e8 = self.v_quadric_frame(at_136, (hit_47.uv - at_136.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_87.origin + (pixel_87.direction.normalize() * (rt::Scalar(path_112.start) + rt::Scalar(hit_46.t))));
-        placed_3.uv = hit_46.uv;
+        placed_3.point = (pixel_87.origin + (pixel_87.direction.normalize() * (rt::Scalar(path_112.start) + rt::Scalar(hit_47.t))));
+        placed_3.uv = hit_47.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_88: PixelIn,
-        at_132: Entered,
+        at_137: Entered,
         path_113: Path,
-        hit_47: Hit,
-        params_125: impl rt::Into<rt::Vec4<f32>>,
+        hit_48: Hit,
+        params_132: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_88, at_132, path_113, hit_47, rt::into(params_125)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_88, at_137, path_113, hit_48, rt::into(params_132)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_quadric_vertical_place(
         &self,
         pixel_88: PixelIn,
-        at_132: Entered,
+        at_137: Entered,
         path_113: Path,
-        hit_47: Hit,
-        params_125: rt::Vec4<f32>,
+        hit_48: Hit,
+        params_132: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_11 = (hit_47.uv - at_132.uv);
-        let _e11 = self.v_field_height_stage(hit_47.uv, rt::Scalar(hit_47.height), rt::Scalar(at_132.level));
+        let aside_11 = (hit_48.uv - at_137.uv);
+        let _e11 = self.v_field_height_stage(hit_48.uv, rt::Scalar(hit_48.height), rt::Scalar(at_137.level));
         let _e14 = rt::Scalar(self.surface_settings.bias_m);
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let height_28 = (_e14 + (_e17 * _e11));
         let _e20 = self.v_base_height();
         let _e24 = self.v_traced_scale_m();
-        let _e28 = self.v_quadric_at(at_132.of_surface.xyz(), aside_11);
-        let lifted_2 = (((_e20 - at_132.of_surface.w()) * _e24) + _e28);
-        let _e30 = self.v_quadric_frame(at_132, aside_11);
+        let _e28 = self.v_quadric_at(at_137.of_surface.xyz(), aside_11);
+        let lifted_2 = (((_e20 - at_137.of_surface.w()) * _e24) + _e28);
+        let _e30 = self.v_quadric_frame(at_137, aside_11);
         placed_4 = _e30;
-        placed_4.point = (((at_132.point + (at_132.tangent * aside_11.x())) + (at_132.bitangent * aside_11.y())) + (at_132.normal * (height_28 + lifted_2)));
-        placed_4.uv = hit_47.uv;
+        placed_4.point = (((at_137.point + (at_137.tangent * aside_11.x())) + (at_137.bitangent * aside_11.y())) + (at_137.normal * (height_28 + lifted_2)));
+        placed_4.uv = hit_48.uv;
         let _e48 = placed_4;
         return _e48;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_89: PixelIn,
-        at_133: Entered,
+        at_138: Entered,
         path_114: Path,
-        hit_48: Hit,
-        params_126: impl rt::Into<rt::Vec4<f32>>,
+        hit_49: Hit,
+        params_133: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_89, at_133, path_114, hit_48, rt::into(params_126)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_89, at_138, path_114, hit_49, rt::into(params_133)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_tetrahedra_place(
         &self,
         pixel_89: PixelIn,
-        at_133: Entered,
+        at_138: Entered,
         path_114: Path,
-        hit_48: Hit,
-        params_126: rt::Vec4<f32>,
+        hit_49: Hit,
+        params_133: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest_2: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
@@ -18738,7 +18917,7 @@ impl<'g> Resources<'g> {
 
         let along_44 = pixel_89.direction.normalize();
         let _e7 = self.v_middle_of(pixel_89, along_44);
-        let t_58 = ((rt::Scalar(path_114.start) + rt::Scalar(hit_48.t)) - _e7);
+        let t_58 = ((rt::Scalar(path_114.start) + rt::Scalar(hit_49.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_89, along_44, _e7, rt::Scalar(0u32));
         nearest_2 = _e13;
         let _e17 = nearest_2.inside.x();
@@ -18768,53 +18947,53 @@ impl<'g> Resources<'g> {
         let _e45 = nearest_2.weights;
         let _e47 = nearest_2.change;
         let weights_10 = (_e45 + (_e47 * t_58));
-        let point_33 = (pixel_89.origin + (along_44 * (rt::Scalar(path_114.start) + rt::Scalar(hit_48.t))));
-        let _e58 = self.v_placed_at(pixel_89, at_133, weights_10.xyz(), point_33, hit_48.uv);
+        let point_33 = (pixel_89.origin + (along_44 * (rt::Scalar(path_114.start) + rt::Scalar(hit_49.t))));
+        let _e58 = self.v_placed_at(pixel_89, at_138, weights_10.xyz(), point_33, hit_49.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_90: PixelIn,
-        at_134: Entered,
+        at_139: Entered,
         path_115: Path,
-        hit_49: Hit,
-        params_127: impl rt::Into<rt::Vec4<f32>>,
+        hit_50: Hit,
+        params_134: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_90, at_134, path_115, hit_49, rt::into(params_127)))
+        rt::into(self.v_surface_facets_place(pixel_90, at_139, path_115, hit_50, rt::into(params_134)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_facets_place(
         &self,
         pixel_90: PixelIn,
-        at_134: Entered,
+        at_139: Entered,
         path_115: Path,
-        hit_49: Hit,
-        params_127: rt::Vec4<f32>,
+        hit_50: Hit,
+        params_134: rt::Vec4<f32>,
     ) -> Entered {
-        return at_134;
+        return at_139;
     }
     pub(crate) fn surface_slices_place(
         &self,
         pixel_91: PixelIn,
-        at_135: Entered,
+        at_140: Entered,
         path_116: Path,
-        hit_50: Hit,
-        params_128: impl rt::Into<rt::Vec4<f32>>,
+        hit_51: Hit,
+        params_135: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_91, at_135, path_116, hit_50, rt::into(params_128)))
+        rt::into(self.v_surface_slices_place(pixel_91, at_140, path_116, hit_51, rt::into(params_135)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_slices_place(
         &self,
         pixel_91: PixelIn,
-        at_135: Entered,
+        at_140: Entered,
         path_116: Path,
-        hit_50: Hit,
-        params_128: rt::Vec4<f32>,
+        hit_51: Hit,
+        params_135: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_over(at_135, hit_50);
+        let _e5 = self.v_placed_over(at_140, hit_51);
         return _e5;
     }
     pub(crate) fn rise_of_mask(&self, uv_35: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
@@ -18824,11 +19003,11 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     pub(super) fn v_rise_of_mask(&self, uv_35: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_189 = ((uv_35 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_189);
+        let at_194 = ((uv_35 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_194);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_34 = (at_189 - _e8);
-        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_34.y())) + ((_e11.w() - _e11.z()) * part_34.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_34.x())) + ((_e11.w() - _e11.y()) * part_34.x())));
+        let part_35 = (at_194 - _e8);
+        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_35.y())) + ((_e11.w() - _e11.z()) * part_35.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_35.x())) + ((_e11.w() - _e11.y()) * part_35.x())));
     }
     pub(crate) fn normal_of_mask(
         &self,
@@ -18857,21 +19036,21 @@ impl<'g> Resources<'g> {
         }
         return within;
     }
-    pub(crate) fn placed_in_image(&self, pixel_92: PixelIn, at_136: Entered, path_117: Path, hit_51: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_92, at_136, path_117, hit_51))
+    pub(crate) fn placed_in_image(&self, pixel_92: PixelIn, at_141: Entered, path_117: Path, hit_52: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_92, at_141, path_117, hit_52))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_placed_in_image(&self, pixel_92: PixelIn, at_136: Entered, path_117: Path, hit_51: Hit) -> Entered {
+    pub(super) fn v_placed_in_image(&self, pixel_92: PixelIn, at_141: Entered, path_117: Path, hit_52: Hit) -> Entered {
         let mut placed_5: Entered;
 
         let _e6 = self.v_image_of_object(rt::Scalar(path_117.base).to_u32());
-        placed_5 = at_136;
-        placed_5.point = (pixel_92.origin + (pixel_92.direction.normalize() * (rt::Scalar(path_117.start) + rt::Scalar(hit_51.t))));
-        placed_5.uv = hit_51.uv;
+        placed_5 = at_141;
+        placed_5.point = (pixel_92.origin + (pixel_92.direction.normalize() * (rt::Scalar(path_117.start) + rt::Scalar(hit_52.t))));
+        placed_5.uv = hit_52.uv;
         let _e20 = placed_5.point;
         let _e21 = self.v_depth_in_image(_e6, _e20);
         let _e23 = placed_5.point;
-        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_51.height));
+        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_52.height));
         let _e27 = self.v_tangent_of_image(_e6);
         placed_5.tangent = ((_e27 * _e21) / rt::Vec3::splat_from_scalar(_e25));
         let _e32 = self.v_bitangent_of_image(_e6);
@@ -18887,7 +19066,7 @@ impl<'g> Resources<'g> {
         placed_5.facing = _e6.toward;
         let _e53 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e53.elementwise_eq(CELLS_MASK)) {
-            let _e59 = self.v_normal_of_mask(_e6, hit_51.uv, _e6.toward);
+            let _e59 = self.v_normal_of_mask(_e6, hit_52.uv, _e6.toward);
             placed_5.normal = _e59;
             let _e62 = placed_5.normal;
             placed_5.facing = _e62;
@@ -18898,62 +19077,62 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_place(
         &self,
         pixel_93: PixelIn,
-        at_137: Entered,
+        at_142: Entered,
         path_118: Path,
-        hit_52: Hit,
-        params_129: impl rt::Into<rt::Vec4<f32>>,
+        hit_53: Hit,
+        params_136: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_93, at_137, path_118, hit_52, rt::into(params_129)))
+        rt::into(self.v_surface_object_place(pixel_93, at_142, path_118, hit_53, rt::into(params_136)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_surface_object_place(
         &self,
         pixel_93: PixelIn,
-        at_137: Entered,
+        at_142: Entered,
         path_118: Path,
-        hit_52: Hit,
-        params_129: rt::Vec4<f32>,
+        hit_53: Hit,
+        params_136: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_93, at_137, path_118, hit_52);
+        let _e5 = self.v_placed_in_image(pixel_93, at_142, path_118, hit_53);
         return _e5;
     }
-    pub(crate) fn normal_of_frames(&self, at_138: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_frames(at_138, frames_2))
+    pub(crate) fn normal_of_frames(&self, at_143: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_143, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_normal_of_frames(&self, at_138: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    pub(super) fn v_normal_of_frames(&self, at_143: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_5: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut k_41: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_44: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_3: Entered;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e9 = k_41;
+                let _e9 = k_44;
                 if rt::Scalar::into_branch_condition(_e9.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_41;
+                    let _e12 = k_44;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
-                    seen_3 = at_138;
+                    seen_3 = at_143;
                     let _e17 = self.v_tangent_of_image(_e14);
                     seen_3.tangent = _e17;
                     let _e19 = self.v_bitangent_of_image(_e14);
                     seen_3.bitangent = _e19;
                     seen_3.normal = _e14.toward;
-                    let _e23 = self.v_place_in_image(_e14, at_138.point);
+                    let _e23 = self.v_place_in_image(_e14, at_143.point);
                     let uv_47 = _e23.xy();
                     let _e25 = sum_5;
                     let _e26 = seen_3;
                     let _e27 = self.v_finest_normal(_e26, uv_47);
-                    let _e28 = k_41;
+                    let _e28 = k_44;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_5 = (_e25 + (_e27 * _e29));
-                    let _e32 = k_41;
-                    k_41 = (_e32 + rt::Scalar(1u32));
+                    let _e32 = k_44;
+                    k_44 = (_e32 + rt::Scalar(1u32));
                 }
             }
         }
@@ -18964,31 +19143,31 @@ impl<'g> Resources<'g> {
             let _e40 = sum_5;
             return (_e40 / rt::Vec3::splat_from_scalar(square_7.sqrt()));
         }
-        return at_138.normal;
+        return at_143.normal;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_94: PixelIn,
-        at_139: Entered,
+        at_144: Entered,
         path_119: Path,
-        hit_53: Hit,
-        params_130: impl rt::Into<rt::Vec4<f32>>,
+        hit_54: Hit,
+        params_137: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_94, at_139, path_119, hit_53, rt::into(params_130)))
+        rt::into(self.v_surface_frames_place(pixel_94, at_144, path_119, hit_54, rt::into(params_137)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_frames_place(
         &self,
         pixel_94: PixelIn,
-        at_139: Entered,
+        at_144: Entered,
         path_119: Path,
-        hit_53: Hit,
-        params_130: rt::Vec4<f32>,
+        hit_54: Hit,
+        params_137: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
         let mut local_128: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_94, at_139, path_119, hit_53);
+        let _e5 = self.v_placed_in_image(pixel_94, at_144, path_119, hit_54);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
@@ -19010,36 +19189,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_place(
         &self,
         pixel_95: PixelIn,
-        at_140: Entered,
+        at_145: Entered,
         path_120: Path,
-        hit_54: Hit,
-        params_131: impl rt::Into<rt::Vec4<f32>>,
+        hit_55: Hit,
+        params_138: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_95, at_140, path_120, hit_54, rt::into(params_131)))
+        rt::into(self.v_surface_object_slices_place(pixel_95, at_145, path_120, hit_55, rt::into(params_138)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_surface_object_slices_place(
         &self,
         pixel_95: PixelIn,
-        at_140: Entered,
+        at_145: Entered,
         path_120: Path,
-        hit_54: Hit,
-        params_131: rt::Vec4<f32>,
+        hit_55: Hit,
+        params_138: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
         let mut placed_7: Entered;
 
-        let _e6 = self.v_slice_at(at_140.point);
+        let _e6 = self.v_slice_at(at_145.point);
         let number_29 = rt::Scalar(_e6.number);
         of_image = path_120;
         rt::Scalar(of_image.base) = number_29.to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_95, at_140, _e11, hit_54);
+        let _e12 = self.v_placed_in_image(pixel_95, at_145, _e11, hit_55);
         placed_7 = _e12;
         let _e16 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e16.elementwise_eq(CELLS_MASK)) {
             let _e20 = self.v_image_of_object(number_29);
-            let _e23 = self.v_normal_of_mask(_e20, hit_54.uv, at_140.normal);
+            let _e23 = self.v_normal_of_mask(_e20, hit_55.uv, at_145.normal);
             placed_7.normal = _e23;
             let _e26 = placed_7.normal;
             placed_7.facing = _e26;
@@ -19047,76 +19226,76 @@ impl<'g> Resources<'g> {
         let _e27 = placed_7;
         return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_96: PixelIn, at_141: Entered, path_121: Path, hit_55: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_96, at_141, path_121, hit_55))
+    pub(crate) fn surface_place_stage(&self, pixel_96: PixelIn, at_146: Entered, path_121: Path, hit_56: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_96, at_146, path_121, hit_56))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_surface_place_stage(&self, pixel_96: PixelIn, at_141: Entered, path_121: Path, hit_55: Hit) -> Entered {
+    pub(super) fn v_surface_place_stage(&self, pixel_96: PixelIn, at_146: Entered, path_121: Path, hit_56: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_96, at_141, path_121, hit_55, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_96, at_146, path_121, hit_56, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_96, at_141, path_121, hit_55, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_96, at_146, path_121, hit_56, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_96, at_141, path_121, hit_55, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_96, at_146, path_121, hit_56, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_96, at_141, path_121, hit_55, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_96, at_146, path_121, hit_56, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_96, at_141, path_121, hit_55, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_96, at_146, path_121, hit_56, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_96, at_141, path_121, hit_55, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_96, at_146, path_121, hit_56, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_96, at_141, path_121, hit_55, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_96, at_146, path_121, hit_56, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_96, at_141, path_121, hit_55, _e55);
+                let _e56 = self.v_surface_object_place(pixel_96, at_146, path_121, hit_56, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_96, at_141, path_121, hit_55, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_96, at_146, path_121, hit_56, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_96, at_141, path_121, hit_55, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_96, at_146, path_121, hit_56, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_97: PixelIn, at_142: Entered, path_122: Path, hit_56: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_97, at_142, path_122, hit_56))
+    pub(crate) fn place_on_segment(&self, pixel_97: PixelIn, at_147: Entered, path_122: Path, hit_57: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_97, at_147, path_122, hit_57))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_place_on_segment(&self, pixel_97: PixelIn, at_142: Entered, path_122: Path, hit_56: Hit) -> Entered {
+    pub(super) fn v_place_on_segment(&self, pixel_97: PixelIn, at_147: Entered, path_122: Path, hit_57: Hit) -> Entered {
         let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_97, at_142, path_122, hit_56);
+        let _e4 = self.v_surface_place_stage(pixel_97, at_147, path_122, hit_57);
         placed_8 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_97, path_122, hit_56);
+        let _e7 = self.v_depth_on_ray(pixel_97, path_122, hit_57);
         rt::Scalar(placed_8.depth) = _e7;
         let _e8 = placed_8;
         return _e8;
@@ -19139,61 +19318,61 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(light_27.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
             let toward_12 = (light_27.place.xyz() - position);
             let squared_5 = toward_12.dot(toward_12);
-            let distance_3 = squared_5.sqrt();
+            let distance_6 = squared_5.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_5.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_12.normalize(), falloff, distance_3, (light_27.color.w() / distance_3), number_19);
+            return <Toward>::new(toward_12.normalize(), falloff, distance_6, (light_27.color.w() / distance_6), number_19);
         }
         return <Toward>::new(light_27.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_27.color.w(), number_19);
     }
     pub(crate) fn scattered(
         &self,
         pixel_98: PixelIn,
-        at_143: Entered,
+        at_148: Entered,
         path_123: Path,
         t_48: impl rt::Into<rt::Scalar<f32>>,
         around_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_scattered(pixel_98, at_143, path_123, rt::into(t_48), rt::into(around_3)))
+        rt::into(self.v_scattered(pixel_98, at_148, path_123, rt::into(t_48), rt::into(around_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_scattered(
         &self,
         pixel_98: PixelIn,
-        at_143: Entered,
+        at_148: Entered,
         path_123: Path,
         t_48: rt::Scalar<f32>,
         around_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let mut light_13: rt::Vec3<f32>;
-        let mut k_42: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_45: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e7 = self.v_path_uv(path_123, t_48);
         let _e8 = self.v_path_height(path_123, t_48);
-        let hit_88 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e7, _e8, t_48, NO_COST);
-        let _e11 = self.v_place_on_segment(pixel_98, at_143, path_123, hit_88);
+        let hit_89 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e7, _e8, t_48, NO_COST);
+        let _e11 = self.v_place_on_segment(pixel_98, at_148, path_123, hit_89);
         let _e14 = self.surface_settings.diffuse;
-        let _e18 = self.v_color_or_white(hit_88.uv, rt::Scalar(at_143.footprint));
+        let _e18 = self.v_color_or_white(hit_89.uv, rt::Scalar(at_148.footprint));
         let albedo = (_e14.xyz() * _e18);
         light_13 = around_3;
         'naga_break: loop {
             'naga_continue: {
-                let _e23 = k_42;
+                let _e23 = k_45;
                 let _e26 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e23.elementwise_lt(_e26)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e28 = k_42;
+                    let _e28 = k_45;
                     let _e30 = self.v_toward_light(_e28, _e11.point);
-                    let _e31 = self.v_arriving(_e11, hit_88, _e30);
-                    let part_35 = (_e31 * rt::Scalar(_e30.falloff));
+                    let _e31 = self.v_arriving(_e11, hit_89, _e30);
+                    let part_36 = (_e31 * rt::Scalar(_e30.falloff));
                     let _e34 = light_13;
-                    let _e37 = k_42;
+                    let _e37 = k_45;
                     let _e40 = self.frame.lights[rt::Scalar::into_array_index(_e37)].color;
-                    light_13 = (_e34 + (_e40.xyz() * (rt::Scalar(0.25f32) * part_35)));
-                    let _e46 = k_42;
-                    k_42 = (_e46 + rt::Scalar(1u32));
+                    light_13 = (_e34 + (_e40.xyz() * (rt::Scalar(0.25f32) * part_36)));
+                    let _e46 = k_45;
+                    k_45 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -19205,11 +19384,11 @@ impl<'g> Resources<'g> {
         &self,
         before_6: Gathering,
         pixel_99: PixelIn,
-        at_144: Entered,
+        at_149: Entered,
         path_124: Path,
         around_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> Gathering {
-        rt::into(self.v_looked_at(before_6, pixel_99, at_144, path_124, rt::into(around_4)))
+        rt::into(self.v_looked_at(before_6, pixel_99, at_149, path_124, rt::into(around_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19217,7 +19396,7 @@ impl<'g> Resources<'g> {
         &self,
         before_6: Gathering,
         pixel_99: PixelIn,
-        at_144: Entered,
+        at_149: Entered,
         path_124: Path,
         around_4: rt::Vec3<f32>,
     ) -> Gathering {
@@ -19226,7 +19405,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(before_6.part).elementwise_gt(rt::Scalar(0f32)))) {
             return before_6;
         }
-        let _e12 = self.v_scattered(pixel_99, at_144, path_124, (rt::Scalar(before_6.places) / rt::Scalar(before_6.part)), around_4);
+        let _e12 = self.v_scattered(pixel_99, at_149, path_124, (rt::Scalar(before_6.places) / rt::Scalar(before_6.part)), around_4);
         now = <Gathering>::new(before_6.seen, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
         let _e23 = now.seen.light;
         let _e27 = rt::Scalar(now.seen.pending);
@@ -19239,23 +19418,23 @@ impl<'g> Resources<'g> {
         &self,
         before_7: Gathering,
         pixel_100: PixelIn,
-        at_145: Entered,
+        at_150: Entered,
         path_125: Path,
         way_23: VoxelPath,
-        part_15: CellPart,
+        part_16: CellPart,
         around_5: impl rt::Into<rt::Vec3<f32>>,
     ) -> Gathering {
-        rt::into(self.v_gathered_in_cell(before_7, pixel_100, at_145, path_125, way_23, part_15, rt::into(around_5)))
+        rt::into(self.v_gathered_in_cell(before_7, pixel_100, at_150, path_125, way_23, part_16, rt::into(around_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_gathered_in_cell(
         &self,
         before_7: Gathering,
         pixel_100: PixelIn,
-        at_145: Entered,
+        at_150: Entered,
         path_125: Path,
         way_23: VoxelPath,
-        part_15: CellPart,
+        part_16: CellPart,
         around_5: rt::Vec3<f32>,
     ) -> Gathering {
         let mut now_1: Gathering;
@@ -19264,15 +19443,15 @@ impl<'g> Resources<'g> {
         let mut local_130: rt::Scalar<bool>;
         let mut local_131: rt::Scalar<bool>;
 
-        let params_154 = self.surface_settings.choices[6usize].params;
-        let _e14 = self.v_voxel_cell(part_15.cell.to_i32());
-        let share_1 = (rt::Scalar(1f32) / params_154.y());
+        let params_161 = self.surface_settings.choices[6usize].params;
+        let _e14 = self.v_voxel_cell(part_16.cell.to_i32());
+        let share_1 = (rt::Scalar(1f32) / params_161.y());
         now_1 = before_7;
-        begin_8 = rt::Scalar(part_15.begin);
+        begin_8 = rt::Scalar(part_16.begin);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = begin_8;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(part_15.end))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(part_16.end))) {
                     let _e27 = now_1.seen;
                     let _e28 = self.v_goes_on(_e27);
                     local_129 = _e28;
@@ -19287,11 +19466,11 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = begin_8;
                     let _e35 = rt::Scalar(now_1.seen.transmittance);
-                    let _e37 = self.v_end_of_piece(way_23, part_15, _e14, _e31, params_154.x(), (share_1 / _e35));
+                    let _e37 = self.v_end_of_piece(way_23, part_16, _e14, _e31, params_161.x(), (share_1 / _e35));
                     let _e39 = begin_8;
-                    let _e40 = self.v_field_between(way_23, part_15.cell, _e14, _e39, _e37);
-                    let depth_14 = (_e40 * params_154.x());
-                    if rt::Scalar::into_branch_condition(depth_14.elementwise_gt(rt::Scalar(0f32))) {
+                    let _e40 = self.v_field_between(way_23, part_16.cell, _e14, _e39, _e37);
+                    let depth_15 = (_e40 * params_161.x());
+                    if rt::Scalar::into_branch_condition(depth_15.elementwise_gt(rt::Scalar(0f32))) {
                         let _e49 = rt::Scalar(now_1.seen.entry);
                         local_130 = _e49.elementwise_eq(rt::Scalar(300000000000000000000000000000000000000f32));
                     } else {
@@ -19303,7 +19482,7 @@ impl<'g> Resources<'g> {
                         let _e64 = self.v_depth_on_ray(pixel_100, path_125, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), path_125.uv, path_125.h.x(), _e61, NO_COST));
                         rt::Scalar(now_1.seen.entry) = _e64;
                     }
-                    let _e65 = self.v_transmittance_of(depth_14);
+                    let _e65 = self.v_transmittance_of(depth_15);
                     let _e68 = rt::Scalar(now_1.seen.transmittance);
                     let scattered_part = (_e68 * (rt::Scalar(1f32) - _e65));
                     let _e76 = rt::Scalar(now_1.seen.transmittance);
@@ -19316,11 +19495,11 @@ impl<'g> Resources<'g> {
                     let _e92 = rt::Scalar(now_1.part);
                     if rt::Scalar::into_branch_condition(_e92.elementwise_ge(share_1)) {
                         let _e94 = now_1;
-                        let _e95 = self.v_looked_at(_e94, pixel_100, at_145, path_125, around_5);
+                        let _e95 = self.v_looked_at(_e94, pixel_100, at_150, path_125, around_5);
                         now_1 = _e95;
                     }
                     let _e97 = begin_8;
-                    begin_8 = rt::Scalar(part_15.end).select(_e37, _e37.elementwise_gt(_e97));
+                    begin_8 = rt::Scalar(part_16.end).select(_e37, _e37.elementwise_gt(_e97));
                 }
             }
         }
@@ -19336,7 +19515,7 @@ impl<'g> Resources<'g> {
         let _e117 = local_131;
         if rt::Scalar::into_branch_condition(_e117) {
             let _e118 = now_1;
-            let _e119 = self.v_looked_at(_e118, pixel_100, at_145, path_125, around_5);
+            let _e119 = self.v_looked_at(_e118, pixel_100, at_150, path_125, around_5);
             now_1 = _e119;
         }
         let _e120 = now_1;
@@ -19346,27 +19525,27 @@ impl<'g> Resources<'g> {
         &self,
         before_8: Gathered,
         pixel_101: PixelIn,
-        at_146: Entered,
-        k_43: impl rt::Into<rt::Scalar<u32>>,
+        at_151: Entered,
+        k_46: impl rt::Into<rt::Scalar<u32>>,
     ) -> Gathered {
-        rt::into(self.v_gather_segment(before_8, pixel_101, at_146, rt::into(k_43)))
+        rt::into(self.v_gather_segment(before_8, pixel_101, at_151, rt::into(k_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_gather_segment(
         &self,
         before_8: Gathered,
         pixel_101: PixelIn,
-        at_146: Entered,
-        k_43: rt::Scalar<u32>,
+        at_151: Entered,
+        k_46: rt::Scalar<u32>,
     ) -> Gathered {
         let mut now_2: Gathering;
-        let mut part_16: CellPart;
+        let mut part_17: CellPart;
         let mut cells_1: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut goes_1: rt::Scalar<bool> = rt::Scalar(true);
         let mut local_132: rt::Scalar<bool>;
         let mut local_133: rt::Scalar<bool>;
 
-        let _e4 = self.v_segment_of(pixel_101, at_146, k_43);
+        let _e4 = self.v_segment_of(pixel_101, at_151, k_46);
         let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_8.until_m), rt::Scalar(before_8.reach_m));
         if rt::Scalar::into_branch_condition((!rt::Scalar(_e7.exit).elementwise_gt(rt::Scalar(0f32)))) {
             return before_8;
@@ -19375,11 +19554,11 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_turning_point(_e12);
         let _e19 = self.surface_settings.choices[6usize].params.z();
         let limit_18 = _e19.to_u32();
-        let _e21 = self.v_light_around(at_146, _e7);
+        let _e21 = self.v_light_around(at_151, _e7);
         now_2 = <Gathering>::new(before_8, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
         rt::Scalar(now_2.seen.until_m) = (rt::Scalar(_e7.start) + rt::Scalar(_e7.exit));
         let _e32 = self.v_first_part(_e7, _e12, _e13);
-        part_16 = _e32;
+        part_17 = _e32;
         'naga_break: loop {
             'naga_continue: {
                 let _e38 = goes_1;
@@ -19388,21 +19567,21 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e40 = rt::Scalar(part_16.empty);
+                    let _e40 = rt::Scalar(part_17.empty);
                     if rt::Scalar::into_branch_condition(_e40.elementwise_lt(rt::Scalar(0f32))) {
                         let _e43 = now_2;
-                        let _e44 = part_16;
-                        let _e45 = self.v_gathered_in_cell(_e43, pixel_101, at_146, _e7, _e12, _e44, _e21);
+                        let _e44 = part_17;
+                        let _e45 = self.v_gathered_in_cell(_e43, pixel_101, at_151, _e7, _e12, _e44, _e21);
                         now_2 = _e45;
                     } else {
                         let _e47 = rt::Scalar(now_2.part);
                         if rt::Scalar::into_branch_condition(_e47.elementwise_gt(rt::Scalar(0.000061035156f32))) {
                             let _e50 = now_2;
-                            let _e51 = self.v_looked_at(_e50, pixel_101, at_146, _e7, _e21);
+                            let _e51 = self.v_looked_at(_e50, pixel_101, at_151, _e7, _e21);
                             now_2 = _e51;
                         }
                     }
-                    let _e53 = rt::Scalar(part_16.is_last);
+                    let _e53 = rt::Scalar(part_17.is_last);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_eq(rt::Scalar(0u32))) {
                         let _e58 = cells_1;
                         local_132 = _e58.elementwise_lt(limit_18);
@@ -19421,9 +19600,9 @@ impl<'g> Resources<'g> {
                     goes_1 = _e68;
                     let _e69 = goes_1;
                     if rt::Scalar::into_branch_condition(_e69) {
-                        let _e70 = part_16;
+                        let _e70 = part_17;
                         let _e71 = self.v_next_part(_e7, _e12, _e13, _e70);
-                        part_16 = _e71;
+                        part_17 = _e71;
                         let _e72 = cells_1;
                         cells_1 = (_e72 + rt::Scalar(1u32));
                     }
@@ -19434,7 +19613,7 @@ impl<'g> Resources<'g> {
         let _e79 = rt::Scalar(now_2.seen.pending);
         if rt::Scalar::into_branch_condition((_e76 + _e79).elementwise_gt(rt::Scalar(0.000061035156f32))) {
             let _e83 = now_2;
-            let _e84 = self.v_looked_at(_e83, pixel_101, at_146, _e7, _e21);
+            let _e84 = self.v_looked_at(_e83, pixel_101, at_151, _e7, _e21);
             return _e84.seen;
         }
         let _e90 = rt::Scalar(now_2.seen.pending);
@@ -19460,9 +19639,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_sine_of(&self, turn_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_36 = (turn_5 - turn_5.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_36 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_36.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_37 = (turn_5 - turn_5.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_37 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_37.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned_1(&self, turn_6: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned_1(rt::into(turn_6)))
@@ -19509,31 +19688,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn gradient_noise(
         &self,
-        at_147: impl rt::Into<rt::Vec2<f32>>,
+        at_152: impl rt::Into<rt::Vec2<f32>>,
         count_8: impl rt::Into<rt::Scalar<f32>>,
         turns_2: impl rt::Into<rt::Scalar<f32>>,
         seed_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_noise(rt::into(at_147), rt::into(count_8), rt::into(turns_2), rt::into(seed_3)))
+        rt::into(self.v_gradient_noise(rt::into(at_152), rt::into(count_8), rt::into(turns_2), rt::into(seed_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_gradient_noise(
         &self,
-        at_147: rt::Vec2<f32>,
+        at_152: rt::Vec2<f32>,
         count_8: rt::Scalar<f32>,
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let cell_46 = at_147.floor();
-        let part_37 = (at_147 - cell_46);
-        let fade = (((part_37 * part_37) * part_37) * ((part_37 * ((part_37 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
+        let cell_46 = at_152.floor();
+        let part_38 = (at_152 - cell_46);
+        let fade = (((part_38 * part_38) * part_38) * ((part_38 * ((part_38 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_6 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_46, part_37, count_8, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_46 + right_6), (part_37 - right_6), count_8, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_46 + down_1), (part_37 - down_1), count_8, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_46 + right_6) + down_1), ((part_37 - right_6) - down_1), count_8, turns_2, seed_3);
+        let _e24 = self.v_gradient_at(cell_46, part_38, count_8, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_46 + right_6), (part_38 - right_6), count_8, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_46 + down_1), (part_38 - down_1), count_8, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_46 + right_6) + down_1), ((part_38 - right_6) - down_1), count_8, turns_2, seed_3);
         let above_12 = (_e24 + ((_e27 - _e24) * fade.x()));
         let below_12 = (_e30 + ((_e35 - _e30) * fade.x()));
         return (above_12 + ((below_12 - above_12) * fade.y()));
@@ -19542,11 +19721,11 @@ impl<'g> Resources<'g> {
         &self,
         plane_1: impl rt::Into<rt::Vec4<f32>>,
         position_1: impl rt::Into<rt::Vec3<f32>>,
-        direction_6: impl rt::Into<rt::Vec3<f32>>,
+        direction_10: impl rt::Into<rt::Vec3<f32>>,
         low_m: impl rt::Into<rt::Scalar<f32>>,
         high_m: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_is_before(rt::into(plane_1), rt::into(position_1), rt::into(direction_6), rt::into(low_m), rt::into(high_m)))
+        rt::into(self.v_is_before(rt::into(plane_1), rt::into(position_1), rt::into(direction_10), rt::into(low_m), rt::into(high_m)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19554,14 +19733,14 @@ impl<'g> Resources<'g> {
         &self,
         plane_1: rt::Vec4<f32>,
         position_1: rt::Vec3<f32>,
-        direction_6: rt::Vec3<f32>,
+        direction_10: rt::Vec3<f32>,
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut local_134: rt::Scalar<bool>;
 
-        let low_13 = (plane_1.xyz().dot((position_1 + (direction_6 * low_m))) + plane_1.w());
-        let high_8 = (plane_1.xyz().dot((position_1 + (direction_6 * high_m))) + plane_1.w());
+        let low_13 = (plane_1.xyz().dot((position_1 + (direction_10 * low_m))) + plane_1.w());
+        let high_8 = (plane_1.xyz().dot((position_1 + (direction_10 * high_m))) + plane_1.w());
         if rt::Scalar::into_branch_condition(low_13.elementwise_gt(rt::Scalar(0f32))) {
             local_134 = high_8.elementwise_gt(rt::Scalar(0f32));
         } else {
@@ -19591,22 +19770,22 @@ impl<'g> Resources<'g> {
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_44: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_47: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_135: rt::Scalar<bool>;
         let mut local_136: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_44;
+                let _e8 = k_47;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_44;
+                    let _e12 = k_47;
                     let plane_3 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_44;
-                    k_44 = (_e14 + rt::Scalar(1u32));
+                    let _e14 = k_47;
+                    k_47 = (_e14 + rt::Scalar(1u32));
                     let _e19 = self.v_is_before(plane_3, a_18.position, a_18.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_3, b_18.position, b_18.direction, low_m_1, high_m_1);
@@ -19674,9 +19853,9 @@ impl<'g> Resources<'g> {
         a_21: Voxel,
         b_21: Voxel,
         c_15: Voxel,
-        level_56: impl rt::Into<rt::Scalar<u32>>,
+        level_59: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_21, b_21, c_15, rt::into(level_56)))
+        rt::into(self.v_is_swept(grid_11, a_21, b_21, c_15, rt::into(level_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_is_swept(
@@ -19685,14 +19864,14 @@ impl<'g> Resources<'g> {
         a_21: Voxel,
         b_21: Voxel,
         c_15: Voxel,
-        level_56: rt::Scalar<u32>,
+        level_59: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
         let mut local_137: rt::Scalar<bool>;
         let mut local_138: rt::Scalar<bool>;
 
-        let _e6 = self.v_coarser_voxel(a_21.at, level_56);
-        let _e8 = self.v_coarser_voxel(b_21.at, level_56);
-        let _e10 = self.v_coarser_voxel(c_15.at, level_56);
+        let _e6 = self.v_coarser_voxel(a_21.at, level_59);
+        let _e8 = self.v_coarser_voxel(b_21.at, level_59);
+        let _e10 = self.v_coarser_voxel(c_15.at, level_59);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
@@ -19713,21 +19892,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_148: Entered,
-        hit_57: Hit,
+        at_153: Entered,
+        hit_58: Hit,
         number_21: impl rt::Into<rt::Scalar<u32>>,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
         filter_texels_1: impl rt::Into<rt::Scalar<f32>>,
         bias_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_148, hit_57, rt::into(number_21), rt::into(toward_2), rt::into(filter_texels_1), rt::into(bias_2)))
+        rt::into(self.v_light_seen(at_153, hit_58, rt::into(number_21), rt::into(toward_2), rt::into(filter_texels_1), rt::into(bias_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_light_seen(
         &self,
-        at_148: Entered,
-        hit_57: Hit,
+        at_153: Entered,
+        hit_58: Hit,
         number_21: rt::Scalar<u32>,
         toward_2: rt::Vec3<f32>,
         filter_texels_1: rt::Scalar<f32>,
@@ -19737,11 +19916,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_field_patch_normal_stage(at_148, hit_57);
+        let _e14 = self.v_field_patch_normal_stage(at_153, hit_58);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_2).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e20 = self.v_patch_seen(at_148, _e14, number_21, filter_texels_1, bias_2);
+        let _e20 = self.v_patch_seen(at_153, _e14, number_21, filter_texels_1, bias_2);
         return _e20;
     }
     pub(crate) fn main_axis(
@@ -19772,63 +19951,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_149: Entered,
-        hit_58: Hit,
+        at_154: Entered,
+        hit_59: Hit,
         light_14: Toward,
-        params_132: impl rt::Into<rt::Vec4<f32>>,
+        params_139: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_149, hit_58, light_14, rt::into(params_132)))
+        rt::into(self.v_shadow_ray(at_154, hit_59, light_14, rt::into(params_139)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_ray(
         &self,
-        at_149: Entered,
-        hit_58: Hit,
+        at_154: Entered,
+        hit_59: Hit,
         light_14: Toward,
-        params_132: rt::Vec4<f32>,
+        params_139: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_149, hit_58, light_14);
+        let _e4 = self.v_free_way(at_154, hit_59, light_14);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_150: Entered,
-        hit_59: Hit,
+        at_155: Entered,
+        hit_60: Hit,
         light_15: Toward,
-        params_133: impl rt::Into<rt::Vec4<f32>>,
+        params_140: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_150, hit_59, light_15, rt::into(params_133)))
+        rt::into(self.v_shadow_none(at_155, hit_60, light_15, rt::into(params_140)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_none(
         &self,
-        at_150: Entered,
-        hit_59: Hit,
+        at_155: Entered,
+        hit_60: Hit,
         light_15: Toward,
-        params_133: rt::Vec4<f32>,
+        params_140: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_151: Entered,
-        hit_60: Hit,
+        at_156: Entered,
+        hit_61: Hit,
         light_16: Toward,
-        params_134: impl rt::Into<rt::Vec4<f32>>,
+        params_141: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_151, hit_60, light_16, rt::into(params_134)))
+        rt::into(self.v_shadow_entry(at_156, hit_61, light_16, rt::into(params_141)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_entry(
         &self,
-        at_151: Entered,
-        hit_60: Hit,
+        at_156: Entered,
+        hit_61: Hit,
         light_16: Toward,
-        params_134: rt::Vec4<f32>,
+        params_141: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_151, hit_60, light_16);
+        let _e4 = self.v_from_hit(at_156, hit_61, light_16);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -19847,15 +20026,15 @@ impl<'g> Resources<'g> {
         }
         let _e52 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_5 = ((_e42.uv - _e4.uv).abs() * _e52);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_5.x().max(apart_5.y()).elementwise_le(params_134.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_5.x().max(apart_5.y()).elementwise_le(params_141.x()));
     }
-    pub(crate) fn seed_of(&self, hit_61: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_61))
+    pub(crate) fn seed_of(&self, hit_62: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_62))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_seed_of(&self, hit_61: Hit) -> rt::Scalar<u32> {
-        let place_48 = ((hit_61.uv - hit_61.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+    pub(super) fn v_seed_of(&self, hit_62: Hit) -> rt::Scalar<u32> {
+        let place_48 = ((hit_62.uv - hit_62.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
         let _e10 = self.v_mixed(place_48.y());
         let _e12 = self.v_mixed((place_48.x() ^ _e10));
         return _e12;
@@ -19864,10 +20043,10 @@ impl<'g> Resources<'g> {
         &self,
         light_17: Toward,
         seed_4: impl rt::Into<rt::Scalar<u32>>,
-        k_45: impl rt::Into<rt::Scalar<u32>>,
+        k_48: impl rt::Into<rt::Scalar<u32>>,
         count_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_17, rt::into(seed_4), rt::into(k_45), rt::into(count_9)))
+        rt::into(self.v_point_of_disc(light_17, rt::into(seed_4), rt::into(k_48), rt::into(count_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19875,14 +20054,14 @@ impl<'g> Resources<'g> {
         &self,
         light_17: Toward,
         seed_4: rt::Scalar<u32>,
-        k_45: rt::Scalar<u32>,
+        k_48: rt::Scalar<u32>,
         count_9: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_4 + k_45) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_4 + k_48) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_45.to_f32() + _e9) / count_9.to_f32());
+        let ring = ((k_48.to_f32() + _e9) / count_9.to_f32());
         let _e16 = self.v_unit_of(seed_4);
-        let _e18 = self.v_turned_1(((k_45.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let _e18 = self.v_turned_1(((k_48.to_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_49 = (_e18 * (ring.sqrt() * rt::Scalar(light_17.radius)));
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_17.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_7 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_17.direction).normalize();
@@ -19893,41 +20072,41 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_152: Entered,
-        hit_62: Hit,
+        at_157: Entered,
+        hit_63: Hit,
         light_18: Toward,
-        params_135: impl rt::Into<rt::Vec4<f32>>,
+        params_142: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_152, hit_62, light_18, rt::into(params_135)))
+        rt::into(self.v_shadow_soft(at_157, hit_63, light_18, rt::into(params_142)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_soft(
         &self,
-        at_152: Entered,
-        hit_62: Hit,
+        at_157: Entered,
+        hit_63: Hit,
         light_18: Toward,
-        params_135: rt::Vec4<f32>,
+        params_142: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_46: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_49: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_14 = params_135.x().to_u32();
-        let _e6 = self.v_seed_of(hit_62);
+        let count_14 = params_142.x().to_u32();
+        let _e6 = self.v_seed_of(hit_63);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_46;
+                let _e11 = k_49;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_14)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_46;
+                    let _e14 = k_49;
                     let _e15 = self.v_point_of_disc(light_18, _e6, _e14, count_14);
-                    let _e16 = self.v_free_way(at_152, hit_62, _e15);
+                    let _e16 = self.v_free_way(at_157, hit_63, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_46;
-                    k_46 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_49;
+                    k_49 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -19936,57 +20115,57 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_153: Entered,
-        hit_63: Hit,
+        at_158: Entered,
+        hit_64: Hit,
         light_19: Toward,
-        params_136: impl rt::Into<rt::Vec4<f32>>,
+        params_143: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_153, hit_63, light_19, rt::into(params_136)))
+        rt::into(self.v_shadow_heuristic(at_158, hit_64, light_19, rt::into(params_143)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_heuristic(
         &self,
-        at_153: Entered,
-        hit_63: Hit,
+        at_158: Entered,
+        hit_64: Hit,
         light_19: Toward,
-        params_136: rt::Vec4<f32>,
+        params_143: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_3: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_47: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_50: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_153, hit_63, light_19);
+        let _e4 = self.v_from_hit(at_158, hit_64, light_19);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_19);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_47;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_136.x())) {
+                let _e16 = k_50;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_143.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_47;
-                    let part_38 = (_e19 / params_136.x());
+                    let _e19 = k_50;
+                    let part_39 = (_e19 / params_143.x());
                     let _e22 = most_3;
-                    let _e24 = self.v_path_gap(_e4, (part_38 * _e11));
-                    most_3 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_38)));
-                    let _e31 = k_47;
-                    k_47 = (_e31 + rt::Scalar(1f32));
+                    let _e24 = self.v_path_gap(_e4, (part_39 * _e11));
+                    most_3 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_39)));
+                    let _e31 = k_50;
+                    k_50 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_3;
-        return (rt::Scalar(1f32) - (params_136.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_143.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
         place_33: impl rt::Into<rt::Vec2<i32>>,
         layer_15: impl rt::Into<rt::Scalar<i32>>,
-        level_57: impl rt::Into<rt::Scalar<i32>>,
+        level_60: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_33), rt::into(layer_15), rt::into(level_57)))
+        rt::into(self.v_shadow_texel(rt::into(place_33), rt::into(layer_15), rt::into(level_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -19994,9 +20173,9 @@ impl<'g> Resources<'g> {
         &self,
         place_33: rt::Vec2<i32>,
         layer_15: rt::Scalar<i32>,
-        level_57: rt::Scalar<i32>,
+        level_60: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_33, rt::Scalar::into_inner(layer_15), 0i32, rt::Scalar::into_inner(level_57));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_33, rt::Scalar::into_inner(layer_15), 0i32, rt::Scalar::into_inner(level_60));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -20005,9 +20184,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_37: impl rt::Into<rt::Vec2<f32>>,
         layer_16: impl rt::Into<rt::Scalar<i32>>,
-        level_58: impl rt::Into<rt::Scalar<u32>>,
+        level_61: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_37), rt::into(layer_16), rt::into(level_58)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_37), rt::into(layer_16), rt::into(level_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20015,15 +20194,15 @@ impl<'g> Resources<'g> {
         &self,
         uv_37: rt::Vec2<f32>,
         layer_16: rt::Scalar<i32>,
-        level_58: rt::Scalar<u32>,
+        level_61: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_58);
+        let _e3 = self.v_height_texels(level_61);
         let _e4 = self.v_texels_around(uv_37, _e3);
-        let k_65 = level_58.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_16, k_65);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_16, k_65);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_16, k_65);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_16, k_65);
+        let k_68 = level_61.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_16, k_68);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_16, k_68);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_16, k_68);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_16, k_68);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -20033,16 +20212,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_own_slope(&self, way_25: Path) -> rt::Scalar<f32> {
-        let mut level_59: Path;
+        let mut level_62: Path;
 
         let _e1 = self.v_grid_of(way_25);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_27 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_59 = way_25;
-        level_59.h = <rt::Vec3<f32>>::from_scalars(way_25.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_59.exit) = end_27;
-        let _e18 = level_59;
+        level_62 = way_25;
+        level_62.h = <rt::Vec3<f32>>::from_scalars(way_25.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_62.exit) = end_27;
+        let _e18 = level_62;
         let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_25.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_27))));
@@ -20059,42 +20238,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_154: Entered,
-        hit_64: Hit,
+        at_159: Entered,
+        hit_65: Hit,
         light_20: Toward,
-        params_137: impl rt::Into<rt::Vec4<f32>>,
+        params_144: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_154, hit_64, light_20, rt::into(params_137)))
+        rt::into(self.v_shadow_horizon(at_159, hit_65, light_20, rt::into(params_144)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_horizon(
         &self,
-        at_154: Entered,
-        hit_64: Hit,
+        at_159: Entered,
+        hit_65: Hit,
         light_20: Toward,
-        params_137: rt::Vec4<f32>,
+        params_144: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_154, light_20.direction);
+        let _e5 = self.v_climb(at_159, light_20.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_48 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_48);
-        let azimuth_6 = (_e13 * params_137.x());
+        let azimuth_6 = (_e13 * params_144.x());
         let first_31 = azimuth_6.floor();
-        let count_15 = params_137.x().to_i32();
+        let count_15 = params_144.x().to_i32();
         let before_17 = (first_31.to_i32() % count_15);
-        let part_39 = (azimuth_6 - first_31);
-        let _e24 = self.v_shadow_texel_between(hit_64.uv, before_17, rt::Scalar(at_154.level));
+        let part_40 = (azimuth_6 - first_31);
+        let _e24 = self.v_shadow_texel_between(hit_65.uv, before_17, rt::Scalar(at_159.level));
         let low_14 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_64.uv, ((before_17 + rt::Scalar(1i32)) % count_15), rt::Scalar(at_154.level));
-        let sine_1 = (low_14 + ((_e31.x() - low_14) * part_39));
+        let _e31 = self.v_shadow_texel_between(hit_65.uv, ((before_17 + rt::Scalar(1i32)) % count_15), rt::Scalar(at_159.level));
+        let sine_1 = (low_14 + ((_e31.x() - low_14) * part_40));
         let squared_6 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_22 = (squared_6 * along_48.dot(along_48)).sqrt();
-        let _e48 = self.v_from_hit(at_154, hit_64, light_20);
+        let _e48 = self.v_from_hit(at_159, hit_65, light_20);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_14 = (_e49 * _e52);
         let horizon = far_22.max(near_14);
-        let up_6 = at_154.normal.dot(light_20.direction);
+        let up_6 = at_159.normal.dot(light_20.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_20.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
@@ -20108,45 +20287,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_155: Entered,
-        hit_65: Hit,
+        at_160: Entered,
+        hit_66: Hit,
         azimuth_3: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_155, hit_65, rt::into(azimuth_3), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_160, hit_66, rt::into(azimuth_3), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_open_part(
         &self,
-        at_155: Entered,
-        hit_65: Hit,
+        at_160: Entered,
+        hit_66: Hit,
         azimuth_3: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_65.uv, ((azimuth_3 * elevations) + elevation_2), rt::Scalar(at_155.level));
+        let _e9 = self.v_shadow_texel_between(hit_66.uv, ((azimuth_3 * elevations) + elevation_2), rt::Scalar(at_160.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_156: Entered,
-        hit_66: Hit,
+        at_161: Entered,
+        hit_67: Hit,
         light_21: Toward,
-        params_138: impl rt::Into<rt::Vec4<f32>>,
+        params_145: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_156, hit_66, light_21, rt::into(params_138)))
+        rt::into(self.v_shadow_visibility(at_161, hit_67, light_21, rt::into(params_145)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shadow_visibility(
         &self,
-        at_156: Entered,
-        hit_66: Hit,
+        at_161: Entered,
+        hit_67: Hit,
         light_21: Toward,
-        params_138: rt::Vec4<f32>,
+        params_145: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_156, light_21.direction);
+        let _e5 = self.v_climb(at_161, light_21.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -20155,14 +20334,14 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_29 = (_e5.z() * _e21);
         let squared_7 = ((height_29 * height_29) / (along_49.dot(along_49) + (height_29 * height_29)));
-        let azimuths = params_138.x().to_i32();
-        let elevations_1 = params_138.y().to_i32();
+        let azimuths = params_145.x().to_i32();
+        let elevations_1 = params_145.y().to_i32();
         let _e32 = self.v_turn_of(along_49);
-        let azimuth_7 = (_e32 * params_138.x());
-        let elevation_6 = ((squared_7 * params_138.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_138.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_138.z().elementwise_lt(rt::Scalar(2f32))) {
+        let azimuth_7 = (_e32 * params_145.x());
+        let elevation_6 = ((squared_7 * params_145.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_145.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_145.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_48 = ((azimuth_7 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_156, hit_66, a_48, (elevation_6 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_161, hit_67, a_48, (elevation_6 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_2 = (azimuth_7.floor().to_i32() % azimuths);
@@ -20171,122 +20350,122 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_7 - azimuth_7.floor());
         let along_elevation = (elevation_6 - elevation_6.floor());
-        let _e74 = self.v_open_part(at_156, hit_66, a1_2, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_156, hit_66, a0_2, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_161, hit_67, a1_2, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_161, hit_67, a0_2, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_156, hit_66, a0_2, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_161, hit_67, a0_2, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_156, hit_66, a1_2, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_161, hit_67, a1_2, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_157: Entered,
-        hit_67: Hit,
+        at_162: Entered,
+        hit_68: Hit,
         light_22: Toward,
-        params_139: impl rt::Into<rt::Vec4<f32>>,
+        params_146: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_157, hit_67, light_22, rt::into(params_139)))
+        rt::into(self.v_shadow_map(at_162, hit_68, light_22, rt::into(params_146)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_map(
         &self,
-        at_157: Entered,
-        hit_67: Hit,
+        at_162: Entered,
+        hit_68: Hit,
         light_22: Toward,
-        params_139: rt::Vec4<f32>,
+        params_146: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e8 = self.v_light_seen(at_157, hit_67, rt::Scalar(light_22.number), light_22.direction, params_139.z(), params_139.w());
+        let _e8 = self.v_light_seen(at_162, hit_68, rt::Scalar(light_22.number), light_22.direction, params_146.z(), params_146.w());
         return _e8;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_158: Entered,
-        hit_68: Hit,
+        at_163: Entered,
+        hit_69: Hit,
         light_23: Toward,
-        params_140: impl rt::Into<rt::Vec4<f32>>,
+        params_147: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_158, hit_68, light_23, rt::into(params_140)))
+        rt::into(self.v_shadow_scene(at_163, hit_69, light_23, rt::into(params_147)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shadow_scene(
         &self,
-        at_158: Entered,
-        hit_68: Hit,
+        at_163: Entered,
+        hit_69: Hit,
         light_23: Toward,
-        params_140: rt::Vec4<f32>,
+        params_147: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_159: Entered, hit_69: Hit, light_24: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_159, hit_69, light_24))
+    pub(crate) fn shadow_stage(&self, at_164: Entered, hit_70: Hit, light_24: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_164, hit_70, light_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_shadow_stage(&self, at_159: Entered, hit_69: Hit, light_24: Toward) -> rt::Scalar<f32> {
+    pub(super) fn v_shadow_stage(&self, at_164: Entered, hit_70: Hit, light_24: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[9usize].params;
-                let _e13 = self.v_shadow_ray(at_159, hit_69, light_24, _e12);
+                let _e13 = self.v_shadow_ray(at_164, hit_70, light_24, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[9usize].params;
-                let _e19 = self.v_shadow_none(at_159, hit_69, light_24, _e18);
+                let _e19 = self.v_shadow_none(at_164, hit_70, light_24, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[9usize].params;
-                let _e25 = self.v_shadow_entry(at_159, hit_69, light_24, _e24);
+                let _e25 = self.v_shadow_entry(at_164, hit_70, light_24, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[9usize].params;
-                let _e31 = self.v_shadow_soft(at_159, hit_69, light_24, _e30);
+                let _e31 = self.v_shadow_soft(at_164, hit_70, light_24, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[9usize].params;
-                let _e37 = self.v_shadow_heuristic(at_159, hit_69, light_24, _e36);
+                let _e37 = self.v_shadow_heuristic(at_164, hit_70, light_24, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[9usize].params;
-                let _e43 = self.v_shadow_horizon(at_159, hit_69, light_24, _e42);
+                let _e43 = self.v_shadow_horizon(at_164, hit_70, light_24, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[9usize].params;
-                let _e49 = self.v_shadow_visibility(at_159, hit_69, light_24, _e48);
+                let _e49 = self.v_shadow_visibility(at_164, hit_70, light_24, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[9usize].params;
-                let _e55 = self.v_shadow_map(at_159, hit_69, light_24, _e54);
+                let _e55 = self.v_shadow_map(at_164, hit_70, light_24, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[9usize].params;
-                let _e61 = self.v_shadow_scene(at_159, hit_69, light_24, _e60);
+                let _e61 = self.v_shadow_scene(at_164, hit_70, light_24, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_102: PixelIn, at_160: Entered, hit_70: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_102, at_160, hit_70))
+    pub(crate) fn mirrored_light(&self, pixel_102: PixelIn, at_165: Entered, hit_71: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_102, at_165, hit_71))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_mirrored_light(&self, pixel_102: PixelIn, at_160: Entered, hit_70: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_70.found).elementwise_eq(rt::Scalar(0u32))) {
+    pub(super) fn v_mirrored_light(&self, pixel_102: PixelIn, at_165: Entered, hit_71: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_71.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_3 = pixel_102.direction.normalize();
-        let up_7 = (down_3 - (at_160.normal * (rt::Scalar(2f32) * down_3.dot(at_160.normal))));
-        let _e24 = self.v_shadow_stage(at_160, hit_70, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
+        let up_7 = (down_3 - (at_165.normal * (rt::Scalar(2f32) * down_3.dot(at_165.normal))));
+        let _e24 = self.v_shadow_stage(at_165, hit_71, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
     pub(crate) fn nothing_gathered(&self, reach_m_1: impl rt::Into<rt::Scalar<f32>>) -> Gathered {
@@ -20299,123 +20478,123 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_blend_color(
         &self,
-        at_161: Entered,
-        hit_71: Hit,
-        view_24: impl rt::Into<rt::Vec3<f32>>,
-        params_141: impl rt::Into<rt::Vec4<f32>>,
+        at_166: Entered,
+        hit_72: Hit,
+        view_25: impl rt::Into<rt::Vec3<f32>>,
+        params_148: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_161, hit_71, rt::into(view_24), rt::into(params_141)))
+        rt::into(self.v_object_blend_color(at_166, hit_72, rt::into(view_25), rt::into(params_148)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_blend_color(
         &self,
-        at_161: Entered,
-        hit_71: Hit,
-        view_24: rt::Vec3<f32>,
-        params_141: rt::Vec4<f32>,
+        at_166: Entered,
+        hit_72: Hit,
+        view_25: rt::Vec3<f32>,
+        params_148: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_161, view_24, params_141.z());
+        let _e5 = self.v_color_of_object(at_166, view_25, params_148.z());
         return _e5;
     }
     pub(crate) fn object_none_color(
         &self,
-        at_162: Entered,
-        hit_72: Hit,
-        view_25: impl rt::Into<rt::Vec3<f32>>,
-        params_142: impl rt::Into<rt::Vec4<f32>>,
+        at_167: Entered,
+        hit_73: Hit,
+        view_26: impl rt::Into<rt::Vec3<f32>>,
+        params_149: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_162, hit_72, rt::into(view_25), rt::into(params_142)))
+        rt::into(self.v_object_none_color(at_167, hit_73, rt::into(view_26), rt::into(params_149)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_none_color(
         &self,
-        at_162: Entered,
-        hit_72: Hit,
-        view_25: rt::Vec3<f32>,
-        params_142: rt::Vec4<f32>,
+        at_167: Entered,
+        hit_73: Hit,
+        view_26: rt::Vec3<f32>,
+        params_149: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_color_or_white(hit_72.uv, rt::Scalar(at_162.footprint));
+        let _e6 = self.v_color_or_white(hit_73.uv, rt::Scalar(at_167.footprint));
         return _e6;
     }
     pub(crate) fn object_depth_color(
         &self,
-        at_163: Entered,
-        hit_73: Hit,
-        view_26: impl rt::Into<rt::Vec3<f32>>,
-        params_143: impl rt::Into<rt::Vec4<f32>>,
+        at_168: Entered,
+        hit_74: Hit,
+        view_27: impl rt::Into<rt::Vec3<f32>>,
+        params_150: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_163, hit_73, rt::into(view_26), rt::into(params_143)))
+        rt::into(self.v_object_depth_color(at_168, hit_74, rt::into(view_27), rt::into(params_150)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_depth_color(
         &self,
-        at_163: Entered,
-        hit_73: Hit,
-        view_26: rt::Vec3<f32>,
-        params_143: rt::Vec4<f32>,
+        at_168: Entered,
+        hit_74: Hit,
+        view_27: rt::Vec3<f32>,
+        params_150: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_163, view_26, params_143.z());
+        let _e5 = self.v_color_of_object(at_168, view_27, params_150.z());
         return _e5;
     }
     pub(crate) fn object_hull_color(
         &self,
-        at_164: Entered,
-        hit_74: Hit,
-        view_27: impl rt::Into<rt::Vec3<f32>>,
-        params_144: impl rt::Into<rt::Vec4<f32>>,
+        at_169: Entered,
+        hit_75: Hit,
+        view_28: impl rt::Into<rt::Vec3<f32>>,
+        params_151: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_164, hit_74, rt::into(view_27), rt::into(params_144)))
+        rt::into(self.v_object_hull_color(at_169, hit_75, rt::into(view_28), rt::into(params_151)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_object_hull_color(
         &self,
-        at_164: Entered,
-        hit_74: Hit,
-        view_27: rt::Vec3<f32>,
-        params_144: rt::Vec4<f32>,
+        at_169: Entered,
+        hit_75: Hit,
+        view_28: rt::Vec3<f32>,
+        params_151: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_164, view_27, params_144.z());
+        let _e5 = self.v_color_of_object(at_169, view_28, params_151.z());
         return _e5;
     }
     pub(crate) fn object_color_stage(
         &self,
-        at_165: Entered,
-        hit_75: Hit,
-        view_28: impl rt::Into<rt::Vec3<f32>>,
+        at_170: Entered,
+        hit_76: Hit,
+        view_29: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color_stage(at_165, hit_75, rt::into(view_28)))
+        rt::into(self.v_object_color_stage(at_170, hit_76, rt::into(view_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_object_color_stage(
         &self,
-        at_165: Entered,
-        hit_75: Hit,
-        view_28: rt::Vec3<f32>,
+        at_170: Entered,
+        hit_76: Hit,
+        view_29: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[3usize].params;
-                let _e13 = self.v_object_none_color(at_165, hit_75, view_28, _e12);
+                let _e13 = self.v_object_none_color(at_170, hit_76, view_29, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[3usize].params;
-                let _e19 = self.v_object_depth_color(at_165, hit_75, view_28, _e18);
+                let _e19 = self.v_object_depth_color(at_170, hit_76, view_29, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[3usize].params;
-                let _e25 = self.v_object_hull_color(at_165, hit_75, view_28, _e24);
+                let _e25 = self.v_object_hull_color(at_170, hit_76, view_29, _e24);
                 return _e25;
             }
             _ => {
                 let _e30 = self.surface_settings.choices[3usize].params;
-                let _e31 = self.v_object_blend_color(at_165, hit_75, view_28, _e30);
+                let _e31 = self.v_object_blend_color(at_170, hit_76, view_29, _e30);
                 return _e31;
             }
         }
@@ -20423,31 +20602,31 @@ impl<'g> Resources<'g> {
     pub(crate) fn occlusion_roughness_metalness(
         &self,
         uv_38: impl rt::Into<rt::Vec2<f32>>,
-        footprint_4: impl rt::Into<rt::Scalar<f32>>,
+        footprint_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_38), rt::into(footprint_4)))
+        rt::into(self.v_occlusion_roughness_metalness(rt::into(uv_38), rt::into(footprint_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_occlusion_roughness_metalness(
         &self,
         uv_38: rt::Vec2<f32>,
-        footprint_4: rt::Scalar<f32>,
+        footprint_6: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_material);
         if rt::Scalar::into_branch_condition((_e4 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
-        let _e14 = self.v_material_layer(uv_38, footprint_4, rt::Scalar(0i32));
+        let _e14 = self.v_material_layer(uv_38, footprint_6, rt::Scalar(0i32));
         return _e14;
     }
     pub(crate) fn parts_by_uv(
         &self,
         grid_12: Tessellation,
         along_19: impl rt::Into<rt::Vec2<f32>>,
-        level_60: impl rt::Into<rt::Scalar<u32>>,
+        level_63: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_60)))
+        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20455,19 +20634,19 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: rt::Vec2<f32>,
-        level_60: rt::Scalar<u32>,
+        level_63: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let both_3 = (along_19 * grid_12.parts_of_uv);
-        let parts_7 = ((both_3.x().max(both_3.y()) / (rt::Scalar(1u32) << level_60).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
+        let parts_7 = ((both_3.x().max(both_3.y()) / (rt::Scalar(1u32) << level_63).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
         return parts_7.clamp(rt::Scalar(1f32), rt::Scalar(32767f32)).to_u32();
     }
     pub(crate) fn parts_by_voxels(
         &self,
         a_22: Voxel,
         b_22: Voxel,
-        level_61: impl rt::Into<rt::Scalar<u32>>,
+        level_64: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_voxels(a_22, b_22, rt::into(level_61)))
+        rt::into(self.v_parts_by_voxels(a_22, b_22, rt::into(level_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20475,10 +20654,10 @@ impl<'g> Resources<'g> {
         &self,
         a_22: Voxel,
         b_22: Voxel,
-        level_61: rt::Scalar<u32>,
+        level_64: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_coarser_voxel(b_22.at, level_61);
-        let _e6 = self.v_coarser_voxel(a_22.at, level_61);
+        let _e4 = self.v_coarser_voxel(b_22.at, level_64);
+        let _e6 = self.v_coarser_voxel(a_22.at, level_64);
         let _e8 = self.v_longest_of((_e4 - _e6));
         return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
     }
@@ -20488,9 +20667,9 @@ impl<'g> Resources<'g> {
         a_23: Voxel,
         b_23: Voxel,
         along_20: impl rt::Into<rt::Vec2<f32>>,
-        level_62: impl rt::Into<rt::Scalar<u32>>,
+        level_65: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(grid_13, a_23, b_23, rt::into(along_20), rt::into(level_62)))
+        rt::into(self.v_parts_between(grid_13, a_23, b_23, rt::into(along_20), rt::into(level_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20500,35 +20679,35 @@ impl<'g> Resources<'g> {
         a_23: Voxel,
         b_23: Voxel,
         along_20: rt::Vec2<f32>,
-        level_62: rt::Scalar<u32>,
+        level_65: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         if rt::Scalar::into_branch_condition(grid_13.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))) {
-            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_62);
+            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_65);
             return _e9;
         }
-        let _e10 = self.v_parts_by_voxels(a_23, b_23, level_62);
+        let _e10 = self.v_parts_by_voxels(a_23, b_23, level_65);
         return _e10;
     }
     pub(crate) fn pass_segment(
         &self,
         before_9: Gathered,
         pixel_103: PixelIn,
-        at_166: Entered,
-        k_48: impl rt::Into<rt::Scalar<u32>>,
+        at_171: Entered,
+        k_51: impl rt::Into<rt::Scalar<u32>>,
     ) -> Gathered {
-        rt::into(self.v_pass_segment(before_9, pixel_103, at_166, rt::into(k_48)))
+        rt::into(self.v_pass_segment(before_9, pixel_103, at_171, rt::into(k_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_pass_segment(
         &self,
         before_9: Gathered,
         pixel_103: PixelIn,
-        at_166: Entered,
-        k_48: rt::Scalar<u32>,
+        at_171: Entered,
+        k_51: rt::Scalar<u32>,
     ) -> Gathered {
         let mut seen_4: Gathered;
 
-        let _e4 = self.v_segment_of(pixel_103, at_166, k_48);
+        let _e4 = self.v_segment_of(pixel_103, at_171, k_51);
         let _e7 = self.v_rest_of_segment(_e4, rt::Scalar(before_9.until_m), rt::Scalar(before_9.reach_m));
         if rt::Scalar::into_branch_condition((!rt::Scalar(_e7.exit).elementwise_gt(rt::Scalar(0f32)))) {
             return before_9;
@@ -20582,49 +20761,49 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_105: PixelIn,
-        at_167: Entered,
-        segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_76: Hit,
+        at_172: Entered,
+        segment_1: impl rt::Into<rt::Scalar<u32>>,
+        hit_77: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_105, at_167, rt::into(segment), hit_76))
+        rt::into(self.v_place_hit(pixel_105, at_172, rt::into(segment_1), hit_77))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_place_hit(
         &self,
         pixel_105: PixelIn,
-        at_167: Entered,
-        segment: rt::Scalar<u32>,
-        hit_76: Hit,
+        at_172: Entered,
+        segment_1: rt::Scalar<u32>,
+        hit_77: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_105, at_167, segment);
-        let _e5 = self.v_place_on_segment(pixel_105, at_167, _e4, hit_76);
+        let _e4 = self.v_segment_of(pixel_105, at_172, segment_1);
+        let _e5 = self.v_place_on_segment(pixel_105, at_172, _e4, hit_77);
         return _e5;
     }
     pub(crate) fn point_of_light(
         &self,
-        at_168: Entered,
-        hit_77: Hit,
+        at_173: Entered,
+        hit_78: Hit,
         number_22: impl rt::Into<rt::Scalar<u32>>,
-        k_49: impl rt::Into<rt::Scalar<u32>>,
+        k_52: impl rt::Into<rt::Scalar<u32>>,
         count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_168, hit_77, rt::into(number_22), rt::into(k_49), rt::into(count_10)))
+        rt::into(self.v_point_of_light(at_173, hit_78, rt::into(number_22), rt::into(k_52), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_point_of_light(
         &self,
-        at_168: Entered,
-        hit_77: Hit,
+        at_173: Entered,
+        hit_78: Hit,
         number_22: rt::Scalar<u32>,
-        k_49: rt::Scalar<u32>,
+        k_52: rt::Scalar<u32>,
         count_10: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_22, at_168.point);
+        let _e6 = self.v_toward_light(number_22, at_173.point);
         if rt::Scalar::into_branch_condition(count_10.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_77);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_49, count_10);
+            let _e9 = self.v_seed_of(hit_78);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_52, count_10);
             return _e10;
         }
         return _e6;
@@ -20664,9 +20843,9 @@ impl<'g> Resources<'g> {
         place_34: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
-        params_145: impl rt::Into<rt::Vec4<f32>>,
+        params_152: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_34), rt::into(time), rt::into(seed_5), rt::into(params_145)))
+        rt::into(self.v_procedure_bumps(rt::into(place_34), rt::into(time), rt::into(seed_5), rt::into(params_152)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_bumps(
@@ -20674,31 +20853,31 @@ impl<'g> Resources<'g> {
         place_34: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
-        params_145: rt::Vec4<f32>,
+        params_152: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_15: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_50: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_53: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_190 = (place_34 * params_145.x());
-        let own_1 = at_190.floor();
+        let at_195 = (place_34 * params_152.x());
+        let own_1 = at_195.floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_50;
+                let _e11 = k_53;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(rt::Scalar(9u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e14 = k_50;
-                    let _e18 = k_50;
+                    let _e14 = k_53;
+                    let _e18 = k_53;
                     let cell_47 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_47, params_145.x(), seed_5);
+                    let _e29 = self.v_bits_of_point(cell_47, params_152.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
                     let beside_10 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_18 = ((cell_47 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_10 * (rt::Scalar(0.5f32) * params_145.z())));
-                    let away_2 = ((at_190 - middle_18) / rt::Vec2::splat_from_scalar(params_145.y()));
+                    let middle_18 = ((cell_47 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_10 * (rt::Scalar(0.5f32) * params_152.z())));
+                    let away_2 = ((at_195 - middle_18) / rt::Vec2::splat_from_scalar(params_152.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
                     let _e58 = self.v_sine_of((time + _e56));
@@ -20706,8 +20885,8 @@ impl<'g> Resources<'g> {
                     let high_9 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
                     let _e67 = height_15;
                     height_15 = _e67.max((high_9 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
-                    let _e76 = k_50;
-                    k_50 = (_e76 + rt::Scalar(1u32));
+                    let _e76 = k_53;
+                    k_53 = (_e76 + rt::Scalar(1u32));
                 }
             }
         }
@@ -20719,9 +20898,9 @@ impl<'g> Resources<'g> {
         place_35: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
-        params_146: impl rt::Into<rt::Vec4<f32>>,
+        params_153: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_35), rt::into(time_1), rt::into(seed_6), rt::into(params_146)))
+        rt::into(self.v_procedure_fbm(rt::into(place_35), rt::into(time_1), rt::into(seed_6), rt::into(params_153)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_fbm(
@@ -20729,7 +20908,7 @@ impl<'g> Resources<'g> {
         place_35: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
-        params_146: rt::Vec4<f32>,
+        params_153: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_16: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_6: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -20737,11 +20916,11 @@ impl<'g> Resources<'g> {
         let mut count_11: rt::Scalar<f32>;
         let mut octave: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        count_11 = params_146.x();
+        count_11 = params_153.x();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = octave;
-                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_146.y())) {
+                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_153.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -20759,7 +20938,7 @@ impl<'g> Resources<'g> {
                     let _e34 = strength;
                     sum_6 = (_e33 + _e34);
                     let _e36 = strength;
-                    strength = (_e36 * params_146.z());
+                    strength = (_e36 * params_153.z());
                     let _e39 = count_11;
                     count_11 = (_e39 * rt::Scalar(2f32));
                     let _e42 = octave;
@@ -20776,9 +20955,9 @@ impl<'g> Resources<'g> {
         place_36: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
-        params_147: impl rt::Into<rt::Vec4<f32>>,
+        params_154: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_36), rt::into(time_2), rt::into(seed_7), rt::into(params_147)))
+        rt::into(self.v_procedure_waves(rt::into(place_36), rt::into(time_2), rt::into(seed_7), rt::into(params_154)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_procedure_waves(
@@ -20786,40 +20965,40 @@ impl<'g> Resources<'g> {
         place_36: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
-        params_147: rt::Vec4<f32>,
+        params_154: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_17: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_7: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_51: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_54: rt::Scalar<u32> = rt::Scalar(0u32);
 
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_51;
-                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_147.y())) {
+                let _e10 = k_54;
+                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_154.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_51;
+                    let _e15 = k_54;
                     let _e18 = self.v_mixed((seed_7 + (rt::Scalar(4u32) * _e15)));
-                    let _e19 = k_51;
-                    let part_40 = (_e19.to_f32() / params_147.y());
-                    let size_8 = (params_147.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_40) * part_40)));
+                    let _e19 = k_54;
+                    let part_41 = (_e19.to_f32() / params_154.y());
+                    let size_8 = (params_154.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_41) * part_41)));
                     let along_50 = (size_8 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e39 = self.v_unit_of(_e18);
-                    let across_13 = ((((rt::Scalar(2f32) * size_8) * params_147.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
+                    let across_13 = ((((rt::Scalar(2f32) * size_8) * params_154.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
                     let length = ((along_50 * along_50) + (across_13 * across_13)).sqrt();
-                    let pace_1 = ((rt::Scalar(2f32) * (length / params_147.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let pace_1 = ((rt::Scalar(2f32) * (length / params_154.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
                     let _e72 = self.v_sine_of(((((along_50 * place_36.x()) + (across_13 * place_36.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
                     let _e77 = height_17;
-                    height_17 = (_e77 + ((crest + (params_147.w() * ((crest * crest) - crest))) / length));
+                    height_17 = (_e77 + ((crest + (params_154.w() * ((crest * crest) - crest))) / length));
                     let _e85 = sum_7;
                     sum_7 = (_e85 + (rt::Scalar(1f32) / length));
-                    let _e89 = k_51;
-                    k_51 = (_e89 + rt::Scalar(1u32));
+                    let _e89 = k_54;
+                    k_54 = (_e89 + rt::Scalar(1u32));
                 }
             }
         }
@@ -20833,9 +21012,9 @@ impl<'g> Resources<'g> {
         place_37: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
-        params_148: impl rt::Into<rt::Vec4<f32>>,
+        params_155: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_23), rt::into(place_37), rt::into(time_3), rt::into(seed_8), rt::into(params_148)))
+        rt::into(self.v_procedure_height(rt::into(number_23), rt::into(place_37), rt::into(time_3), rt::into(seed_8), rt::into(params_155)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -20845,19 +21024,19 @@ impl<'g> Resources<'g> {
         place_37: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
-        params_148: rt::Vec4<f32>,
+        params_155: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         match rt::Scalar::into_inner(number_23) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_37, time_3, seed_8, params_148);
+                let _e5 = self.v_procedure_waves(place_37, time_3, seed_8, params_155);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_37, time_3, seed_8, params_148);
+                let _e6 = self.v_procedure_fbm(place_37, time_3, seed_8, params_155);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_37, time_3, seed_8, params_148);
+                let _e7 = self.v_procedure_bumps(place_37, time_3, seed_8, params_155);
                 return _e7;
             }
         }
@@ -20882,69 +21061,69 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_169: Entered,
-        hit_78: Hit,
+        at_174: Entered,
+        hit_79: Hit,
         number_24: impl rt::Into<rt::Scalar<u32>>,
-        k_52: impl rt::Into<rt::Scalar<u32>>,
+        k_55: impl rt::Into<rt::Scalar<u32>>,
         count_12: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_169, hit_78, rt::into(number_24), rt::into(k_52), rt::into(count_12)))
+        rt::into(self.v_ray_to_light(at_174, hit_79, rt::into(number_24), rt::into(k_55), rt::into(count_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_ray_to_light(
         &self,
-        at_169: Entered,
-        hit_78: Hit,
+        at_174: Entered,
+        hit_79: Hit,
         number_24: rt::Scalar<u32>,
-        k_52: rt::Scalar<u32>,
+        k_55: rt::Scalar<u32>,
         count_12: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_169, hit_78, number_24, k_52, count_12);
-        let _e6 = self.v_field_light_ray_stage(at_169, hit_78, _e5);
+        let _e5 = self.v_point_of_light(at_174, hit_79, number_24, k_55, count_12);
+        let _e6 = self.v_field_light_ray_stage(at_174, hit_79, _e5);
         return _e6;
     }
     pub(crate) fn reach_of_hit(
         &self,
         found_17: impl rt::Into<rt::Scalar<u32>>,
-        depth_10: impl rt::Into<rt::Scalar<f32>>,
-        direction_7: impl rt::Into<rt::Vec3<f32>>,
+        depth_11: impl rt::Into<rt::Scalar<f32>>,
+        direction_11: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_reach_of_hit(rt::into(found_17), rt::into(depth_10), rt::into(direction_7)))
+        rt::into(self.v_reach_of_hit(rt::into(found_17), rt::into(depth_11), rt::into(direction_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_reach_of_hit(
         &self,
         found_17: rt::Scalar<u32>,
-        depth_10: rt::Scalar<f32>,
-        direction_7: rt::Vec3<f32>,
+        depth_11: rt::Scalar<f32>,
+        direction_11: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        return rt::Scalar(300000000000000000000000000000000000000f32).select((depth_10 * direction_7.length()), found_17.elementwise_eq(rt::Scalar(1u32)));
+        return rt::Scalar(300000000000000000000000000000000000000f32).select((depth_11 * direction_11.length()), found_17.elementwise_eq(rt::Scalar(1u32)));
     }
     pub(crate) fn shade_blinn_phong_material(
         &self,
-        at_170: Entered,
-        hit_79: Hit,
+        at_175: Entered,
+        hit_80: Hit,
         normal_22: impl rt::Into<rt::Vec3<f32>>,
         mean_3: impl rt::Into<rt::Scalar<f32>>,
-        view_29: impl rt::Into<rt::Vec3<f32>>,
+        view_30: impl rt::Into<rt::Vec3<f32>>,
         color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_149: impl rt::Into<rt::Vec4<f32>>,
+        params_156: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_blinn_phong_material(at_170, hit_79, rt::into(normal_22), rt::into(mean_3), rt::into(view_29), rt::into(color_1), rt::into(params_149)))
+        rt::into(self.v_shade_blinn_phong_material(at_175, hit_80, rt::into(normal_22), rt::into(mean_3), rt::into(view_30), rt::into(color_1), rt::into(params_156)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shade_blinn_phong_material(
         &self,
-        at_170: Entered,
-        hit_79: Hit,
+        at_175: Entered,
+        hit_80: Hit,
         normal_22: rt::Vec3<f32>,
         mean_3: rt::Scalar<f32>,
-        view_29: rt::Vec3<f32>,
+        view_30: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
-        params_149: rt::Vec4<f32>,
+        params_156: rt::Vec4<f32>,
     ) -> Material {
         let transmission = rt::Scalar(self.surface_settings.transmission);
         let _e12 = self.surface_settings.diffuse;
@@ -20957,32 +21136,32 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_metallic_roughness_material(
         &self,
-        at_171: Entered,
-        hit_80: Hit,
+        at_176: Entered,
+        hit_81: Hit,
         normal_23: impl rt::Into<rt::Vec3<f32>>,
         mean_4: impl rt::Into<rt::Scalar<f32>>,
-        view_30: impl rt::Into<rt::Vec3<f32>>,
+        view_31: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
-        params_150: impl rt::Into<rt::Vec4<f32>>,
+        params_157: impl rt::Into<rt::Vec4<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_metallic_roughness_material(at_171, hit_80, rt::into(normal_23), rt::into(mean_4), rt::into(view_30), rt::into(color_2), rt::into(params_150)))
+        rt::into(self.v_shade_metallic_roughness_material(at_176, hit_81, rt::into(normal_23), rt::into(mean_4), rt::into(view_31), rt::into(color_2), rt::into(params_157)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_material(
         &self,
-        at_171: Entered,
-        hit_80: Hit,
+        at_176: Entered,
+        hit_81: Hit,
         normal_23: rt::Vec3<f32>,
         mean_4: rt::Scalar<f32>,
-        view_30: rt::Vec3<f32>,
+        view_31: rt::Vec3<f32>,
         color_2: rt::Vec3<f32>,
-        params_150: rt::Vec4<f32>,
+        params_157: rt::Vec4<f32>,
     ) -> Material {
         let mut roughness_1: rt::Scalar<f32>;
         let mut alpha_1: rt::Scalar<f32>;
         let mut squared_alpha: rt::Scalar<f32>;
 
-        let _e9 = self.v_occlusion_roughness_metalness(hit_80.uv, rt::Scalar(at_171.footprint));
+        let _e9 = self.v_occlusion_roughness_metalness(hit_81.uv, rt::Scalar(at_176.footprint));
         let _e12 = rt::Scalar(self.surface_settings.roughness);
         roughness_1 = (_e12 * _e9.y()).max(rt::Scalar(0.045f32));
         let _e20 = rt::Scalar(self.surface_settings.metallic);
@@ -21009,7 +21188,7 @@ impl<'g> Resources<'g> {
             let _e74 = alpha_1;
             roughness_1 = _e74.sqrt();
         }
-        let upright_5 = normal_23.dot(view_30).max(rt::Scalar(0.0001f32));
+        let upright_5 = normal_23.dot(view_31).max(rt::Scalar(0.0001f32));
         let aside_13 = (rt::Scalar(1f32) - (upright_5 * upright_5)).max(rt::Scalar(0f32));
         let _e85 = squared_alpha;
         let masking = ((upright_5 * upright_5) + (_e85 * aside_13)).sqrt();
@@ -21020,7 +21199,7 @@ impl<'g> Resources<'g> {
         let white_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         let _e103 = self.v_reflected_by(_e91, specular_2);
         let reflected_1 = (_e103 * (white_2 + (specular_2 * again)));
-        let _e117 = self.v_emission_at(hit_80.uv, rt::Scalar(at_171.footprint));
+        let _e117 = self.v_emission_at(hit_81.uv, rt::Scalar(at_176.footprint));
         let _e119 = roughness_1;
         let _e120 = alpha_1;
         let _e121 = squared_alpha;
@@ -21028,36 +21207,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_material_stage(
         &self,
-        at_172: Entered,
-        hit_81: Hit,
+        at_177: Entered,
+        hit_82: Hit,
         normal_24: impl rt::Into<rt::Vec3<f32>>,
         mean_5: impl rt::Into<rt::Scalar<f32>>,
-        view_31: impl rt::Into<rt::Vec3<f32>>,
+        view_32: impl rt::Into<rt::Vec3<f32>>,
         color_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> Material {
-        rt::into(self.v_shade_material_stage(at_172, hit_81, rt::into(normal_24), rt::into(mean_5), rt::into(view_31), rt::into(color_3)))
+        rt::into(self.v_shade_material_stage(at_177, hit_82, rt::into(normal_24), rt::into(mean_5), rt::into(view_32), rt::into(color_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_shade_material_stage(
         &self,
-        at_172: Entered,
-        hit_81: Hit,
+        at_177: Entered,
+        hit_82: Hit,
         normal_24: rt::Vec3<f32>,
         mean_5: rt::Scalar<f32>,
-        view_31: rt::Vec3<f32>,
+        view_32: rt::Vec3<f32>,
         color_3: rt::Vec3<f32>,
     ) -> Material {
         let _e10 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e10) {
             0u32 => {
                 let _e15 = self.surface_settings.choices[8usize].params;
-                let _e16 = self.v_shade_blinn_phong_material(at_172, hit_81, normal_24, mean_5, view_31, color_3, _e15);
+                let _e16 = self.v_shade_blinn_phong_material(at_177, hit_82, normal_24, mean_5, view_32, color_3, _e15);
                 return _e16;
             }
             _ => {
                 let _e21 = self.surface_settings.choices[8usize].params;
-                let _e22 = self.v_shade_metallic_roughness_material(at_172, hit_81, normal_24, mean_5, view_31, color_3, _e21);
+                let _e22 = self.v_shade_metallic_roughness_material(at_177, hit_82, normal_24, mean_5, view_32, color_3, _e21);
                 return _e22;
             }
         }
@@ -21088,16 +21267,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_173: Entered,
+        at_178: Entered,
         seen_5: SeenNormals,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_173, seen_5, rt::into(toward_4)))
+        rt::into(self.v_seen_cosine(at_178, seen_5, rt::into(toward_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_seen_cosine(
         &self,
-        at_173: Entered,
+        at_178: Entered,
         seen_5: SeenNormals,
         toward_4: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -21106,7 +21285,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_5.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_5.normal.dot(toward_4).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_173, toward_4);
+        let _e10 = self.v_to_tangent_space(at_178, toward_4);
         let middle_19 = seen_5.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_19, seen_5.along.dot(_e10), seen_5.across.dot(_e10));
         let one_3 = (rt::Scalar(seen_5.middle_seen) * middle_19.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -21182,11 +21361,11 @@ impl<'g> Resources<'g> {
         normal_25: impl rt::Into<rt::Vec3<f32>>,
         mean_6: impl rt::Into<rt::Scalar<f32>>,
         cosine_7: impl rt::Into<rt::Scalar<f32>>,
-        view_32: impl rt::Into<rt::Vec3<f32>>,
+        view_33: impl rt::Into<rt::Vec3<f32>>,
         toward_5: impl rt::Into<rt::Vec3<f32>>,
-        params_151: impl rt::Into<rt::Vec4<f32>>,
+        params_158: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_25), rt::into(mean_6), rt::into(cosine_7), rt::into(view_32), rt::into(toward_5), rt::into(params_151)))
+        rt::into(self.v_shade_blinn_phong_light(material_11, rt::into(normal_25), rt::into(mean_6), rt::into(cosine_7), rt::into(view_33), rt::into(toward_5), rt::into(params_158)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_blinn_phong_light(
@@ -21195,9 +21374,9 @@ impl<'g> Resources<'g> {
         normal_25: rt::Vec3<f32>,
         mean_6: rt::Scalar<f32>,
         cosine_7: rt::Scalar<f32>,
-        view_32: rt::Vec3<f32>,
+        view_33: rt::Vec3<f32>,
         toward_5: rt::Vec3<f32>,
-        params_151: rt::Vec4<f32>,
+        params_158: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_3: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -21212,7 +21391,7 @@ impl<'g> Resources<'g> {
                 exponent_3 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_25.dot((toward_5 + view_32).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_25.dot((toward_5 + view_33).normalize()).max(rt::Scalar(0f32));
             let _e42 = exponent_3;
             let _e43 = self.v_whole_power(lobe, _e42);
             let _e44 = dimmed;
@@ -21227,11 +21406,11 @@ impl<'g> Resources<'g> {
         normal_26: impl rt::Into<rt::Vec3<f32>>,
         mean_7: impl rt::Into<rt::Scalar<f32>>,
         cosine_8: impl rt::Into<rt::Scalar<f32>>,
-        view_33: impl rt::Into<rt::Vec3<f32>>,
+        view_34: impl rt::Into<rt::Vec3<f32>>,
         toward_6: impl rt::Into<rt::Vec3<f32>>,
-        params_152: impl rt::Into<rt::Vec4<f32>>,
+        params_159: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_26), rt::into(mean_7), rt::into(cosine_8), rt::into(view_33), rt::into(toward_6), rt::into(params_152)))
+        rt::into(self.v_shade_metallic_roughness_light(material_12, rt::into(normal_26), rt::into(mean_7), rt::into(cosine_8), rt::into(view_34), rt::into(toward_6), rt::into(params_159)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_metallic_roughness_light(
@@ -21240,12 +21419,12 @@ impl<'g> Resources<'g> {
         normal_26: rt::Vec3<f32>,
         mean_7: rt::Scalar<f32>,
         cosine_8: rt::Scalar<f32>,
-        view_33: rt::Vec3<f32>,
+        view_34: rt::Vec3<f32>,
         toward_6: rt::Vec3<f32>,
-        params_152: rt::Vec4<f32>,
+        params_159: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         if rt::Scalar::into_branch_condition(cosine_8.elementwise_gt(rt::Scalar(0f32))) {
-            let sum_15 = (toward_6 + view_33);
+            let sum_15 = (toward_6 + view_34);
             let squared_sum = sum_15.dot(sum_15).max(rt::Scalar(0.000001f32));
             let along_51 = normal_26.dot(sum_15);
             let across_14 = normal_26.cross(sum_15);
@@ -21270,10 +21449,10 @@ impl<'g> Resources<'g> {
         normal_27: impl rt::Into<rt::Vec3<f32>>,
         mean_8: impl rt::Into<rt::Scalar<f32>>,
         cosine_9: impl rt::Into<rt::Scalar<f32>>,
-        view_34: impl rt::Into<rt::Vec3<f32>>,
+        view_35: impl rt::Into<rt::Vec3<f32>>,
         toward_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_light_stage(material_13, rt::into(normal_27), rt::into(mean_8), rt::into(cosine_9), rt::into(view_34), rt::into(toward_7)))
+        rt::into(self.v_shade_light_stage(material_13, rt::into(normal_27), rt::into(mean_8), rt::into(cosine_9), rt::into(view_35), rt::into(toward_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -21283,70 +21462,70 @@ impl<'g> Resources<'g> {
         normal_27: rt::Vec3<f32>,
         mean_8: rt::Scalar<f32>,
         cosine_9: rt::Scalar<f32>,
-        view_34: rt::Vec3<f32>,
+        view_35: rt::Vec3<f32>,
         toward_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e10 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e10) {
             0u32 => {
                 let _e15 = self.surface_settings.choices[8usize].params;
-                let _e16 = self.v_shade_blinn_phong_light(material_13, normal_27, mean_8, cosine_9, view_34, toward_7, _e15);
+                let _e16 = self.v_shade_blinn_phong_light(material_13, normal_27, mean_8, cosine_9, view_35, toward_7, _e15);
                 return _e16;
             }
             _ => {
                 let _e21 = self.surface_settings.choices[8usize].params;
-                let _e22 = self.v_shade_metallic_roughness_light(material_13, normal_27, mean_8, cosine_9, view_34, toward_7, _e21);
+                let _e22 = self.v_shade_metallic_roughness_light(material_13, normal_27, mean_8, cosine_9, view_35, toward_7, _e21);
                 return _e22;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_174: Entered,
-        hit_82: Hit,
+        at_179: Entered,
+        hit_83: Hit,
         seen_6: SeenNormals,
-        view_35: impl rt::Into<rt::Vec3<f32>>,
+        view_36: impl rt::Into<rt::Vec3<f32>>,
         color_4: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_174, hit_82, seen_6, rt::into(view_35), rt::into(color_4), visible))
+        rt::into(self.v_reflected_light(at_179, hit_83, seen_6, rt::into(view_36), rt::into(color_4), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_reflected_light(
         &self,
-        at_174: Entered,
-        hit_82: Hit,
+        at_179: Entered,
+        hit_83: Hit,
         seen_6: SeenNormals,
-        view_35: rt::Vec3<f32>,
+        view_36: rt::Vec3<f32>,
         color_4: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_25: rt::Vec3<f32>;
-        let mut k_53: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_56: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e8 = self.v_shade_material_stage(at_174, hit_82, seen_6.normal, rt::Scalar(seen_6.length), view_35, color_4);
-        let _e12 = self.v_ambient_stage(at_174, hit_82, (seen_6.normal * rt::Scalar(seen_6.length)), view_35, _e8);
+        let _e8 = self.v_shade_material_stage(at_179, hit_83, seen_6.normal, rt::Scalar(seen_6.length), view_36, color_4);
+        let _e12 = self.v_ambient_stage(at_179, hit_83, (seen_6.normal * rt::Scalar(seen_6.length)), view_36, _e8);
         light_25 = ((_e12 * rt::Scalar(_e8.occlusion)) + _e8.emission);
         'naga_break: loop {
             'naga_continue: {
-                let _e20 = k_53;
+                let _e20 = k_56;
                 let _e23 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e20.elementwise_lt(_e23)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e25 = k_53;
-                    let _e27 = self.v_toward_light(_e25, at_174.point);
-                    let _e29 = self.v_seen_cosine(at_174, seen_6, _e27.direction);
-                    let _e33 = self.v_shade_light_stage(_e8, seen_6.normal, rt::Scalar(seen_6.length), _e29, view_35, _e27.direction);
+                    let _e25 = k_56;
+                    let _e27 = self.v_toward_light(_e25, at_179.point);
+                    let _e29 = self.v_seen_cosine(at_179, seen_6, _e27.direction);
+                    let _e33 = self.v_shade_light_stage(_e8, seen_6.normal, rt::Scalar(seen_6.length), _e29, view_36, _e27.direction);
                     let _e34 = light_25;
-                    let _e37 = k_53;
+                    let _e37 = k_56;
                     let _e40 = self.frame.lights[rt::Scalar::into_array_index(_e37)].color;
-                    let _e44 = k_53;
+                    let _e44 = k_56;
                     light_25 = (_e34 + ((_e33 * _e40.xyz()) * (rt::Scalar(_e27.falloff) * visible[rt::Scalar::into_array_index(_e44)].x())));
-                    let _e50 = k_53;
-                    k_53 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_56;
+                    k_56 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
@@ -21363,25 +21542,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_along(
         &self,
-        at_175: impl rt::Into<rt::Vec3<i32>>,
+        at_180: impl rt::Into<rt::Vec3<i32>>,
         axis_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<i32> {
-        rt::into(self.v_seen_along(rt::into(at_175), rt::into(axis_5)))
+        rt::into(self.v_seen_along(rt::into(at_180), rt::into(axis_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_seen_along(
         &self,
-        at_175: rt::Vec3<i32>,
+        at_180: rt::Vec3<i32>,
         axis_5: rt::Scalar<u32>,
     ) -> rt::Vec3<i32> {
         if rt::Scalar::into_branch_condition(axis_5.elementwise_eq(rt::Scalar(0u32))) {
-            return at_175;
+            return at_180;
         }
         if rt::Scalar::into_branch_condition(axis_5.elementwise_eq(rt::Scalar(1u32))) {
-            return <rt::Vec3<i32>>::from_scalars(at_175.y(), at_175.z(), at_175.x());
+            return <rt::Vec3<i32>>::from_scalars(at_180.y(), at_180.z(), at_180.x());
         }
-        return <rt::Vec3<i32>>::from_scalars(at_175.z(), at_175.x(), at_175.y());
+        return <rt::Vec3<i32>>::from_scalars(at_180.z(), at_180.x(), at_180.y());
     }
     pub(crate) fn seen_through(
         &self,
@@ -21397,105 +21576,105 @@ impl<'g> Resources<'g> {
         behind: rt::Vec4<f32>,
         seen_7: Gathered,
     ) -> rt::Vec4<f32> {
-        let part_41 = (rt::Scalar(1f32) - rt::Scalar(seen_7.transmittance));
-        return <rt::Vec4<f32>>::new_31((seen_7.light + (behind.xyz() * rt::Scalar(seen_7.transmittance))), (part_41 + (behind.w() * rt::Scalar(seen_7.transmittance))));
+        let part_42 = (rt::Scalar(1f32) - rt::Scalar(seen_7.transmittance));
+        return <rt::Vec4<f32>>::new_31((seen_7.light + (behind.xyz() * rt::Scalar(seen_7.transmittance))), (part_42 + (behind.w() * rt::Scalar(seen_7.transmittance))));
     }
-    pub(crate) fn z_of(&self, depth_11: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_z_of(rt::into(depth_11)))
+    pub(crate) fn z_of(&self, depth_12: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_z_of(rt::into(depth_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    pub(super) fn v_z_of(&self, depth_11: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    pub(super) fn v_z_of(&self, depth_12: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let _e4 = self.frame.clip.y();
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0f32))) {
             let _e10 = self.frame.clip.x();
             let _e14 = self.frame.clip.z();
-            return (_e10 + (_e14 * depth_11)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+            return (_e10 + (_e14 * depth_12)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         }
         let _e23 = self.frame.clip.x();
         let _e27 = self.frame.clip.y();
-        return (_e23 + (_e27 / depth_11.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        return (_e23 + (_e27 / depth_12.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn shade_hit(
         &self,
         origin_3: impl rt::Into<rt::Vec3<f32>>,
-        at_176: Entered,
-        hit_83: Hit,
+        at_181: Entered,
+        hit_84: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_3), at_176, hit_83, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_3), at_181, hit_84, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     pub(super) fn v_shade_hit(
         &self,
         origin_3: rt::Vec3<f32>,
-        at_176: Entered,
-        hit_83: Hit,
+        at_181: Entered,
+        hit_84: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_83.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_83.cost.x(), hit_83.cost.y(), hit_83.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(1f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_84.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_84.cost.x(), hit_84.cost.y(), hit_84.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(1f32));
         }
-        let _e46 = self.v_field_height_stage(hit_83.uv, rt::Scalar(hit_83.height), rt::Scalar(at_176.level));
-        let view_38 = (origin_3 - at_176.point).normalize();
-        let _e50 = self.v_field_normals_stage(at_176, hit_83, view_38);
-        let _e51 = self.v_object_color_stage(at_176, hit_83, view_38);
-        let _e52 = self.v_reflected_light(at_176, hit_83, _e50, view_38, _e51, visible_1);
+        let _e46 = self.v_field_height_stage(hit_84.uv, rt::Scalar(hit_84.height), rt::Scalar(at_181.level));
+        let view_39 = (origin_3 - at_181.point).normalize();
+        let _e50 = self.v_field_normals_stage(at_181, hit_84, view_39);
+        let _e51 = self.v_object_color_stage(at_181, hit_84, view_39);
+        let _e52 = self.v_reflected_light(at_181, hit_84, _e50, view_39, _e51, visible_1);
         let _e57 = self.frame.forward;
-        let depth_15 = (at_176.point - origin_3).dot(_e57.xyz());
+        let depth_16 = (at_181.point - origin_3).dot(_e57.xyz());
         let _e62 = self.v_height_size(rt::Scalar(0u32));
-        let _e68 = self.v_cell_of(((hit_83.uv * _e62) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e88 = self.v_z_of(rt::Scalar(at_176.depth));
+        let _e68 = self.v_cell_of(((hit_84.uv * _e62) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e88 = self.v_z_of(rt::Scalar(at_181.depth));
         let _e91 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_83.exhausted), hit_83.uv, _e46, at_176.point, _e50.normal, depth_15, rt::Scalar(hit_83.t), _e68.to_i32(), hit_83.cost.x(), hit_83.cost.y(), hit_83.cost.z(), visible_1[0usize].x(), rt::Scalar(at_176.level), _e88, _e91, rt::Scalar(1f32));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_84.exhausted), hit_84.uv, _e46, at_181.point, _e50.normal, depth_16, rt::Scalar(hit_84.t), _e68.to_i32(), hit_84.cost.x(), hit_84.cost.y(), hit_84.cost.z(), visible_1[0usize].x(), rt::Scalar(at_181.level), _e88, _e91, rt::Scalar(1f32));
     }
     pub(crate) fn visible_light(
         &self,
-        at_177: Entered,
-        hit_84: Hit,
+        at_182: Entered,
+        hit_85: Hit,
         number_25: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_177, hit_84, rt::into(number_25)))
+        rt::into(self.v_visible_light(at_182, hit_85, rt::into(number_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     pub(super) fn v_visible_light(
         &self,
-        at_177: Entered,
-        hit_84: Hit,
+        at_182: Entered,
+        hit_85: Hit,
         number_25: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_25, at_177.point);
-        let _e5 = self.v_shadow_stage(at_177, hit_84, _e4);
+        let _e4 = self.v_toward_light(number_25, at_182.point);
+        let _e5 = self.v_shadow_stage(at_182, hit_85, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_178: Entered, hit_85: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_178, hit_85))
+    pub(crate) fn visible_lights(&self, at_183: Entered, hit_86: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_183, hit_86))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    pub(super) fn v_visible_lights(&self, at_178: Entered, hit_85: Hit) -> [rt::Vec4<f32>; 8] {
+    pub(super) fn v_visible_lights(&self, at_183: Entered, hit_86: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_54: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_57: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_85.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_86.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_54;
+                let _e10 = k_57;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_54;
-                    let _e17 = k_54;
-                    let _e18 = self.v_visible_light(at_178, hit_85, _e17);
+                    let _e15 = k_57;
+                    let _e17 = k_57;
+                    let _e18 = self.v_visible_light(at_183, hit_86, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e23 = k_54;
-                    k_54 = (_e23 + rt::Scalar(1u32));
+                    let _e23 = k_57;
+                    k_57 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
@@ -21548,10 +21727,10 @@ impl<'g> Resources<'g> {
         a_26: BaseSite,
         b_26: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_179: impl rt::Into<rt::Scalar<u32>>,
+        at_184: impl rt::Into<rt::Scalar<u32>>,
         parts_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_26, b_26, rt::into(shares), rt::into(at_179), rt::into(parts_3)))
+        rt::into(self.v_site_between(a_26, b_26, rt::into(shares), rt::into(at_184), rt::into(parts_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -21560,11 +21739,11 @@ impl<'g> Resources<'g> {
         a_26: BaseSite,
         b_26: BaseSite,
         shares: rt::Vec2<f32>,
-        at_179: rt::Scalar<u32>,
+        at_184: rt::Scalar<u32>,
         parts_3: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_3 - at_179).to_f32() * shares.x());
-        let of_b = (at_179.to_f32() * shares.y());
+        let of_a = ((parts_3 - at_184).to_f32() * shares.x());
+        let of_b = (at_184.to_f32() * shares.y());
         let sum_16 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_26, b_26, b_26, <rt::Vec3<f32>>::from_scalars((of_a / sum_16), (of_b / sum_16), rt::Scalar(0f32)));
         return _e17;
@@ -21698,9 +21877,9 @@ impl<'g> Resources<'g> {
         a_30: Voxel,
         b_30: Voxel,
         c_21: Voxel,
-        level_63: impl rt::Into<rt::Scalar<u32>>,
+        level_66: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_30, b_30, c_21, rt::into(level_63)))
+        rt::into(self.v_sweep_on(a_30, b_30, c_21, rt::into(level_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -21709,11 +21888,11 @@ impl<'g> Resources<'g> {
         a_30: Voxel,
         b_30: Voxel,
         c_21: Voxel,
-        level_63: rt::Scalar<u32>,
+        level_66: rt::Scalar<u32>,
     ) -> Sweep {
-        let _e5 = self.v_coarser_voxel(a_30.at, level_63);
-        let _e7 = self.v_coarser_voxel(b_30.at, level_63);
-        let _e9 = self.v_coarser_voxel(c_21.at, level_63);
+        let _e5 = self.v_coarser_voxel(a_30.at, level_66);
+        let _e7 = self.v_coarser_voxel(b_30.at, level_66);
+        let _e9 = self.v_coarser_voxel(c_21.at, level_66);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }
@@ -21882,9 +22061,9 @@ impl<'g> Resources<'g> {
         let mut away: rt::Scalar<f32>;
 
         let from_eye = (position_2 - grid_14.eye.xyz());
-        let depth_16 = grid_14.forward.xyz().dot(from_eye);
-        let seen_11 = depth_16.max(rt::Scalar(grid_14.near_m));
-        away = (depth_16 * rt::Scalar(grid_14.per_m));
+        let depth_17 = grid_14.forward.xyz().dot(from_eye);
+        let seen_11 = depth_17.max(rt::Scalar(grid_14.near_m));
+        away = (depth_17 * rt::Scalar(grid_14.per_m));
         if rt::Scalar::into_branch_condition(rt::Scalar(grid_14.is_parallel).elementwise_eq(rt::Scalar(0u32))) {
             share = (rt::Scalar(1f32) / seen_11);
             let _e22 = self.v_log2_of((seen_11 / rt::Scalar(grid_14.near_m)));
@@ -21896,9 +22075,9 @@ impl<'g> Resources<'g> {
         let down_4 = (grid_14.middle.y() - ((grid_14.up.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e42));
         let far_23 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_191 = <rt::Vec3<f32>>::from_scalars(right_8, down_4, _e49).clamp((-far_23), far_23);
+        let at_196 = <rt::Vec3<f32>>::from_scalars(right_8, down_4, _e49).clamp((-far_23), far_23);
         let _e60 = share;
-        return <Voxel>::new((at_191 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
+        return <Voxel>::new((at_196 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
     }
     pub(crate) fn zip_goes_left(&self, zip: Zip) -> bool {
         rt::into(self.v_zip_goes_left(zip))

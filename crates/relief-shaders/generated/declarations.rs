@@ -738,6 +738,12 @@ pub const MODULES: &[Module] = &[
 // traced, and its hit shaded. A program with other meshes calls `shade_pixel` from a fragment
 // function of its own.
 "# },
+    Module { path: "roots/functions", head: r#"// A method as functions, for the fragment functions of other programs: a point of a mesh and the direction of
+// a ray go in, the hit on the relief comes out, and the part of a light that arrives there.
+//
+// All is in the tangent space of the point: along +u, along +v, and along the mesh's normal. Lengths have the
+// unit of the scale.
+"# },
     Module { path: "roots/gather", head: r#"// A pass over a translucent surface on the GPU, after the opaque ones: every pixel's ray goes through
 // the segments of all shells that it meets, in the order in which they begin.
 //
@@ -1098,6 +1104,13 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &["Face"],
         text: r#"@group(1) @binding(18) var<storage, read_write> made_faces: array<Face>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "point_settings",
+        sampling: None,
+        uses: &["PointSettings"],
+        text: r#"@group(1) @binding(21) var<uniform> point_settings: PointSettings;"#,
     },
     Declaration {
         module: "constants",
@@ -3397,6 +3410,24 @@ fn depth_in_samples(pixel: PixelIn, at: Entered) -> f32 {
 }"#,
     },
     Declaration {
+        module: "shared/footprint",
+        name: "depth_in_footprints",
+        sampling: None,
+        uses: &["Entered", "NEVER", "surface_settings"],
+        text: r#"// The depth of the relief in widths of a footprint, which is given in texels. The relief of a footprint of
+// no width is as deep as any.
+fn depth_in_footprints(at: Entered, footprint: f32) -> f32 {
+    let metric = at.metric;
+    let tile = sqrt(max(metric.x * metric.z - metric.y * metric.y, 0.0));
+    let size = vec2f(surface_settings.height_size);
+    let width = footprint * sqrt(tile / (size.x * size.y));
+    if (width > 0.0) {
+        return surface_settings.scale_m / width;
+    }
+    return NEVER;
+}"#,
+    },
+    Declaration {
         module: "shared/frames",
         name: "FRAMES",
         sampling: None,
@@ -5276,11 +5307,11 @@ fn cell_slopes(h: vec4f, part: vec2f) -> vec2f {
         sampling: None,
         uses: &["WRAP_CLAMP", "height_texels", "surface_settings"],
         text: r#"// The dual cell whose slopes stand for a cell: of a clamped map the nearest cell inside.
-fn sloped_cell(i: vec2i) -> vec2i {
+fn sloped_cell(i: vec2i, level: u32) -> vec2i {
     if (surface_settings.wrap != WRAP_CLAMP) {
         return i;
     }
-    let last = max(height_texels(0u) - vec2i(2, 2), vec2i(0, 0));
+    let last = max(height_texels(level) - vec2i(2, 2), vec2i(0, 0));
     return clamp(i, vec2i(0, 0), last);
 }"#,
     },
@@ -5290,20 +5321,20 @@ fn sloped_cell(i: vec2i) -> vec2i {
         sampling: None,
         uses: &["Entered", "WRAP_CLAMP", "cell_of", "cell_slopes", "height_cell", "height_size", "slope_beside", "sloped_cell", "surface_settings"],
         text: r#"// The same changes by central differences, but not across creases.
-fn slopes_between_creases(at: Entered, uv: vec2f) -> vec2f {
-    let size = height_size(0u);
+fn slopes_between_creases(at: Entered, uv: vec2f, level: u32) -> vec2f {
+    let size = height_size(level);
     let point = uv * size - vec2f(0.5, 0.5);
-    let cell = vec2f(sloped_cell(vec2i(cell_of(point))));
+    let cell = vec2f(sloped_cell(vec2i(cell_of(point)), level));
     var part = point - cell;
     if (surface_settings.wrap == WRAP_CLAMP) {
         part = clamp(part, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     }
     let i = vec2i(cell);
-    let own = cell_slopes(height_cell(i, 0u), part);
-    let before_u = cell_slopes(height_cell(sloped_cell(i - vec2i(1, 0)), 0u), part).x;
-    let behind_u = cell_slopes(height_cell(sloped_cell(i + vec2i(1, 0)), 0u), part).x;
-    let before_v = cell_slopes(height_cell(sloped_cell(i - vec2i(0, 1)), 0u), part).y;
-    let behind_v = cell_slopes(height_cell(sloped_cell(i + vec2i(0, 1)), 0u), part).y;
+    let own = cell_slopes(height_cell(i, level), part);
+    let before_u = cell_slopes(height_cell(sloped_cell(i - vec2i(1, 0), level), level), part).x;
+    let behind_u = cell_slopes(height_cell(sloped_cell(i + vec2i(1, 0), level), level), part).x;
+    let before_v = cell_slopes(height_cell(sloped_cell(i - vec2i(0, 1), level), level), part).y;
+    let behind_v = cell_slopes(height_cell(sloped_cell(i + vec2i(0, 1), level), level), part).y;
     let rate_u = size.x * surface_settings.scale_m / length(at.tangent);
     let rate_v = size.y * surface_settings.scale_m / length(at.bitangent);
     let before = vec2f(slope_beside(own.x, before_u, rate_u), slope_beside(own.y, before_v, rate_v));
@@ -5331,16 +5362,17 @@ fn texels_apart(place: f32, side: f32) -> f32 {
         name: "normal_from_height",
         sampling: None,
         uses: &["Entered", "height_at", "height_size", "normal_of_slopes", "slopes_between_creases", "surface_settings", "texels_apart"],
-        text: r#"fn normal_from_height(at: Entered, uv: vec2f) -> vec3f {
-    let size = height_size(0u);
+        text: r#"// The normal of a level of the heights, in the world.
+fn normal_from_height(at: Entered, uv: vec2f, level: u32) -> vec3f {
+    let size = height_size(level);
     if (surface_settings.has_creases == 1u) {
-        let slopes = slopes_between_creases(at, uv) * size * surface_settings.scale_m;
+        let slopes = slopes_between_creases(at, uv, level) * size * surface_settings.scale_m;
         return normal_of_slopes(at, slopes.x, slopes.y);
     }
     let du = vec2f(1.0 / size.x, 0.0);
     let dv = vec2f(0.0, 1.0 / size.y);
-    let rise_u = height_at(uv + du, 0u) - height_at(uv - du, 0u);
-    let rise_v = height_at(uv + dv, 0u) - height_at(uv - dv, 0u);
+    let rise_u = height_at(uv + du, level) - height_at(uv - du, level);
+    let rise_v = height_at(uv + dv, level) - height_at(uv - dv, level);
     let rate_u = 1.0 / texels_apart(uv.x * size.x, size.x);
     let rate_v = 1.0 / texels_apart(uv.y * size.y, size.y);
     let slope_u = rise_u * (rate_u * size.x * surface_settings.scale_m);
@@ -5395,7 +5427,7 @@ fn finest_normal(at: Entered, uv: vec2f) -> vec3f {
     if (surface_settings.has_normal == 1u) {
         return normalize(from_tangent_space(at, normal_at(uv, 0u).xyz));
     }
-    return normal_from_height(at, uv);
+    return normal_from_height(at, uv, 0u);
 }"#,
     },
     Declaration {
@@ -6395,13 +6427,23 @@ fn enter_relief(pixel: PixelIn) -> Entered {
         module: "shared/pixel",
         name: "segment_of",
         sampling: None,
-        uses: &["Entered", "Path", "PixelIn", "flattened", "surface_segment_stage", "surface_settings"],
+        uses: &["Entered", "Path", "PixelIn", "faded", "surface_segment_stage"],
         text: r#"// A segment of the ray's way through the relief, by its number. A segment that ends where it
 // begins, or before, is empty.
 fn segment_of(pixel: PixelIn, at: Entered, k: u32) -> Path {
-    var path = surface_segment_stage(pixel, at, k);
-    if (at.fade > 0.0) {
-        path = flattened(path, surface_settings.mean_height, at.fade);
+    return faded(surface_segment_stage(pixel, at, k), at.fade);
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "faded",
+        sampling: None,
+        uses: &["Path", "flattened", "surface_settings"],
+        text: r#"// A segment through the relief that is drawn toward its mean by a part, below 1.
+fn faded(segment: Path, part: f32) -> Path {
+    var path = segment;
+    if (part > 0.0) {
+        path = flattened(path, surface_settings.mean_height, part);
         // Where the map ends, a ray may come in below the floor of the flatter relief.
         if (!(path.h.x > 0.0)) {
             path.exit = 0.0;
@@ -8011,6 +8053,17 @@ struct SurfaceSettings {
     cutoff: f32,
     // The surface's number among the translucent ones, and how many there are; zeros for opaque ones.
     translucent: vec2u,
+}"#,
+    },
+    Declaration {
+        module: "shared/settings",
+        name: "PointSettings",
+        sampling: None,
+        uses: &[],
+        text: r#"// Settings of a method as a function, beside the surface's.
+struct PointSettings {
+    // Radius of the light's disc over its distance: the tangent of half its angular diameter.
+    light_radius: f32,
 }"#,
     },
     Declaration {
@@ -11828,11 +11881,38 @@ const LEAST_DESCENT = 0.001;"#,
         module: "surface/plane",
         name: "surface_plane_segment",
         sampling: None,
-        uses: &["BELOW_FLOOR", "Entered", "LEAST_DESCENT", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "base_height", "climb", "inside_unit", "plane_distance", "plane_normal", "surface_settings", "traced_scale_m"],
+        uses: &["Entered", "Path", "PixelIn", "plane_distance", "plane_normal", "surface_plane_way"],
         text: r#"fn surface_plane_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
-    // Equation 7 with the ray's unit direction: texture coordinates and height per metre.
     let along = length(pixel.direction);
-    let direction = pixel.direction / along;
+    // Metres along the ray, to the base.
+    let distance = plane_distance(pixel, plane_normal(pixel)) * along;
+    return surface_plane_way(at, pixel.direction / along, distance, 0.0 - distance, k, params);
+}"#,
+    },
+    Declaration {
+        module: "surface/plane",
+        name: "surface_plane_crossed",
+        sampling: None,
+        uses: &["Entered"],
+        text: r#"fn surface_plane_crossed(at: Entered, direction: vec3f, eye: f32, params: vec4f) -> Entered {
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/plane",
+        name: "surface_plane_way",
+        sampling: None,
+        uses: &["BELOW_FLOOR", "Entered", "LEAST_DESCENT", "NEVER", "Path", "RAY_VIEW", "WRAP_CLAMP", "base_height", "climb", "inside_unit", "surface_settings", "traced_scale_m"],
+        text: r#"// Equation 7 with the ray's unit direction: texture coordinates and height per metre. A ray that does not
+// come down has no way.
+fn surface_plane_way(
+    at: Entered,
+    direction: vec3f,
+    distance: f32,
+    eye: f32,
+    k: u32,
+    params: vec4f,
+) -> Path {
     let duv = climb(at, direction).xy;
     let is_flat = surface_settings.scale_m == 0.0;
     let descent = max(0.0 - dot(at.normal, direction), select(0.0 - NEVER, LEAST_DESCENT, is_flat));
@@ -11842,8 +11922,6 @@ const LEAST_DESCENT = 0.001;"#,
 
     // Metres along the ray, counted from the base: entry at height 1 but not behind the eye, exit at
     // height 0.
-    let distance = plane_distance(pixel, plane_normal(pixel)) * along;
-    let eye = 0.0 - distance;
     let top = (base_height - 1.0) * scale / descent;
     var enter = max(top, eye);
     var leave = base_height * scale / descent;
@@ -11863,7 +11941,7 @@ const LEAST_DESCENT = 0.001;"#,
         at.uv + duv * enter,
         duv,
         vec3f(entry_height, slope, 0.0),
-        leave - enter,
+        select(0.0, leave - enter, descent > 0.0),
         base,
         at.metric,
         RAY_VIEW,
@@ -11872,6 +11950,15 @@ const LEAST_DESCENT = 0.001;"#,
         1.0,
         0.0,
     );
+}"#,
+    },
+    Declaration {
+        module: "surface/plane",
+        name: "surface_plane_frame",
+        sampling: None,
+        uses: &["Entered"],
+        text: r#"fn surface_plane_frame(at: Entered, aside: vec2f, params: vec4f) -> Entered {
+    return at;
 }"#,
     },
     Declaration {
@@ -12450,27 +12537,58 @@ fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
         module: "surface/quadric_perpendicular",
         name: "surface_quadric_perpendicular_enter",
         sampling: None,
-        uses: &["Entered", "PixelIn", "across_of", "across_span", "plane_distance", "plane_normal", "surface_quadric_vertical_enter"],
+        uses: &["Entered", "PixelIn", "plane_distance", "plane_normal", "surface_quadric_perpendicular_crossed", "surface_quadric_vertical_enter"],
         text: r#"fn surface_quadric_perpendicular_enter(pixel: PixelIn, params: vec4f) -> Entered {
-    var at = surface_quadric_vertical_enter(pixel, params);
+    let at = surface_quadric_vertical_enter(pixel, params);
     let along = length(pixel.direction);
-    let ray = across_of(at, pixel.direction / along);
     let eye = 0.0 - plane_distance(pixel, plane_normal(pixel)) * along;
-    at.span = across_span(at, ray, eye);
-    at.segments = select(0u, at.segments * u32(params.z), at.span.y > at.span.x);
-    return at;
+    return surface_quadric_perpendicular_crossed(at, pixel.direction / along, eye, params);
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "surface_quadric_perpendicular_crossed",
+        sampling: None,
+        uses: &["Entered", "across_of", "across_span"],
+        text: r#"fn surface_quadric_perpendicular_crossed(
+    at: Entered,
+    direction: vec3f,
+    eye: f32,
+    params: vec4f,
+) -> Entered {
+    var crossed = at;
+    crossed.span = across_span(at, across_of(at, direction), eye);
+    crossed.segments = select(0u, at.segments * u32(params.z), crossed.span.y > crossed.span.x);
+    return crossed;
 }"#,
     },
     Declaration {
         module: "surface/quadric_perpendicular",
         name: "surface_quadric_perpendicular_segment",
         sampling: None,
-        uses: &["BELOW_FLOOR", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "across_depth", "across_of", "inside_unit", "path_from", "plane_distance", "plane_normal", "surface_settings", "traced_scale_m"],
+        uses: &["Entered", "Path", "PixelIn", "plane_distance", "plane_normal", "surface_quadric_perpendicular_way"],
         text: r#"fn surface_quadric_perpendicular_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     let along = length(pixel.direction);
-    let ray = across_of(at, pixel.direction / along);
-    let scale = traced_scale_m();
     let distance = plane_distance(pixel, plane_normal(pixel)) * along;
+    return surface_quadric_perpendicular_way(at, pixel.direction / along, distance, 0.0 - distance, k, params);
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "surface_quadric_perpendicular_way",
+        sampling: None,
+        uses: &["BELOW_FLOOR", "Entered", "NEVER", "Path", "RAY_VIEW", "WRAP_CLAMP", "across_depth", "across_of", "inside_unit", "path_from", "surface_settings", "traced_scale_m"],
+        text: r#"// One chord of the ray's extent.
+fn surface_quadric_perpendicular_way(
+    at: Entered,
+    direction: vec3f,
+    distance: f32,
+    eye: f32,
+    k: u32,
+    params: vec4f,
+) -> Path {
+    let ray = across_of(at, direction);
+    let scale = traced_scale_m();
     let whole = at.span.y - at.span.x;
     let first = at.span.x + whole * (f32(k) / params.z);
     let last = at.span.x + whole * (f32(k + 1u) / params.z);
@@ -12513,6 +12631,15 @@ fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
         path.exit = 0.0;
     }
     return path;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "surface_quadric_perpendicular_frame",
+        sampling: None,
+        uses: &["Entered", "quadric_frame"],
+        text: r#"fn surface_quadric_perpendicular_frame(at: Entered, aside: vec2f, params: vec4f) -> Entered {
+    return quadric_frame(at, aside);
 }"#,
     },
     Declaration {
@@ -12567,10 +12694,37 @@ fn surface_quadric_perpendicular_place(
         module: "surface/quadric_vertical",
         name: "surface_quadric_vertical_segment",
         sampling: None,
-        uses: &["BELOW_FLOOR", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "bent_descent", "bent_exit", "climb", "inside_unit", "plane_distance", "plane_normal", "quadric_at", "surface_settings", "traced_scale_m"],
+        uses: &["Entered", "Path", "PixelIn", "plane_distance", "plane_normal", "surface_quadric_vertical_way"],
         text: r#"fn surface_quadric_vertical_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     let along = length(pixel.direction);
-    let direction = pixel.direction / along;
+    // Metres along the ray, to the base.
+    let distance = plane_distance(pixel, plane_normal(pixel)) * along;
+    return surface_quadric_vertical_way(at, pixel.direction / along, distance, 0.0 - distance, k, params);
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_vertical",
+        name: "surface_quadric_vertical_crossed",
+        sampling: None,
+        uses: &["Entered"],
+        text: r#"// A ray may come down into a hollow wherever it meets the mesh.
+fn surface_quadric_vertical_crossed(at: Entered, direction: vec3f, eye: f32, params: vec4f) -> Entered {
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_vertical",
+        name: "surface_quadric_vertical_way",
+        sampling: None,
+        uses: &["BELOW_FLOOR", "Entered", "NEVER", "Path", "RAY_VIEW", "WRAP_CLAMP", "bent_descent", "bent_exit", "climb", "inside_unit", "quadric_at", "surface_settings", "traced_scale_m"],
+        text: r#"fn surface_quadric_vertical_way(
+    at: Entered,
+    direction: vec3f,
+    distance: f32,
+    eye: f32,
+    k: u32,
+    params: vec4f,
+) -> Path {
     let duv = climb(at, direction).xy;
     let descent = 0.0 - dot(at.normal, direction);
     let scale = traced_scale_m();
@@ -12580,8 +12734,6 @@ fn surface_quadric_perpendicular_place(
     let curve = (0.0 - bend) / scale;
 
     // Metres along the ray, counted from the base: entry at height 1 but not behind the eye.
-    let distance = plane_distance(pixel, plane_normal(pixel)) * along;
-    let eye = 0.0 - distance;
     let top = bent_descent((height - 1.0) * scale, descent, bend);
     // Under a base that is higher than the triangle rays come down before they reach it, otherwise
     // behind it.
@@ -12619,6 +12771,15 @@ fn surface_quadric_perpendicular_place(
         path.exit = 0.0;
     }
     return path;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_vertical",
+        name: "surface_quadric_vertical_frame",
+        sampling: None,
+        uses: &["Entered", "quadric_frame"],
+        text: r#"fn surface_quadric_vertical_frame(at: Entered, aside: vec2f, params: vec4f) -> Entered {
+    return quadric_frame(at, aside);
 }"#,
     },
     Declaration {
@@ -13423,6 +13584,15 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
     },
     Declaration {
         module: "field/heights",
+        name: "field_heights_normal",
+        sampling: None,
+        uses: &["Entered", "Hit", "normal_from_height"],
+        text: r#"fn field_heights_normal(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> vec3f {
+    return normal_from_height(at, hit.uv, at.level);
+}"#,
+    },
+    Declaration {
+        module: "field/heights",
         name: "field_heights_patch_normal",
         sampling: None,
         uses: &["Entered", "Hit", "patch_normal"],
@@ -13479,14 +13649,23 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
         module: "field/motif",
         name: "field_motif_normals",
         sampling: None,
-        uses: &["Entered", "Hit", "SeenNormals", "covector", "motif_is_closed", "motif_of", "one_seen"],
+        uses: &["Entered", "Hit", "SeenNormals", "field_motif_normal", "one_seen"],
         text: r#"// The normal on the side of the triangle that is seen. A closed motif is seen from its outside: at its
 // outline the frame of the base would say otherwise here and there.
 fn field_motif_normals(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> SeenNormals {
+    return one_seen(field_motif_normal(at, hit, view, params));
+}"#,
+    },
+    Declaration {
+        module: "field/motif",
+        name: "field_motif_normal",
+        sampling: None,
+        uses: &["Entered", "Hit", "covector", "motif_is_closed", "motif_of"],
+        text: r#"fn field_motif_normal(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> vec3f {
     let point = motif_of(hit);
     let is_front = motif_is_closed() || dot(covector(at, point.facet), view) >= 0.0;
     let side = select(-1.0, 1.0, is_front);
-    return one_seen(normalize(covector(at, point.normal)) * side);
+    return normalize(covector(at, point.normal)) * side;
 }"#,
     },
     Declaration {
@@ -13554,6 +13733,15 @@ fn field_motif_normals(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> See
     },
     Declaration {
         module: "field/volume",
+        name: "field_volume_normal",
+        sampling: None,
+        uses: &["Entered", "Hit", "normal_of_field"],
+        text: r#"fn field_volume_normal(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> vec3f {
+    return normal_of_field(at, hit);
+}"#,
+    },
+    Declaration {
+        module: "field/volume",
         name: "field_volume_patch_normal",
         sampling: None,
         uses: &["Entered", "Hit", "normal_of_field"],
@@ -13590,11 +13778,29 @@ const LEAST_RANGE = 0.000001;"#,
         module: "detail/fade",
         name: "detail_fade",
         sampling: None,
-        uses: &["Detail", "Entered", "FLATTEST", "LEAST_RANGE", "PixelIn", "depth_in_samples", "footprint_of", "levels_of", "surface_settings"],
+        uses: &["Detail", "Entered", "PixelIn", "depth_in_samples", "faded_detail", "footprint_of"],
         text: r#"fn detail_fade(pixel: PixelIn, at: Entered, params: vec4f) -> Detail {
-    let footprint = footprint_of(pixel, at, params.x);
+    return faded_detail(footprint_of(pixel, at, params.x), depth_in_samples(pixel, at), params);
+}"#,
+    },
+    Declaration {
+        module: "detail/fade",
+        name: "detail_fade_of_footprint",
+        sampling: None,
+        uses: &["Detail", "Entered", "depth_in_footprints", "faded_detail"],
+        text: r#"fn detail_fade_of_footprint(at: Entered, footprint: f32, params: vec4f) -> Detail {
+    return faded_detail(footprint, depth_in_footprints(at, footprint), params);
+}"#,
+    },
+    Declaration {
+        module: "detail/fade",
+        name: "faded_detail",
+        sampling: None,
+        uses: &["Detail", "FLATTEST", "LEAST_RANGE", "levels_of", "surface_settings"],
+        text: r#"// The detail of a footprint, for a relief that is as many samples deep.
+fn faded_detail(footprint: f32, depth: f32, params: vec4f) -> Detail {
     let begin = params.z * params.w;
-    let part = (begin - depth_in_samples(pixel, at)) / max(begin - params.z, LEAST_RANGE);
+    let part = (begin - depth) / max(begin - params.z, LEAST_RANGE);
     let level = levels_of(footprint / params.y, surface_settings.height_levels).fine;
     return Detail(level, footprint, clamp(part, 0.0, FLATTEST));
 }"#,
@@ -13603,9 +13809,17 @@ const LEAST_RANGE = 0.000001;"#,
         module: "detail/footprint",
         name: "detail_footprint",
         sampling: None,
-        uses: &["Detail", "Entered", "PixelIn", "footprint_of", "levels_of", "surface_settings"],
+        uses: &["Detail", "Entered", "PixelIn", "detail_footprint_of_footprint", "footprint_of"],
         text: r#"fn detail_footprint(pixel: PixelIn, at: Entered, params: vec4f) -> Detail {
-    let footprint = footprint_of(pixel, at, params.x);
+    return detail_footprint_of_footprint(at, footprint_of(pixel, at, params.x), params);
+}"#,
+    },
+    Declaration {
+        module: "detail/footprint",
+        name: "detail_footprint_of_footprint",
+        sampling: None,
+        uses: &["Detail", "Entered", "levels_of", "surface_settings"],
+        text: r#"fn detail_footprint_of_footprint(at: Entered, footprint: f32, params: vec4f) -> Detail {
     return Detail(levels_of(footprint / params.y, surface_settings.height_levels).fine, footprint, 0.0);
 }"#,
     },
@@ -13615,6 +13829,15 @@ const LEAST_RANGE = 0.000001;"#,
         sampling: None,
         uses: &["Detail", "Entered", "PixelIn"],
         text: r#"fn detail_none(pixel: PixelIn, at: Entered, params: vec4f) -> Detail {
+    return Detail(0u, 0.0, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "detail/none",
+        name: "detail_none_of_footprint",
+        sampling: None,
+        uses: &["Detail", "Entered"],
+        text: r#"fn detail_none_of_footprint(at: Entered, footprint: f32, params: vec4f) -> Detail {
     return Detail(0u, 0.0, 0.0);
 }"#,
     },
@@ -16243,6 +16466,153 @@ fn draw_translucent_fragment(in: Varying) -> Drawn {
         discard;
     }
     return Drawn(seen_through(vec4f(0.0, 0.0, 0.0, 0.0), seen), z_of(seen.entry));
+}"#,
+    },
+    Declaration {
+        module: "roots/functions",
+        name: "ReliefPoint",
+        sampling: None,
+        uses: &[],
+        text: r#"// A point of a mesh that is seen, and the ray that sees it.
+struct ReliefPoint {
+    // The point's texture coordinates.
+    uv: vec2f,
+    // The ray's direction, of length 1, from the eye to the point.
+    view: vec3f,
+    // The length of a tile of the height map along u and along v.
+    tile: vec2f,
+    // x, y and z of the height x du² + y du dv + z dv² of the mesh beside the point, (du, dv) away in texture
+    // coordinates. Positive along the normal; zeros for a flat mesh.
+    curvature: vec3f,
+    // The width of the pixel on the mesh, in texels of the height map.
+    footprint: f32,
+}"#,
+    },
+    Declaration {
+        module: "roots/functions",
+        name: "ReliefHit",
+        sampling: None,
+        uses: &[],
+        text: r#"// Where a ray meets the relief.
+struct ReliefHit {
+    // Whether it does. It passes at silhouettes, in holes and beyond the edge of a map that ends there.
+    hit: bool,
+    // The hit's texture coordinates, and its height there, from 0 to 1.
+    uv: vec2f,
+    height: f32,
+    // The way from the point of the mesh to the hit along the ray; negative before the mesh.
+    depth: f32,
+    // The relief's unit normal.
+    normal: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "roots/functions",
+        name: "base_of_point",
+        sampling: None,
+        uses: &["Entered", "ReliefPoint", "base_height", "detail_of_footprint_stage", "surface_settings"],
+        text: r#"// The frame of a point of the mesh, with its level of detail.
+fn base_of_point(at: ReliefPoint) -> Entered {
+    let tile = at.tile;
+    var base = Entered(
+        1u,
+        vec3f(0.0, 0.0, 0.0),
+        at.uv,
+        vec3f(tile.x, 0.0, 0.0),
+        vec3f(0.0, tile.y, 0.0),
+        vec3f(0.0, 0.0, 1.0),
+        vec4f(tile.x * tile.x, 0.0, tile.y * tile.y, surface_settings.scale_m),
+        0u,
+        vec3f(0.0, 0.0, 1.0),
+        vec2f(0.0, 0.0),
+        vec4f(at.curvature, base_height()),
+        0.0,
+        0.0,
+        0.0,
+    );
+    let detail = detail_of_footprint_stage(base, at.footprint);
+    base.level = detail.level;
+    base.footprint = detail.footprint;
+    base.fade = detail.fade;
+    return base;
+}"#,
+    },
+    Declaration {
+        module: "roots/functions",
+        name: "relief_hit",
+        sampling: None,
+        uses: &["NEVER", "ReliefHit", "ReliefPoint", "base_of_point", "faded", "field_height_stage", "field_normal_stage", "in_hole", "surface_crossed_stage", "surface_frame_stage", "surface_way_stage", "trace"],
+        text: r#"// Where the ray through a point of the mesh meets the relief first.
+fn relief_hit(at: ReliefPoint) -> ReliefHit {
+    let base = surface_crossed_stage(base_of_point(at), at.view, 0.0 - NEVER);
+    var k = 0u;
+    while (k < base.segments) {
+        let path = faded(surface_way_stage(base, at.view, 0.0, 0.0 - NEVER, k), base.fade);
+        if (path.exit > 0.0) {
+            let found = trace(path);
+            if (found.found == 1u && !in_hole(found.uv)) {
+                let placed = surface_frame_stage(base, found.uv - at.uv);
+                let height = field_height_stage(found.uv, found.height, base.level);
+                let normal = field_normal_stage(placed, found, vec3f(0.0, 0.0, 0.0) - at.view);
+                return ReliefHit(true, found.uv, height, path.start + found.t, normal);
+            }
+        }
+        k = k + 1u;
+    }
+    return ReliefHit(false, at.uv, 0.0, 0.0, vec3f(0.0, 0.0, 1.0));
+}"#,
+    },
+    Declaration {
+        module: "roots/functions",
+        name: "relief_light",
+        sampling: None,
+        uses: &["Hit", "NEVER", "NO_COST", "ReliefHit", "ReliefPoint", "Toward", "base_of_point", "point_settings", "shadow_stage", "surface_frame_stage"],
+        text: r#"// The part of a light that arrives at a hit, from 0 to 1, through the relief alone. `toward` is the unit
+// direction from the hit to the light.
+fn relief_light(at: ReliefPoint, hit: ReliefHit, toward: vec3f) -> f32 {
+    let placed = surface_frame_stage(base_of_point(at), hit.uv - at.uv);
+    let found = Hit(1u, 0u, hit.uv, hit.height, 0.0, NO_COST);
+    return shadow_stage(placed, found, Toward(toward, 1.0, NEVER, point_settings.light_radius, 0u));
+}"#,
+    },
+    Declaration {
+        module: "roots/functions",
+        name: "relief_tile",
+        sampling: None,
+        uses: &[],
+        text: r#"// The length of a tile along u and along v, of a mesh whose position and texture coordinates are given. Right
+// to the last bits on flat triangles, where both are linear over the picture; elsewhere off by as much as
+// they bend from a pixel to the next. For fragment functions alone.
+fn relief_tile(position: vec3f, uv: vec2f) -> vec2f {
+    let dx = dpdx(position);
+    let dy = dpdy(position);
+    let du = vec2f(dpdx(uv.x), dpdy(uv.x));
+    let dv = vec2f(dpdx(uv.y), dpdy(uv.y));
+    let area = du.x * dv.y - du.y * dv.x;
+    return vec2f(length(dx * dv.y - dy * dv.x), length(dy * du.x - dx * du.y)) / abs(area);
+}"#,
+    },
+    Declaration {
+        module: "roots/functions",
+        name: "relief_curvature",
+        sampling: None,
+        uses: &[],
+        text: r#"// The curvature of a mesh, for `ReliefPoint`, from its position, its unit normal and its texture coordinates.
+// Normals that are interpolated over a triangle give the mean curvature of the triangle. For fragment
+// functions alone.
+fn relief_curvature(position: vec3f, normal: vec3f, uv: vec2f) -> vec3f {
+    let du = vec2f(dpdx(uv.x), dpdy(uv.x));
+    let dv = vec2f(dpdx(uv.y), dpdy(uv.y));
+    let area = du.x * dv.y - du.y * dv.x;
+    let along_u = (dpdx(position) * dv.y - dpdy(position) * dv.x) / area;
+    let along_v = (dpdy(position) * du.x - dpdx(position) * du.y) / area;
+    let turn_u = (dpdx(normal) * dv.y - dpdy(normal) * dv.x) / area;
+    let turn_v = (dpdy(normal) * du.x - dpdx(normal) * du.y) / area;
+    return vec3f(
+        -0.5 * dot(turn_u, along_u),
+        -0.5 * (dot(turn_u, along_v) + dot(turn_v, along_u)),
+        -0.5 * dot(turn_v, along_v),
+    );
 }"#,
     },
     Declaration {

@@ -3290,6 +3290,14 @@ lanes! { fn depth_in_samples(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Ente
 lanes! { fn depth_on_ray(r: &Resources<'_>, pixel_a0: &PixelIn, path_a1: &Path, hit_a2: &Hit) -> F {
     return div(add(path_a1.start, hit_a2.t), sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z))));
 } }
+lanes! { fn faded_detail(r: &Resources<'_>, within: M, footprint_a0: F, depth_a1: F, params_a2: Vec4<f32>) -> Detail {
+    let mut ex = within;
+    let mut ret: Detail = zero_detail();
+    let begin_5 = (params_a2.z * params_a2.w);
+    let part_11 = div(sub(splat(begin_5), depth_a1), splat((begin_5 - params_a2.z).max(1e-6f32)));
+    let e_17 = levels_of(r, ex, div(footprint_a0, splat(params_a2.y)), r.surface_settings.height_levels);
+    return Detail { level: e_17.fine, footprint: footprint_a0, fade: min_with(max_with(part_11, splat(0.0f32)), splat(0.99902344f32)), };
+} }
 lanes! { fn footprint_axis(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, normal_a2: Vec3<F>, t_a3: F, origin_a4: Vec3<f32>, direction_a5: Vec3<f32>) -> Vec2<F> {
     let aside_7 = Vec3 { x: add(splat(origin_a4.x), mul(splat(direction_a5.x), t_a3)), y: add(splat(origin_a4.y), mul(splat(direction_a5.y), t_a3)), z: add(splat(origin_a4.z), mul(splat(direction_a5.z), t_a3)) };
     let along_11 = div(add(add(add(mul(normal_a2.x, aside_7.x), mul(normal_a2.y, aside_7.y)), mul(normal_a2.z, aside_7.z)), splat(0.0f32)), add(add(add(mul(normal_a2.x, pixel_a0.direction.x), mul(normal_a2.y, pixel_a0.direction.y)), mul(normal_a2.z, pixel_a0.direction.z)), splat(0.0f32)));
@@ -3312,19 +3320,23 @@ lanes! { fn footprint_of(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered,
 lanes! { fn detail_fade(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, params_a2: Vec4<f32>) -> Detail {
     let mut ex = within;
     let mut ret: Detail = zero_detail();
-    let footprint_4 = footprint_of(r, pixel_a0, at_a1, params_a2.x);
-    let begin_7 = (params_a2.z * params_a2.w);
-    let e_8 = depth_in_samples(r, pixel_a0, at_a1);
-    let part_14 = div(sub(splat(begin_7), e_8), splat((begin_7 - params_a2.z).max(1e-6f32)));
-    let e_20 = levels_of(r, ex, div(footprint_4, splat(params_a2.y)), r.surface_settings.height_levels);
-    return Detail { level: e_20.fine, footprint: footprint_4, fade: min_with(max_with(part_14, splat(0.0f32)), splat(0.99902344f32)), };
+    let e_4 = footprint_of(r, pixel_a0, at_a1, params_a2.x);
+    let e_5 = depth_in_samples(r, pixel_a0, at_a1);
+    let e_6 = faded_detail(r, ex, e_4, e_5, params_a2);
+    return e_6;
+} }
+lanes! { fn detail_footprint_of_footprint(r: &Resources<'_>, within: M, at_a0: &Entered, footprint_a1: F, params_a2: Vec4<f32>) -> Detail {
+    let mut ex = within;
+    let mut ret: Detail = zero_detail();
+    let e_8 = levels_of(r, ex, div(footprint_a1, splat(params_a2.y)), r.surface_settings.height_levels);
+    return Detail { level: e_8.fine, footprint: footprint_a1, fade: splat(0.0f32), };
 } }
 lanes! { fn detail_footprint(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, params_a2: Vec4<f32>) -> Detail {
     let mut ex = within;
     let mut ret: Detail = zero_detail();
-    let footprint_4 = footprint_of(r, pixel_a0, at_a1, params_a2.x);
-    let e_10 = levels_of(r, ex, div(footprint_4, splat(params_a2.y)), r.surface_settings.height_levels);
-    return Detail { level: e_10.fine, footprint: footprint_4, fade: splat(0.0f32), };
+    let e_4 = footprint_of(r, pixel_a0, at_a1, params_a2.x);
+    let e_5 = detail_footprint_of_footprint(r, ex, at_a1, e_4, params_a2);
+    return e_5;
 } }
 lanes! { fn detail_none(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, params_a2: Vec4<f32>) -> Detail {
     return Detail { level: splat_u(0u32), footprint: splat(0.0f32), fade: splat(0.0f32), };
@@ -3775,27 +3787,30 @@ lanes! { fn surface_quadric_vertical_enter(r: &Resources<'_>, within: M, pixel_a
     let e_30 = at_v0;
     return e_30;
 } }
+lanes! { fn surface_quadric_perpendicular_crossed(r: &Resources<'_>, within: M, at_a0: &Entered, direction_a1: Vec3<F>, eye_a2: F, params_a3: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut crossed_v0: Entered = zero_entered();
+    crossed_v0 = *at_a0;
+    let e_6 = across_of(r, at_a0, direction_a1);
+    let e_7 = across_span(r, ex, at_a0, &e_6, eye_a2);
+    crossed_v0.span = e_7;
+    let e_16 = crossed_v0.span.y;
+    let e_19 = crossed_v0.span.x;
+    crossed_v0.segments = sel_u(gt(e_16, e_19), mul_u(at_a0.segments, splat_u((params_a3.z as u32))), splat_u(0u32));
+    let e_22 = crossed_v0;
+    return e_22;
+} }
 lanes! { fn surface_quadric_perpendicular_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
-    let mut at_v0: Entered = zero_entered();
-    let e_2 = surface_quadric_vertical_enter(r, ex, pixel_a0, params_a1);
-    at_v0 = e_2;
-    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let e_6 = at_v0;
-    let ray_10 = across_of(r, &e_6, Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) });
-    let e_11 = plane_normal(r, pixel_a0);
-    let e_12 = plane_distance(r, pixel_a0, e_11);
-    let eye_15 = sub(splat(0.0f32), mul(e_12, along_5));
-    let e_17 = at_v0;
-    let e_18 = across_span(r, ex, &e_17, &ray_10, eye_15);
-    at_v0.span = e_18;
-    let e_22 = at_v0.segments;
-    let e_28 = at_v0.span.y;
-    let e_31 = at_v0.span.x;
-    at_v0.segments = sel_u(gt(e_28, e_31), mul_u(e_22, splat_u((params_a1.z as u32))), splat_u(0u32));
-    let e_34 = at_v0;
-    return e_34;
+    let at_2 = surface_quadric_vertical_enter(r, ex, pixel_a0, params_a1);
+    let along_4 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_5 = plane_normal(r, pixel_a0);
+    let e_6 = plane_distance(r, pixel_a0, e_5);
+    let eye_9 = sub(splat(0.0f32), mul(e_6, along_4));
+    let e_13 = surface_quadric_perpendicular_crossed(r, ex, &at_2, Vec3 { x: div(pixel_a0.direction.x, along_4), y: div(pixel_a0.direction.y, along_4), z: div(pixel_a0.direction.z, along_4) }, eye_9, params_a1);
+    return e_13;
 } }
 lanes! { fn moved_out(r: &Resources<'_>, corner_a0: &Corner, side_a1: f32, offset_a2: f32) -> Vec3<F> {
     let e_5 = (side_a1 * offset_a2);
@@ -4137,6 +4152,55 @@ lanes! { fn facing_four(r: &Resources<'_>, middle_a0: F, along_a1: F, across_a2:
     let y_6 = mul(across_a2, splat(1.7320508f32));
     return Vec4 { x: max_with(add(middle_a0, x_4), splat(0.0f32)), y: max_with(sub(middle_a0, x_4), splat(0.0f32)), z: max_with(add(middle_a0, y_6), splat(0.0f32)), w: max_with(sub(middle_a0, y_6), splat(0.0f32)) };
 } }
+lanes! { fn flattened(r: &Resources<'_>, within: M, path_a0: &Path, middle_a1: f32, part_a2: F) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut start_v0: F = splat(0.0f32);
+    let kept_4 = sub(splat(1.0f32), part_a2);
+    let top_8 = add(splat(middle_a1), mul(splat((1.0f32 - middle_a1)), kept_4));
+    let above_11 = sub(path_a0.h.x, top_8);
+    let begins_13 = gt(above_11, splat(0.0f32));
+    let (b1, c2) = (ex, begins_13);
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_22 = first_root(r, ex, Vec3 { x: above_11, y: path_a0.h.y, z: path_a0.h.z }, path_a0.exit);
+        start_v0 = sel(ex, min(e_22, path_a0.exit), start_v0);
+    }
+    ex = b1;
+    let height_31 = sel(begins_13, splat(1.0f32), add(splat(middle_a1), div(sub(path_a0.h.x, splat(middle_a1)), kept_4)));
+    let e_32 = start_v0;
+    let e_33 = path_slope(r, path_a0, e_32);
+    let h_38 = Vec3 { x: height_31, y: div(e_33, kept_4), z: div(path_a0.h.z, kept_4) };
+    let e_40 = start_v0;
+    let rest_41 = sub(path_a0.exit, e_40);
+    let e_48 = first_root(r, ex, Vec3 { x: max_with(h_38.x, splat(0.0f32)), y: h_38.y, z: h_38.z }, rest_41);
+    let exit_51 = min(mul(e_48, splat(1.000001f32)), rest_41);
+    let e_53 = start_v0;
+    let base_57 = min_with(max_with(sub(path_a0.base, e_53), splat((-3e38f32))), splat(3e38f32));
+    let e_58 = start_v0;
+    let e_59 = path_uv(r, path_a0, e_58);
+    let e_65 = start_v0;
+    return Path { uv: e_59, duv: Vec2 { x: path_a0.duv.x, y: path_a0.duv.y }, h: h_38, exit: exit_51, base: base_57, metric: Vec4 { x: path_a0.metric.x, y: path_a0.metric.y, z: path_a0.metric.z, w: path_a0.metric.w }, ray: path_a0.ray, level: path_a0.level, start: add(path_a0.start, e_65), share: path_a0.share, bend: path_a0.bend, };
+} }
+lanes! { fn faded(r: &Resources<'_>, within: M, segment_a0: &Path, part_a1: F) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut path_v0: Path = zero_path();
+    path_v0 = *segment_a0;
+    let (b1, c2) = (ex, gt(part_a1, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_5 = path_v0;
+        let e_9 = flattened(r, ex, &e_5, r.surface_settings.mean_height, part_a1);
+        path_v0 = sel_path(ex, &e_9, &path_v0);
+        let e_12 = path_v0.h.x;
+        let c3 = not(gt(e_12, splat(0.0f32)));
+        path_v0.exit = sel(and(ex, c3), splat(0.0f32), path_v0.exit);
+    }
+    ex = b1;
+    let e_18 = path_v0;
+    return e_18;
+} }
 lanes! { fn field_heights_height(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, height_a1: F, level_a2: U, params_a3: Vec4<f32>) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
@@ -4293,11 +4357,11 @@ lanes! { fn normal_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u3
     let e_8 = normal_between_lss(r, &e_6, 0i32, level_a1);
     return e_8;
 } }
-lanes! { fn sloped_cell(r: &Resources<'_>, i_a0: Vec2<I>) -> Vec2<I> {
+lanes! { fn sloped_cell(r: &Resources<'_>, i_a0: Vec2<I>, level_a1: u32) -> Vec2<I> {
     if (r.surface_settings.wrap != 1u32) {
         return i_a0;
     }
-    let e_7 = height_texels(r, splat_u(0u32));
+    let e_7 = height_texels(r, splat_u(level_a1));
     let last_15 = Vec2 { x: max_i(sub_i(e_7.x, splat_i(2i32)), splat_i(0i32)), y: max_i(sub_i(e_7.y, splat_i(2i32)), splat_i(0i32)) };
     return Vec2 { x: min_i(max_i(i_a0.x, splat_i(0i32)), last_15.x), y: min_i(max_i(i_a0.y, splat_i(0i32)), last_15.y) };
 } }
@@ -4317,14 +4381,14 @@ lanes! { fn slope_beside(r: &Resources<'_>, within: M, own_a0: F, beside_a1: F, 
     let part_20 = div(sub(div(apart_9, along_7), splat(0.5f32)), splat(0.5f32));
     return sel(ex, add(beside_a1, mul(sub(own_a0, beside_a1), part_20)), ret);
 } }
-lanes! { fn slopes_between_creases(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Vec2<F> {
+lanes! { fn slopes_between_creases(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, level_a2: u32) -> Vec2<F> {
     let mut ex = within;
     let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
     let mut part_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
-    let size_3 = height_size(r, splat_u(0u32));
+    let size_3 = height_size(r, splat_u(level_a2));
     let point_8 = Vec2 { x: sub(mul(uv_a1.x, size_3.x), splat(0.5f32)), y: sub(mul(uv_a1.y, size_3.y), splat(0.5f32)) };
     let e_9 = cell_of(r, point_8);
-    let e_11 = sloped_cell(r, Vec2 { x: i_of_small(e_9.x), y: i_of_small(e_9.y) });
+    let e_11 = sloped_cell(r, Vec2 { x: i_of_small(e_9.x), y: i_of_small(e_9.y) }, level_a2);
     let cell_12 = Vec2 { x: f_of_i(e_11.x), y: f_of_i(e_11.y) };
     part_v0 = Vec2 { x: sub(point_8.x, cell_12.x), y: sub(point_8.y, cell_12.y) };
     if (r.surface_settings.wrap == 1u32) {
@@ -4332,35 +4396,35 @@ lanes! { fn slopes_between_creases(r: &Resources<'_>, within: M, at_a0: &Entered
         part_v0 = Vec2 { x: min_with(max_with(e_20.x, splat(0.0f32)), splat(1.0f32)), y: min_with(max_with(e_20.y, splat(0.0f32)), splat(1.0f32)) };
     }
     let i_28 = Vec2 { x: i_of_f(cell_12.x), y: i_of_f(cell_12.y) };
-    let e_30 = height_cell_ls(r, ex, i_28, 0u32);
-    let e_31 = part_v0;
-    let own_32 = cell_slopes(r, e_30, e_31);
-    let e_37 = sloped_cell(r, Vec2 { x: sub_i(i_28.x, splat_i(1i32)), y: sub_i(i_28.y, splat_i(0i32)) });
-    let e_39 = height_cell_ls(r, ex, e_37, 0u32);
-    let e_40 = part_v0;
-    let e_41 = cell_slopes(r, e_39, e_40);
-    let e_47 = sloped_cell(r, Vec2 { x: add_i(i_28.x, splat_i(1i32)), y: add_i(i_28.y, splat_i(0i32)) });
-    let e_49 = height_cell_ls(r, ex, e_47, 0u32);
-    let e_50 = part_v0;
-    let e_51 = cell_slopes(r, e_49, e_50);
-    let e_57 = sloped_cell(r, Vec2 { x: sub_i(i_28.x, splat_i(0i32)), y: sub_i(i_28.y, splat_i(1i32)) });
-    let e_59 = height_cell_ls(r, ex, e_57, 0u32);
-    let e_60 = part_v0;
-    let e_61 = cell_slopes(r, e_59, e_60);
-    let e_67 = sloped_cell(r, Vec2 { x: add_i(i_28.x, splat_i(0i32)), y: add_i(i_28.y, splat_i(1i32)) });
-    let e_69 = height_cell_ls(r, ex, e_67, 0u32);
-    let e_70 = part_v0;
-    let e_71 = cell_slopes(r, e_69, e_70);
-    let rate_u_80 = div(mul(size_3.x, splat(r.surface_settings.scale_m)), sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z))));
-    let rate_v_88 = div(mul(size_3.y, splat(r.surface_settings.scale_m)), sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z))));
-    let e_90 = slope_beside(r, ex, own_32.x, e_41.x, rate_u_80);
-    let e_92 = slope_beside(r, ex, own_32.y, e_61.y, rate_v_88);
-    let before_93 = Vec2 { x: e_90, y: e_92 };
-    let e_95 = slope_beside(r, ex, own_32.x, e_51.x, rate_u_80);
-    let e_97 = slope_beside(r, ex, own_32.y, e_71.y, rate_v_88);
-    let behind_98 = Vec2 { x: e_95, y: e_97 };
-    let e_101 = part_v0;
-    return Vec2 { x: mul(splat(0.5f32), add(add(own_32.x, before_93.x), mul(sub(behind_98.x, before_93.x), e_101.x))), y: mul(splat(0.5f32), add(add(own_32.y, before_93.y), mul(sub(behind_98.y, before_93.y), e_101.y))) };
+    let e_29 = height_cell_ls(r, ex, i_28, level_a2);
+    let e_30 = part_v0;
+    let own_31 = cell_slopes(r, e_29, e_30);
+    let e_36 = sloped_cell(r, Vec2 { x: sub_i(i_28.x, splat_i(1i32)), y: sub_i(i_28.y, splat_i(0i32)) }, level_a2);
+    let e_37 = height_cell_ls(r, ex, e_36, level_a2);
+    let e_38 = part_v0;
+    let e_39 = cell_slopes(r, e_37, e_38);
+    let e_45 = sloped_cell(r, Vec2 { x: add_i(i_28.x, splat_i(1i32)), y: add_i(i_28.y, splat_i(0i32)) }, level_a2);
+    let e_46 = height_cell_ls(r, ex, e_45, level_a2);
+    let e_47 = part_v0;
+    let e_48 = cell_slopes(r, e_46, e_47);
+    let e_54 = sloped_cell(r, Vec2 { x: sub_i(i_28.x, splat_i(0i32)), y: sub_i(i_28.y, splat_i(1i32)) }, level_a2);
+    let e_55 = height_cell_ls(r, ex, e_54, level_a2);
+    let e_56 = part_v0;
+    let e_57 = cell_slopes(r, e_55, e_56);
+    let e_63 = sloped_cell(r, Vec2 { x: add_i(i_28.x, splat_i(0i32)), y: add_i(i_28.y, splat_i(1i32)) }, level_a2);
+    let e_64 = height_cell_ls(r, ex, e_63, level_a2);
+    let e_65 = part_v0;
+    let e_66 = cell_slopes(r, e_64, e_65);
+    let rate_u_75 = div(mul(size_3.x, splat(r.surface_settings.scale_m)), sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z))));
+    let rate_v_83 = div(mul(size_3.y, splat(r.surface_settings.scale_m)), sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z))));
+    let e_85 = slope_beside(r, ex, own_31.x, e_39.x, rate_u_75);
+    let e_87 = slope_beside(r, ex, own_31.y, e_57.y, rate_v_83);
+    let before_88 = Vec2 { x: e_85, y: e_87 };
+    let e_90 = slope_beside(r, ex, own_31.x, e_48.x, rate_u_75);
+    let e_92 = slope_beside(r, ex, own_31.y, e_66.y, rate_v_83);
+    let behind_93 = Vec2 { x: e_90, y: e_92 };
+    let e_96 = part_v0;
+    return Vec2 { x: mul(splat(0.5f32), add(add(own_31.x, before_88.x), mul(sub(behind_93.x, before_88.x), e_96.x))), y: mul(splat(0.5f32), add(add(own_31.y, before_88.y), mul(sub(behind_93.y, before_88.y), e_96.y))) };
 } }
 lanes! { fn normal_of_slopes(r: &Resources<'_>, at_a0: &Entered, slope_u_a1: F, slope_v_a2: F) -> Vec3<F> {
     let along_u_6 = Vec3 { x: add(at_a0.tangent.x, mul(at_a0.normal.x, slope_u_a1)), y: add(at_a0.tangent.y, mul(at_a0.normal.y, slope_u_a1)), z: add(at_a0.tangent.z, mul(at_a0.normal.z, slope_u_a1)) };
@@ -4377,32 +4441,32 @@ lanes! { fn texels_apart(r: &Resources<'_>, place_a0: F, side_a1: F) -> F {
     }
     return max_with(sub(sub(splat(2.0f32), max_with(sub(splat(1.5f32), place_a0), splat(0.0f32))), max_with(sub(add(place_a0, splat(1.5f32)), side_a1), splat(0.0f32))), splat(0.5f32));
 } }
-lanes! { fn normal_from_height(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Vec3<F> {
+lanes! { fn normal_from_height(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, level_a2: u32) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let size_3 = height_size(r, splat_u(0u32));
+    let size_3 = height_size(r, splat_u(level_a2));
     if (r.surface_settings.has_creases == 1u32) {
-        let e_9 = slopes_between_creases(r, ex, at_a0, uv_a1);
+        let e_9 = slopes_between_creases(r, ex, at_a0, uv_a1, level_a2);
         let slopes_14 = Vec2 { x: mul(mul(e_9.x, size_3.x), splat(r.surface_settings.scale_m)), y: mul(mul(e_9.y, size_3.y), splat(r.surface_settings.scale_m)) };
         let e_17 = normal_of_slopes(r, at_a0, slopes_14.x, slopes_14.y);
         return e_17;
     }
     let du_22 = Vec2 { x: div(splat(1.0f32), size_3.x), y: splat(0.0f32) };
     let dv_27 = Vec2 { x: splat(0.0f32), y: div(splat(1.0f32), size_3.y) };
-    let e_30 = height_at_ls(r, ex, Vec2 { x: add(uv_a1.x, du_22.x), y: add(uv_a1.y, du_22.y) }, 0u32);
-    let e_33 = height_at_ls(r, ex, Vec2 { x: sub(uv_a1.x, du_22.x), y: sub(uv_a1.y, du_22.y) }, 0u32);
-    let rise_u_34 = sub(e_30, e_33);
-    let e_37 = height_at_ls(r, ex, Vec2 { x: add(uv_a1.x, dv_27.x), y: add(uv_a1.y, dv_27.y) }, 0u32);
-    let e_40 = height_at_ls(r, ex, Vec2 { x: sub(uv_a1.x, dv_27.x), y: sub(uv_a1.y, dv_27.y) }, 0u32);
-    let rise_v_41 = sub(e_37, e_40);
-    let e_46 = texels_apart(r, mul(uv_a1.x, size_3.x), size_3.x);
-    let rate_u_48 = div(splat(1.0f32), e_46);
-    let e_53 = texels_apart(r, mul(uv_a1.y, size_3.y), size_3.y);
-    let rate_v_55 = div(splat(1.0f32), e_53);
-    let slope_u_62 = mul(rise_u_34, mul(mul(rate_u_48, size_3.x), splat(r.surface_settings.scale_m)));
-    let slope_v_69 = mul(rise_v_41, mul(mul(rate_v_55, size_3.y), splat(r.surface_settings.scale_m)));
-    let e_70 = normal_of_slopes(r, at_a0, slope_u_62, slope_v_69);
-    return e_70;
+    let e_29 = height_at_ls(r, ex, Vec2 { x: add(uv_a1.x, du_22.x), y: add(uv_a1.y, du_22.y) }, level_a2);
+    let e_31 = height_at_ls(r, ex, Vec2 { x: sub(uv_a1.x, du_22.x), y: sub(uv_a1.y, du_22.y) }, level_a2);
+    let rise_u_32 = sub(e_29, e_31);
+    let e_34 = height_at_ls(r, ex, Vec2 { x: add(uv_a1.x, dv_27.x), y: add(uv_a1.y, dv_27.y) }, level_a2);
+    let e_36 = height_at_ls(r, ex, Vec2 { x: sub(uv_a1.x, dv_27.x), y: sub(uv_a1.y, dv_27.y) }, level_a2);
+    let rise_v_37 = sub(e_34, e_36);
+    let e_42 = texels_apart(r, mul(uv_a1.x, size_3.x), size_3.x);
+    let rate_u_44 = div(splat(1.0f32), e_42);
+    let e_49 = texels_apart(r, mul(uv_a1.y, size_3.y), size_3.y);
+    let rate_v_51 = div(splat(1.0f32), e_49);
+    let slope_u_58 = mul(rise_u_32, mul(mul(rate_u_44, size_3.x), splat(r.surface_settings.scale_m)));
+    let slope_v_65 = mul(rise_v_37, mul(mul(rate_v_51, size_3.y), splat(r.surface_settings.scale_m)));
+    let e_66 = normal_of_slopes(r, at_a0, slope_u_58, slope_v_65);
+    return e_66;
 } }
 lanes! { fn finest_normal(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Vec3<F> {
     let mut ex = within;
@@ -4414,8 +4478,8 @@ lanes! { fn finest_normal(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: 
         let e_11 = Vec3 { x: div(e_10.x, length1), y: div(e_10.y, length1), z: div(e_10.z, length1) };
         return e_11;
     }
-    let e_12 = normal_from_height(r, ex, at_a0, uv_a1);
-    return e_12;
+    let e_13 = normal_from_height(r, ex, at_a0, uv_a1, 0u32);
+    return e_13;
 } }
 lanes! { fn means_of_one(r: &Resources<'_>, n_a0: Vec3<F>) -> Normals {
     let upright_3 = max_with(n_a0.z, splat(0.05f32));
@@ -4914,9 +4978,9 @@ lanes! { fn motif_is_closed(r: &Resources<'_>) -> M {
     let e_1 = motif_texel_s(r, 0u32);
     return eq(e_1.z, splat(1.0f32));
 } }
-lanes! { fn field_motif_normals(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> SeenNormals {
+lanes! { fn field_motif_normal(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
-    let mut ret: SeenNormals = zero_seen_normals();
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let mut both_v0: M = splat_m(false);
     let point_4 = motif_of(r, ex, hit_a1);
     let e_5 = motif_is_closed(r);
@@ -4936,8 +5000,14 @@ lanes! { fn field_motif_normals(r: &Resources<'_>, within: M, at_a0: &Entered, h
     let e_20 = covector(r, at_a0, Vec3 { x: point_4.normal.x, y: point_4.normal.y, z: point_4.normal.z });
     let length3 = sqrt(add(add(mul(e_20.x, e_20.x), mul(e_20.y, e_20.y)), mul(e_20.z, e_20.z)));
     let e_21 = Vec3 { x: div(e_20.x, length3), y: div(e_20.y, length3), z: div(e_20.z, length3) };
-    let e_23 = one_seen(r, Vec3 { x: mul(e_21.x, side_18), y: mul(e_21.y, side_18), z: mul(e_21.z, side_18) });
-    return e_23;
+    return Vec3 { x: mul(e_21.x, side_18), y: mul(e_21.y, side_18), z: mul(e_21.z, side_18) };
+} }
+lanes! { fn field_motif_normals(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> SeenNormals {
+    let mut ex = within;
+    let mut ret: SeenNormals = zero_seen_normals();
+    let e_4 = field_motif_normal(r, ex, at_a0, hit_a1, view_a2, params_a3);
+    let e_5 = one_seen(r, e_4);
+    return e_5;
 } }
 lanes! { fn normal_of_field(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit) -> Vec3<F> {
     let mut ex = within;
@@ -4988,53 +5058,57 @@ lanes! { fn field_normals_stage(r: &Resources<'_>, within: M, at_a0: &Entered, h
         }
     }
 } }
-lanes! { fn surface_plane_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+lanes! { fn surface_plane_way(r: &Resources<'_>, within: M, at_a0: &Entered, direction_a1: Vec3<F>, distance_a2: F, eye_a3: F, k_a4: u32, params_a5: Vec4<f32>) -> Path {
     let mut ex = within;
     let mut ret: Path = zero_path();
     let mut enter_v0: F = splat(0f32);
     let mut leave_v1: F = splat(0f32);
     let mut interval_v2: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
-    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let direction_8 = Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) };
-    let e_9 = climb(r, at_a1, direction_8);
-    let is_flat_15 = (r.surface_settings.scale_m == 0.0f32);
-    let descent_23 = max(sub(splat(0.0f32), add(add(add(mul(at_a1.normal.x, direction_8.x), mul(at_a1.normal.y, direction_8.y)), mul(at_a1.normal.z, direction_8.z)), splat(0.0f32))), splat((if is_flat_15 { 0.001f32 } else { (-3e38f32) })));
-    let scale_24 = r.traced_scale_m();
-    let base_height_25 = r.base_height();
-    let slope_28 = div(sub(splat(0.0f32), descent_23), splat(scale_24));
-    let e_29 = plane_normal(r, pixel_a0);
-    let e_30 = plane_distance(r, pixel_a0, e_29);
-    let distance_31 = mul(e_30, along_5);
-    let eye_33 = sub(splat(0.0f32), distance_31);
-    let top_37 = div(splat(((base_height_25 - 1.0f32) * scale_24)), descent_23);
-    enter_v0 = max(top_37, eye_33);
-    leave_v1 = div(splat((base_height_25 * scale_24)), descent_23);
-    let e_43 = leave_v1;
-    let e_44 = leave_v1;
-    leave_v1 = add(e_43, mul(sub(e_44, top_37), splat(1e-6f32)));
+    let e_6 = climb(r, at_a0, direction_a1);
+    let is_flat_12 = (r.surface_settings.scale_m == 0.0f32);
+    let descent_20 = max(sub(splat(0.0f32), add(add(add(mul(at_a0.normal.x, direction_a1.x), mul(at_a0.normal.y, direction_a1.y)), mul(at_a0.normal.z, direction_a1.z)), splat(0.0f32))), splat((if is_flat_12 { 0.001f32 } else { (-3e38f32) })));
+    let scale_21 = r.traced_scale_m();
+    let base_height_22 = r.base_height();
+    let slope_25 = div(sub(splat(0.0f32), descent_20), splat(scale_21));
+    let top_29 = div(splat(((base_height_22 - 1.0f32) * scale_21)), descent_20);
+    enter_v0 = max(top_29, eye_a3);
+    leave_v1 = div(splat((base_height_22 * scale_21)), descent_20);
+    let e_35 = leave_v1;
+    let e_36 = leave_v1;
+    leave_v1 = add(e_35, mul(sub(e_36, top_29), splat(1e-6f32)));
     if (r.surface_settings.wrap == 1u32) {
-        let e_57 = enter_v0;
-        let e_58 = leave_v1;
-        let e_60 = inside_unit(r, ex, at_a1.uv.x, e_9.x, Vec2 { x: e_57, y: e_58 });
-        interval_v2 = e_60;
-        let e_65 = interval_v2;
-        let e_66 = inside_unit(r, ex, at_a1.uv.y, e_9.y, e_65);
-        interval_v2 = e_66;
-        let e_68 = interval_v2.x;
-        enter_v0 = e_68;
-        let e_70 = interval_v2.y;
-        leave_v1 = e_70;
+        let e_49 = enter_v0;
+        let e_50 = leave_v1;
+        let e_52 = inside_unit(r, ex, at_a0.uv.x, e_6.x, Vec2 { x: e_49, y: e_50 });
+        interval_v2 = e_52;
+        let e_57 = interval_v2;
+        let e_58 = inside_unit(r, ex, at_a0.uv.y, e_6.y, e_57);
+        interval_v2 = e_58;
+        let e_60 = interval_v2.x;
+        enter_v0 = e_60;
+        let e_62 = interval_v2.y;
+        leave_v1 = e_62;
     }
-    let e_71 = enter_v0;
-    let e_74 = enter_v0;
-    let entry_height_77 = sel(eq(e_74, top_37), splat(1.0f32), add(splat(base_height_25), mul(slope_28, e_71)));
-    let e_78 = enter_v0;
-    let base_83 = min_with(max_with(sub(splat(0.0f32), e_78), splat((-3e38f32))), splat(3e38f32));
-    let e_85 = enter_v0;
-    let e_90 = leave_v1;
-    let e_91 = enter_v0;
-    let e_96 = enter_v0;
-    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_85)), y: add(at_a1.uv.y, mul(e_9.y, e_85)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_77, y: slope_28, z: splat(0.0f32) }, exit: sub(e_90, e_91), base: base_83, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_31, e_96), share: splat(1.0f32), bend: splat(0.0f32), };
+    let e_63 = enter_v0;
+    let e_66 = enter_v0;
+    let entry_height_69 = sel(eq(e_66, top_29), splat(1.0f32), add(splat(base_height_22), mul(slope_25, e_63)));
+    let e_70 = enter_v0;
+    let base_75 = min_with(max_with(sub(splat(0.0f32), e_70), splat((-3e38f32))), splat(3e38f32));
+    let e_77 = enter_v0;
+    let e_82 = leave_v1;
+    let e_83 = enter_v0;
+    let e_92 = enter_v0;
+    return Path { uv: Vec2 { x: add(at_a0.uv.x, mul(e_6.x, e_77)), y: add(at_a0.uv.y, mul(e_6.y, e_77)) }, duv: Vec2 { x: e_6.x, y: e_6.y }, h: Vec3 { x: entry_height_69, y: slope_25, z: splat(0.0f32) }, exit: sel(gt(descent_20, splat(0.0f32)), sub(e_82, e_83), splat(0.0f32)), base: base_75, metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(0u32), level: at_a0.level, start: add(distance_a2, e_92), share: splat(1.0f32), bend: splat(0.0f32), };
+} }
+lanes! { fn surface_plane_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_6 = plane_normal(r, pixel_a0);
+    let e_7 = plane_distance(r, pixel_a0, e_6);
+    let distance_8 = mul(e_7, along_5);
+    let e_14 = surface_plane_way(r, ex, at_a1, Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) }, distance_8, sub(splat(0.0f32), distance_8), k_a2, params_a3);
+    return e_14;
 } }
 stage! { fn folded_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     if none(within) { return zero_path(); }
@@ -5083,7 +5157,7 @@ lanes! { fn surface_prism_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixel
     let e_68 = chord_path(r, ex, pixel_a0, at_a1, middle_11, params_a3, &a_25, &b_27, bend_42, Vec2 { x: first_20, y: last_23 }, beyond_66);
     return e_68;
 } }
-lanes! { fn surface_quadric_perpendicular_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+lanes! { fn surface_quadric_perpendicular_way(r: &Resources<'_>, within: M, at_a0: &Entered, direction_a1: Vec3<F>, distance_a2: F, eye_a3: F, k_a4: u32, params_a5: Vec4<f32>) -> Path {
     let mut ex = within;
     let mut ret: Path = zero_path();
     let mut begin_v0: F = splat(0f32);
@@ -5091,69 +5165,75 @@ lanes! { fn surface_quadric_perpendicular_segment(r: &Resources<'_>, within: M, 
     let mut both_v2: M = splat_m(false);
     let mut path_v3: Path = zero_path();
     let mut inside_v4: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
-    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let ray_9 = across_of(r, at_a1, Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) });
-    let scale_10 = r.traced_scale_m();
-    let e_11 = plane_normal(r, pixel_a0);
-    let e_12 = plane_distance(r, pixel_a0, e_11);
-    let distance_13 = mul(e_12, along_5);
-    let whole_18 = sub(at_a1.span.y, at_a1.span.x);
-    let first_25 = add(at_a1.span.x, mul(whole_18, splat(((k_a2 as f32) / params_a3.z))));
-    let last_34 = add(at_a1.span.x, mul(whole_18, splat(((k_a2.wrapping_add(1u32) as f32) / params_a3.z))));
-    let long_35 = sub(last_34, first_25);
-    let e_38 = across_depth(r, ex, &ray_9, first_25);
-    begin_v0 = sub(at_a1.of_surface.w, div(e_38, splat(scale_10)));
-    if (k_a2 == 0u32) {
-        let e_44 = begin_v0;
-        begin_v0 = min_with(e_44, splat(1.0f32));
+    let ray_6 = across_of(r, at_a0, direction_a1);
+    let scale_7 = r.traced_scale_m();
+    let whole_12 = sub(at_a0.span.y, at_a0.span.x);
+    let first_19 = add(at_a0.span.x, mul(whole_12, splat(((k_a4 as f32) / params_a5.z))));
+    let last_28 = add(at_a0.span.x, mul(whole_12, splat(((k_a4.wrapping_add(1u32) as f32) / params_a5.z))));
+    let long_29 = sub(last_28, first_19);
+    let e_32 = across_depth(r, ex, &ray_6, first_19);
+    begin_v0 = sub(at_a0.of_surface.w, div(e_32, splat(scale_7)));
+    if (k_a4 == 0u32) {
+        let e_38 = begin_v0;
+        begin_v0 = min_with(e_38, splat(1.0f32));
     }
-    let e_52 = across_depth(r, ex, &ray_9, mul(splat(0.5f32), add(first_25, last_34)));
-    let middle_54 = sub(at_a1.of_surface.w, div(e_52, splat(scale_10)));
-    let e_57 = across_depth(r, ex, &ray_9, last_34);
-    end_v1 = sub(at_a1.of_surface.w, div(e_57, splat(scale_10)));
-    if (k_a2.wrapping_add(1u32) == (params_a3.z as u32)) {
-        let e_68 = end_v1;
-        both_v2 = lt(e_68, splat(0.5f32));
+    let e_46 = across_depth(r, ex, &ray_6, mul(splat(0.5f32), add(first_19, last_28)));
+    let middle_48 = sub(at_a0.of_surface.w, div(e_46, splat(scale_7)));
+    let e_51 = across_depth(r, ex, &ray_6, last_28);
+    end_v1 = sub(at_a0.of_surface.w, div(e_51, splat(scale_7)));
+    if (k_a4.wrapping_add(1u32) == (params_a5.z as u32)) {
+        let e_62 = end_v1;
+        both_v2 = lt(e_62, splat(0.5f32));
     } else {
         both_v2 = splat_m(false);
     }
-    let e_72 = both_v2;
-    let c1 = e_72;
-    let e_73 = end_v1;
-    end_v1 = sel(c1, min_with(e_73, splat((-1e-6f32))), end_v1);
-    let e_76 = begin_v0;
-    let e_77 = end_v1;
-    let bend_83 = mul(splat(2.0f32), sub(add(e_76, e_77), mul(splat(2.0f32), middle_54)));
-    let e_84 = end_v1;
-    let e_85 = begin_v0;
-    let slope_87 = sub(sub(e_84, e_85), bend_83);
-    let base_92 = min_with(max_with(sub(splat(0.0f32), first_25), splat((-3e38f32))), splat(3e38f32));
-    let e_98 = begin_v0;
-    path_v3 = Path { uv: Vec2 { x: add(at_a1.uv.x, mul(ray_9.duv.x, first_25)), y: add(at_a1.uv.y, mul(ray_9.duv.y, first_25)) }, duv: Vec2 { x: ray_9.duv.x, y: ray_9.duv.y }, h: Vec3 { x: e_98, y: div(slope_87, long_35), z: div(bend_83, mul(long_35, long_35)) }, exit: long_35, base: base_92, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_13, first_25), share: splat((1.0f32 / params_a3.z)), bend: splat(0.0f32), };
-    inside_v4 = Vec2 { x: splat(0.0f32), y: long_35 };
+    let e_66 = both_v2;
+    let c1 = e_66;
+    let e_67 = end_v1;
+    end_v1 = sel(c1, min_with(e_67, splat((-1e-6f32))), end_v1);
+    let e_70 = begin_v0;
+    let e_71 = end_v1;
+    let bend_77 = mul(splat(2.0f32), sub(add(e_70, e_71), mul(splat(2.0f32), middle_48)));
+    let e_78 = end_v1;
+    let e_79 = begin_v0;
+    let slope_81 = sub(sub(e_78, e_79), bend_77);
+    let base_86 = min_with(max_with(sub(splat(0.0f32), first_19), splat((-3e38f32))), splat(3e38f32));
+    let e_92 = begin_v0;
+    path_v3 = Path { uv: Vec2 { x: add(at_a0.uv.x, mul(ray_6.duv.x, first_19)), y: add(at_a0.uv.y, mul(ray_6.duv.y, first_19)) }, duv: Vec2 { x: ray_6.duv.x, y: ray_6.duv.y }, h: Vec3 { x: e_92, y: div(slope_81, long_29), z: div(bend_77, mul(long_29, long_29)) }, exit: long_29, base: base_86, metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(0u32), level: at_a0.level, start: add(distance_a2, first_19), share: splat((1.0f32 / params_a5.z)), bend: splat(0.0f32), };
+    inside_v4 = Vec2 { x: splat(0.0f32), y: long_29 };
     if (r.surface_settings.wrap == 1u32) {
-        let e_123 = path_v3.uv.x;
-        let e_126 = inside_v4;
-        let e_127 = inside_unit(r, ex, e_123, ray_9.duv.x, e_126);
-        inside_v4 = e_127;
-        let e_130 = path_v3.uv.y;
-        let e_133 = inside_v4;
-        let e_134 = inside_unit(r, ex, e_130, ray_9.duv.y, e_133);
-        inside_v4 = e_134;
-        let e_137 = inside_v4.y;
-        path_v3.exit = e_137;
-        let e_138 = path_v3;
-        let e_140 = inside_v4.x;
-        let e_141 = path_from(r, &e_138, e_140);
-        path_v3 = e_141;
+        let e_117 = path_v3.uv.x;
+        let e_120 = inside_v4;
+        let e_121 = inside_unit(r, ex, e_117, ray_6.duv.x, e_120);
+        inside_v4 = e_121;
+        let e_124 = path_v3.uv.y;
+        let e_127 = inside_v4;
+        let e_128 = inside_unit(r, ex, e_124, ray_6.duv.y, e_127);
+        inside_v4 = e_128;
+        let e_131 = inside_v4.y;
+        path_v3.exit = e_131;
+        let e_132 = path_v3;
+        let e_134 = inside_v4.x;
+        let e_135 = path_from(r, &e_132, e_134);
+        path_v3 = e_135;
     }
-    let e_143 = path_v3.exit;
-    let c2 = not(gt(e_143, splat(0.0f32)));
+    let e_137 = path_v3.exit;
+    let c2 = not(gt(e_137, splat(0.0f32)));
     path_v3.exit = sel(c2, splat(0.0f32), path_v3.exit);
-    let e_149 = path_v3;
-    return e_149;
+    let e_143 = path_v3;
+    return e_143;
 } }
-lanes! { fn surface_quadric_vertical_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+lanes! { fn surface_quadric_perpendicular_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_6 = plane_normal(r, pixel_a0);
+    let e_7 = plane_distance(r, pixel_a0, e_6);
+    let distance_8 = mul(e_7, along_5);
+    let e_14 = surface_quadric_perpendicular_way(r, ex, at_a1, Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) }, distance_8, sub(splat(0.0f32), distance_8), k_a2, params_a3);
+    return e_14;
+} }
+lanes! { fn surface_quadric_vertical_way(r: &Resources<'_>, within: M, at_a0: &Entered, direction_a1: Vec3<F>, distance_a2: F, eye_a3: F, k_a4: u32, params_a5: Vec4<f32>) -> Path {
     let mut ex = within;
     let mut ret: Path = zero_path();
     let mut both_v0: M = splat_m(false);
@@ -5163,69 +5243,73 @@ lanes! { fn surface_quadric_vertical_segment(r: &Resources<'_>, within: M, pixel
     let mut interval_v4: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
     let mut path_v5: Path = zero_path();
     let mut both_v6: M = splat_m(false);
-    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let direction_8 = Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) };
-    let e_9 = climb(r, at_a1, direction_8);
-    let descent_14 = sub(splat(0.0f32), add(add(add(mul(at_a1.normal.x, direction_8.x), mul(at_a1.normal.y, direction_8.y)), mul(at_a1.normal.z, direction_8.z)), splat(0.0f32)));
-    let scale_15 = r.traced_scale_m();
-    let slope_20 = div(sub(splat(0.0f32), descent_14), splat(scale_15));
-    let bend_23 = quadric_at(r, Vec3 { x: at_a1.of_surface.x, y: at_a1.of_surface.y, z: at_a1.of_surface.z }, Vec2 { x: e_9.x, y: e_9.y });
-    let curve_26 = div(sub(splat(0.0f32), bend_23), splat(scale_15));
-    let e_27 = plane_normal(r, pixel_a0);
-    let e_28 = plane_distance(r, pixel_a0, e_27);
-    let distance_29 = mul(e_28, along_5);
-    let eye_31 = sub(splat(0.0f32), distance_29);
-    let top_35 = bent_descent(r, ex, mul(sub(at_a1.of_surface.w, splat(1.0f32)), splat(scale_15)), descent_14, bend_23);
-    both_v1 = or(lt(at_a1.of_surface.w, splat(1.0f32)), ge(top_35, splat(0.0f32)));
-    let e_48 = both_v1;
-    both_v0 = and(lt(top_35, splat(3e38f32)), e_48);
-    let comes_down_50 = both_v0;
-    enter_v2 = max(top_35, eye_31);
-    let e_53 = enter_v2;
-    let e_54 = enter_v2;
-    let e_59 = enter_v2;
-    let begin_62 = sel(eq(e_59, top_35), splat(1.0f32), add(at_a1.of_surface.w, mul(e_53, add(slope_20, mul(curve_26, e_54)))));
-    let e_63 = enter_v2;
-    let e_66 = enter_v2;
-    let e_70 = bent_exit(r, ex, Vec3 { x: begin_62, y: add(slope_20, mul(mul(splat(2.0f32), curve_26), e_66)), z: curve_26 });
-    leave_v3 = add(e_63, e_70);
-    let c1 = eq(bend_23, splat(0.0f32));
-    leave_v3 = sel(c1, div(mul(at_a1.of_surface.w, splat(scale_15)), descent_14), leave_v3);
-    let e_77 = leave_v3;
-    let e_78 = leave_v3;
-    leave_v3 = sel(c1, add(e_77, mul(sub(e_78, top_35), splat(1e-6f32))), leave_v3);
+    let e_6 = climb(r, at_a0, direction_a1);
+    let descent_11 = sub(splat(0.0f32), add(add(add(mul(at_a0.normal.x, direction_a1.x), mul(at_a0.normal.y, direction_a1.y)), mul(at_a0.normal.z, direction_a1.z)), splat(0.0f32)));
+    let scale_12 = r.traced_scale_m();
+    let slope_17 = div(sub(splat(0.0f32), descent_11), splat(scale_12));
+    let bend_20 = quadric_at(r, Vec3 { x: at_a0.of_surface.x, y: at_a0.of_surface.y, z: at_a0.of_surface.z }, Vec2 { x: e_6.x, y: e_6.y });
+    let curve_23 = div(sub(splat(0.0f32), bend_20), splat(scale_12));
+    let top_27 = bent_descent(r, ex, mul(sub(at_a0.of_surface.w, splat(1.0f32)), splat(scale_12)), descent_11, bend_20);
+    both_v1 = or(lt(at_a0.of_surface.w, splat(1.0f32)), ge(top_27, splat(0.0f32)));
+    let e_40 = both_v1;
+    both_v0 = and(lt(top_27, splat(3e38f32)), e_40);
+    let comes_down_42 = both_v0;
+    enter_v2 = max(top_27, eye_a3);
+    let e_45 = enter_v2;
+    let e_46 = enter_v2;
+    let e_51 = enter_v2;
+    let begin_54 = sel(eq(e_51, top_27), splat(1.0f32), add(at_a0.of_surface.w, mul(e_45, add(slope_17, mul(curve_23, e_46)))));
+    let e_55 = enter_v2;
+    let e_58 = enter_v2;
+    let e_62 = bent_exit(r, ex, Vec3 { x: begin_54, y: add(slope_17, mul(mul(splat(2.0f32), curve_23), e_58)), z: curve_23 });
+    leave_v3 = add(e_55, e_62);
+    let c1 = eq(bend_20, splat(0.0f32));
+    leave_v3 = sel(c1, div(mul(at_a0.of_surface.w, splat(scale_12)), descent_11), leave_v3);
+    let e_69 = leave_v3;
+    let e_70 = leave_v3;
+    leave_v3 = sel(c1, add(e_69, mul(sub(e_70, top_27), splat(1e-6f32))), leave_v3);
     if (r.surface_settings.wrap == 1u32) {
-        let e_91 = enter_v2;
-        let e_92 = leave_v3;
-        let e_94 = inside_unit(r, ex, at_a1.uv.x, e_9.x, Vec2 { x: e_91, y: e_92 });
-        interval_v4 = e_94;
-        let e_99 = interval_v4;
-        let e_100 = inside_unit(r, ex, at_a1.uv.y, e_9.y, e_99);
-        interval_v4 = e_100;
-        let e_102 = interval_v4.x;
-        enter_v2 = e_102;
-        let e_104 = interval_v4.y;
-        leave_v3 = e_104;
+        let e_83 = enter_v2;
+        let e_84 = leave_v3;
+        let e_86 = inside_unit(r, ex, at_a0.uv.x, e_6.x, Vec2 { x: e_83, y: e_84 });
+        interval_v4 = e_86;
+        let e_91 = interval_v4;
+        let e_92 = inside_unit(r, ex, at_a0.uv.y, e_6.y, e_91);
+        interval_v4 = e_92;
+        let e_94 = interval_v4.x;
+        enter_v2 = e_94;
+        let e_96 = interval_v4.y;
+        leave_v3 = e_96;
     }
-    let e_105 = enter_v2;
-    let e_106 = enter_v2;
-    let e_111 = enter_v2;
-    let entry_height_114 = sel(eq(e_111, top_35), splat(1.0f32), add(at_a1.of_surface.w, mul(e_105, add(slope_20, mul(curve_26, e_106)))));
-    let e_115 = enter_v2;
-    let base_120 = min_with(max_with(sub(splat(0.0f32), e_115), splat((-3e38f32))), splat(3e38f32));
-    let e_122 = enter_v2;
-    let e_127 = enter_v2;
-    let e_131 = leave_v3;
-    let e_132 = enter_v2;
-    let e_137 = enter_v2;
-    path_v5 = Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_122)), y: add(at_a1.uv.y, mul(e_9.y, e_122)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_114, y: add(slope_20, mul(mul(splat(2.0f32), curve_26), e_127)), z: curve_26 }, exit: sub(e_131, e_132), base: base_120, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_29, e_137), share: splat(1.0f32), bend: splat(0.0f32), };
-    let e_148 = path_v5.exit;
-    both_v6 = or(not(comes_down_50), not(gt(e_148, splat(0.0f32))));
-    let e_153 = both_v6;
-    let c2 = e_153;
+    let e_97 = enter_v2;
+    let e_98 = enter_v2;
+    let e_103 = enter_v2;
+    let entry_height_106 = sel(eq(e_103, top_27), splat(1.0f32), add(at_a0.of_surface.w, mul(e_97, add(slope_17, mul(curve_23, e_98)))));
+    let e_107 = enter_v2;
+    let base_112 = min_with(max_with(sub(splat(0.0f32), e_107), splat((-3e38f32))), splat(3e38f32));
+    let e_114 = enter_v2;
+    let e_119 = enter_v2;
+    let e_123 = leave_v3;
+    let e_124 = enter_v2;
+    let e_129 = enter_v2;
+    path_v5 = Path { uv: Vec2 { x: add(at_a0.uv.x, mul(e_6.x, e_114)), y: add(at_a0.uv.y, mul(e_6.y, e_114)) }, duv: Vec2 { x: e_6.x, y: e_6.y }, h: Vec3 { x: entry_height_106, y: add(slope_17, mul(mul(splat(2.0f32), curve_23), e_119)), z: curve_23 }, exit: sub(e_123, e_124), base: base_112, metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(0u32), level: at_a0.level, start: add(distance_a2, e_129), share: splat(1.0f32), bend: splat(0.0f32), };
+    let e_140 = path_v5.exit;
+    both_v6 = or(not(comes_down_42), not(gt(e_140, splat(0.0f32))));
+    let e_145 = both_v6;
+    let c2 = e_145;
     path_v5.exit = sel(c2, splat(0.0f32), path_v5.exit);
-    let e_156 = path_v5;
-    return e_156;
+    let e_148 = path_v5;
+    return e_148;
+} }
+lanes! { fn surface_quadric_vertical_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_6 = plane_normal(r, pixel_a0);
+    let e_7 = plane_distance(r, pixel_a0, e_6);
+    let distance_8 = mul(e_7, along_5);
+    let e_14 = surface_quadric_vertical_way(r, ex, at_a1, Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) }, distance_8, sub(splat(0.0f32), distance_8), k_a2, params_a3);
+    return e_14;
 } }
 lanes! { fn surface_tetrahedra_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     let mut ex = within;
@@ -5729,55 +5813,12 @@ lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &Pixel
         }
     }
 } }
-lanes! { fn flattened(r: &Resources<'_>, within: M, path_a0: &Path, middle_a1: f32, part_a2: F) -> Path {
-    let mut ex = within;
-    let mut ret: Path = zero_path();
-    let mut start_v0: F = splat(0.0f32);
-    let kept_4 = sub(splat(1.0f32), part_a2);
-    let top_8 = add(splat(middle_a1), mul(splat((1.0f32 - middle_a1)), kept_4));
-    let above_11 = sub(path_a0.h.x, top_8);
-    let begins_13 = gt(above_11, splat(0.0f32));
-    let (b1, c2) = (ex, begins_13);
-    ex = and(b1, c2);
-    if any(ex) {
-        let e_22 = first_root(r, ex, Vec3 { x: above_11, y: path_a0.h.y, z: path_a0.h.z }, path_a0.exit);
-        start_v0 = sel(ex, min(e_22, path_a0.exit), start_v0);
-    }
-    ex = b1;
-    let height_31 = sel(begins_13, splat(1.0f32), add(splat(middle_a1), div(sub(path_a0.h.x, splat(middle_a1)), kept_4)));
-    let e_32 = start_v0;
-    let e_33 = path_slope(r, path_a0, e_32);
-    let h_38 = Vec3 { x: height_31, y: div(e_33, kept_4), z: div(path_a0.h.z, kept_4) };
-    let e_40 = start_v0;
-    let rest_41 = sub(path_a0.exit, e_40);
-    let e_48 = first_root(r, ex, Vec3 { x: max_with(h_38.x, splat(0.0f32)), y: h_38.y, z: h_38.z }, rest_41);
-    let exit_51 = min(mul(e_48, splat(1.000001f32)), rest_41);
-    let e_53 = start_v0;
-    let base_57 = min_with(max_with(sub(path_a0.base, e_53), splat((-3e38f32))), splat(3e38f32));
-    let e_58 = start_v0;
-    let e_59 = path_uv(r, path_a0, e_58);
-    let e_65 = start_v0;
-    return Path { uv: e_59, duv: Vec2 { x: path_a0.duv.x, y: path_a0.duv.y }, h: h_38, exit: exit_51, base: base_57, metric: Vec4 { x: path_a0.metric.x, y: path_a0.metric.y, z: path_a0.metric.z, w: path_a0.metric.w }, ray: path_a0.ray, level: path_a0.level, start: add(path_a0.start, e_65), share: path_a0.share, bend: path_a0.bend, };
-} }
 stage! { pub(super) fn segment_of(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
     let mut ex = within;
     let mut ret: Path = zero_path();
-    let mut path_v0: Path = zero_path();
     let e_3 = surface_segment_stage(r, ex, pixel_a0, at_a1, k_a2);
-    path_v0 = e_3;
-    let (b1, c2) = (ex, gt(at_a1.fade, splat(0.0f32)));
-    ex = and(b1, c2);
-    if any(ex) {
-        let e_8 = path_v0;
-        let e_13 = flattened(r, ex, &e_8, r.surface_settings.mean_height, at_a1.fade);
-        path_v0 = sel_path(ex, &e_13, &path_v0);
-        let e_16 = path_v0.h.x;
-        let c3 = not(gt(e_16, splat(0.0f32)));
-        path_v0.exit = sel(and(ex, c3), splat(0.0f32), path_v0.exit);
-    }
-    ex = b1;
-    let e_22 = path_v0;
-    return e_22;
+    let e_5 = faded(r, ex, &e_3, at_a1.fade);
+    return e_5;
 } }
 lanes! { fn surface_plane_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     return *hit_a3;

@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program. Of the other groups a program binds the
 /// variables that it uses.
-pub static BINDINGS: [Binding; 44] = [
+pub static BINDINGS: [Binding; 45] = [
     uniform(0, "surface_settings", "SurfaceSettings", "settings of the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(2, "color_map", false, "linear colours; a single texel if the settings turn them off"),
@@ -170,6 +170,13 @@ pub static BINDINGS: [Binding; 44] = [
     ),
     storage(1, 17, "made_corners", "Corner", false, "the points that are made"),
     storage(1, 18, "made_faces", "Face", false, "the triangles that are made"),
+    Binding {
+        group: 1,
+        number: 21,
+        name: "point_settings",
+        kind: BindingKind::Uniform("PointSettings"),
+        holds: "settings of a method as a function",
+    },
 ];
 
 impl Binding {

@@ -49,11 +49,36 @@ pub struct Call {
     pub inputs: &'static [(&'static str, &'static str)],
     /// The type of the result, as WGSL writes it.
     pub returns: &'static str,
+    /// The variants that have it; `None`: all of them.
+    pub only: Option<fn(&Entry) -> bool>,
 }
 
 /// The only function of a variant.
 const fn only(inputs: &'static [(&'static str, &'static str)], returns: &'static str) -> Call {
-    Call { name: "", inputs, returns }
+    call("", inputs, returns)
+}
+
+/// A function that each variant has.
+const fn call(
+    name: &'static str,
+    inputs: &'static [(&'static str, &'static str)],
+    returns: &'static str,
+) -> Call {
+    Call { name, inputs, returns, only: None }
+}
+
+/// A function of the surfaces whose rays go through the frame of a base point.
+const fn of_frame(
+    name: &'static str,
+    inputs: &'static [(&'static str, &'static str)],
+    returns: &'static str,
+) -> Call {
+    Call { name, inputs, returns, only: Some(goes_through_frame) }
+}
+
+/// Whether a surface's rays go through the frame of a base point.
+fn goes_through_frame(entry: &Entry) -> bool {
+    entry.paths().through_frame
 }
 
 /// All stages, in the order in which a pixel goes through them.
@@ -77,22 +102,31 @@ pub static STAGES: [Stage; 12] = [
         entries: surface::ENTRIES,
         chosen_as: None,
         calls: &[
-            Call { name: "enter", inputs: &[("pixel", "PixelIn")], returns: "Entered" },
-            Call {
-                name: "segment",
-                inputs: &[("pixel", "PixelIn"), ("at", "Entered"), ("k", "u32")],
-                returns: "Path",
-            },
-            Call {
-                name: "polish",
-                inputs: &[("pixel", "PixelIn"), ("at", "Entered"), ("path", "Path"), ("hit", "Hit")],
-                returns: "Hit",
-            },
-            Call {
-                name: "place",
-                inputs: &[("pixel", "PixelIn"), ("at", "Entered"), ("path", "Path"), ("hit", "Hit")],
-                returns: "Entered",
-            },
+            call("enter", &[("pixel", "PixelIn")], "Entered"),
+            call("segment", &[("pixel", "PixelIn"), ("at", "Entered"), ("k", "u32")], "Path"),
+            call(
+                "polish",
+                &[("pixel", "PixelIn"), ("at", "Entered"), ("path", "Path"), ("hit", "Hit")],
+                "Hit",
+            ),
+            call(
+                "place",
+                &[("pixel", "PixelIn"), ("at", "Entered"), ("path", "Path"), ("hit", "Hit")],
+                "Entered",
+            ),
+            of_frame("crossed", &[("at", "Entered"), ("direction", "vec3f"), ("eye", "f32")], "Entered"),
+            of_frame(
+                "way",
+                &[
+                    ("at", "Entered"),
+                    ("direction", "vec3f"),
+                    ("distance", "f32"),
+                    ("eye", "f32"),
+                    ("k", "u32"),
+                ],
+                "Path",
+            ),
+            of_frame("frame", &[("at", "Entered"), ("aside", "vec2f")], "Entered"),
         ],
         slot: None,
         rays: &[RayClass::View],
@@ -117,13 +151,9 @@ pub static STAGES: [Stage; 12] = [
         chosen_as: Some("solid"),
         calls: &[
             only(&[("pixel", "PixelIn"), ("at", "Entered")], "FirstHit"),
-            Call { name: "parts", inputs: &[("level", "u32")], returns: "i32" },
-            Call { name: "cell", inputs: &[("cell", "vec2i"), ("level", "u32")], returns: "vec4f" },
-            Call {
-                name: "color",
-                inputs: &[("at", "Entered"), ("hit", "Hit"), ("view", "vec3f")],
-                returns: "vec3f",
-            },
+            call("parts", &[("level", "u32")], "i32"),
+            call("cell", &[("cell", "vec2i"), ("level", "u32")], "vec4f"),
+            call("color", &[("at", "Entered"), ("hit", "Hit"), ("view", "vec3f")], "vec3f"),
         ],
         slot: None,
         rays: &[],
@@ -136,25 +166,14 @@ pub static STAGES: [Stage; 12] = [
         entries: field::ENTRIES,
         chosen_as: Some("kind"),
         calls: &[
-            Call { name: "gap", inputs: &[("path", "Path"), ("t", "f32")], returns: "f32" },
-            Call { name: "cost", inputs: &[("level", "u32")], returns: "vec3u" },
-            Call { name: "is_ground", inputs: &[("level", "u32")], returns: "bool" },
-            Call {
-                name: "height",
-                inputs: &[("uv", "vec2f"), ("height", "f32"), ("level", "u32")],
-                returns: "f32",
-            },
-            Call {
-                name: "normals",
-                inputs: &[("at", "Entered"), ("hit", "Hit"), ("view", "vec3f")],
-                returns: "SeenNormals",
-            },
-            Call { name: "patch_normal", inputs: &[("at", "Entered"), ("hit", "Hit")], returns: "vec3f" },
-            Call {
-                name: "light_ray",
-                inputs: &[("at", "Entered"), ("hit", "Hit"), ("light", "Toward")],
-                returns: "LightRay",
-            },
+            call("gap", &[("path", "Path"), ("t", "f32")], "f32"),
+            call("cost", &[("level", "u32")], "vec3u"),
+            call("is_ground", &[("level", "u32")], "bool"),
+            call("height", &[("uv", "vec2f"), ("height", "f32"), ("level", "u32")], "f32"),
+            call("normals", &[("at", "Entered"), ("hit", "Hit"), ("view", "vec3f")], "SeenNormals"),
+            call("normal", &[("at", "Entered"), ("hit", "Hit"), ("view", "vec3f")], "vec3f"),
+            call("patch_normal", &[("at", "Entered"), ("hit", "Hit")], "vec3f"),
+            call("light_ray", &[("at", "Entered"), ("hit", "Hit"), ("light", "Toward")], "LightRay"),
         ],
         slot: None,
         rays: &[],
@@ -166,7 +185,10 @@ pub static STAGES: [Stage; 12] = [
         plural: "levels of detail",
         entries: detail::ENTRIES,
         chosen_as: None,
-        calls: &[only(&[("pixel", "PixelIn"), ("at", "Entered")], "Detail")],
+        calls: &[
+            only(&[("pixel", "PixelIn"), ("at", "Entered")], "Detail"),
+            call("of_footprint", &[("at", "Entered"), ("footprint", "f32")], "Detail"),
+        ],
         slot: Some(MapSlot::Detail),
         rays: &[],
     },
@@ -200,9 +222,9 @@ pub static STAGES: [Stage; 12] = [
         entries: shade::ENTRIES,
         chosen_as: None,
         calls: &[
-            Call {
-                name: "material",
-                inputs: &[
+            call(
+                "material",
+                &[
                     ("at", "Entered"),
                     ("hit", "Hit"),
                     ("normal", "vec3f"),
@@ -210,11 +232,11 @@ pub static STAGES: [Stage; 12] = [
                     ("view", "vec3f"),
                     ("color", "vec3f"),
                 ],
-                returns: "Material",
-            },
-            Call {
-                name: "light",
-                inputs: &[
+                "Material",
+            ),
+            call(
+                "light",
+                &[
                     ("material", "Material"),
                     ("normal", "vec3f"),
                     ("mean", "f32"),
@@ -222,13 +244,9 @@ pub static STAGES: [Stage; 12] = [
                     ("view", "vec3f"),
                     ("toward", "vec3f"),
                 ],
-                returns: "vec3f",
-            },
-            Call {
-                name: "mirrored",
-                inputs: &[("material", "Material"), ("mean", "f32"), ("cosine", "f32")],
-                returns: "Mirrored",
-            },
+                "vec3f",
+            ),
+            call("mirrored", &[("material", "Material"), ("mean", "f32"), ("cosine", "f32")], "Mirrored"),
         ],
         slot: None,
         rays: &[],
@@ -342,6 +360,12 @@ impl Stage {
     /// Returns the function through which the shaders call one of its functions.
     pub fn function(&self, call: &Call) -> String {
         format!("{}{}_stage", self.key.replace('-', "_"), call.ending())
+    }
+
+    /// Returns the variants that have one of its functions, with their numbers.
+    pub fn entries_with(&self, call: &Call) -> impl Iterator<Item = (usize, &'static Entry)> {
+        let only = call.only;
+        self.entries.iter().enumerate().filter(move |(_, entry)| only.is_none_or(|has| has(entry)))
     }
 
     /// Returns the name of a variant's function.

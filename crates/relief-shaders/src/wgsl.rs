@@ -102,8 +102,8 @@ impl FromStr for Sampling {
 /// The purpose of an assembled shader, with the names of its entry points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Root {
-    /// Only the functions, for a program with its own entry points. `shade_pixel` shades a whole
-    /// pixel; `pixel_of` makes its input from a point of the picture and a triangle's corners.
+    /// Only functions, for a program with its own entry points, in tangent space: `relief_hit`, `relief_light`,
+    /// `relief_tile`, `relief_curvature`. Of surfaces whose rays go through the frame of a base point.
     Functions,
     /// Rasterises the base mesh and traces it: `vertex_main`, `fragment_main`.
     Trace,
@@ -204,7 +204,7 @@ impl Root {
     /// Returns the functions that it is assembled for.
     pub const fn functions(self) -> &'static [&'static str] {
         match self {
-            Root::Functions => &["pixel_of", "shade_pixel"],
+            Root::Functions => &["relief_hit", "relief_light", "relief_tile", "relief_curvature"],
             Root::Trace => &["vertex_main", "fragment_main"],
             Root::TraceShells => &["cover_vertex", "shells_main"],
             Root::TraceObjects => &["cover_vertex", "objects_main"],

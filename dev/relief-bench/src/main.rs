@@ -1,5 +1,5 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `loaders`, `look`, `looks`,
+//! `embree`, `frame`, `functions`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `loaders`, `look`, `looks`,
 //! `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`,
 //! `shell-map`, `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace`, `units`, `view-dependent` and
 //! `volumes`. Results are kept in `docs/measurements/`.
@@ -19,6 +19,7 @@ mod detail;
 mod embree;
 mod fit;
 mod frame;
+mod functions;
 mod fuzz;
 mod ground;
 mod impostors;
@@ -87,6 +88,8 @@ enum Command {
     ShellMap(embree::links::Arguments),
     /// Time of a second frame beside a whole rendering, and what it uploads and compiles
     Frame(frame::Arguments),
+    /// Methods as functions: their hits beside the renderer's, and their sizes; fails where a hit differs
+    Functions(functions::Arguments),
     /// Readers, bakes and the mesher over seeded changes of valid inputs: fails where one panics
     Fuzz(fuzz::Arguments),
     /// Whether meshes of maps lie where the maps do, judged by trimesh and pyproj: fails where one does not
@@ -156,6 +159,7 @@ fn main() -> ExitCode {
         Command::Embree(arguments) => embree::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::ShellMap(arguments) => embree::links::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Functions(arguments) => functions::run(&arguments),
         Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Ground(arguments) => ground::run(&arguments),
         Command::Judge(arguments) => judge::run(&arguments),

@@ -1,5 +1,7 @@
-//! `relief shader`: exports a method as shaders for other programs, with a JSON description of what
-//! they bind.
+//! `relief shader`: exports a method as shaders or functions for other programs, with a JSON description of
+//! what they bind.
+
+mod functions;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -7,7 +9,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relief_bake::KINDS;
 use relief_core::registry::{MapMetric, MapSetting};
-use relief_export::{ExportError, Exported, File, Options, Placement, Profile, Target, export};
+use relief_export::{ExportError, File, Options, Placement, Profile, Target, export};
 use relief_shaders::surface::Shown;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{
@@ -56,6 +58,8 @@ pub struct Arguments {
     /// uniform buffer, at the place that NAME.json states
     #[arg(long, value_name = "STAGE.NAME=VALUE", value_parser = values::setting, help_heading = "Method")]
     set: Vec<(String, f64)>,
+    #[command(flatten)]
+    functions: functions::Arguments,
     /// Write the depth of the displaced surface from fragments, by frame.clip, so that other
     /// geometry intersects the relief correctly; shaders of the surfaces prism and tetrahedra
     /// always do
@@ -92,6 +96,7 @@ pub struct Arguments {
 }
 
 const EXAMPLES: &str = "Examples:\n  relief shader --method cone --target wgsl -o shaders\n  \
+    relief shader --method cone --entry functions --wrap repeat --target wgsl -o shaders\n  \
     relief shader --method relief --set search.steps=48 --target glsl,spirv --sampling fast -o shaders\n  \
     relief shader --search frustum --refine patch --surface prism --shadow horizon \\\n    \
     --target hlsl --profile 6.0 --group 2 -o shaders";
@@ -128,6 +133,11 @@ fn after_help() -> String {
          contents, the maps of `relief bake`, the layout of the buffers, the target's own names, and the initial \
          values. A shader serves every map, mesh and setting: only --method and the other stages, --sampling \
          and --depth change its code.\n\n\
+         --entry functions writes one text for each target instead, for the fragment shader of an engine: \
+         PREFIX_hit says where a ray meets the relief, PREFIX_light how much of a light arrives there (with \
+         --shadow), PREFIX_tile and PREFIX_curvature make their inputs from derivatives. It has no vertices, no \
+         lights and no entry points. --wrap makes it smaller. Methods and surfaces that have no functions say \
+         which have.\n\n\
          With --group N all bindings are in that group, numbered from --first-binding in the order of \
          NAME.json. Without it they are where relief's own shaders have them, and in GLSL storage buffers come \
          first.\n\n\
@@ -169,18 +179,22 @@ fn variants(title: &str, place: usize) -> String {
 
 /// Exports the shaders and writes them.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let selection = arguments.selection()?;
-    let options = arguments.options()?;
-    let exported = export(&selection, &options).map_err(of_export)?;
-    let paths: Vec<PathBuf> = exported.files.iter().map(|file| arguments.output.join(&file.name)).collect();
-    write(&exported, &paths, arguments.json)?;
+    let files = if arguments.functions.are_asked() {
+        functions::files(arguments)?
+    } else {
+        arguments.functions.check_unused()?;
+        let selection = arguments.selection(None, None)?;
+        export(&selection, &arguments.options()?).map_err(of_export)?.files
+    };
+    let paths: Vec<PathBuf> = files.iter().map(|file| arguments.output.join(&file.name)).collect();
+    write(&files, &paths, arguments.json)?;
     tell_written(arguments.json, |out| {
         if arguments.json {
             let file = |(path, file): (&PathBuf, &File)| json!({ "path": path, "bytes": file.bytes.len() });
-            let files: Value = paths.iter().zip(&exported.files).map(file).collect();
+            let files: Value = paths.iter().zip(&files).map(file).collect();
             return Ok(writeln!(out, "{:#}", json!({ "files": files }))?);
         }
-        for (path, file) in paths.iter().zip(&exported.files) {
+        for (path, file) in paths.iter().zip(&files) {
             writeln!(out, "{}: {} bytes", path.display(), file.bytes.len())?;
         }
         Ok(())
@@ -188,19 +202,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Writes all files, or none.
-fn write(exported: &Exported, paths: &[PathBuf], quiet: bool) -> Result<(), Failure> {
+fn write(files: &[File], paths: &[PathBuf], quiet: bool) -> Result<(), Failure> {
     let cancel = interrupt::catch()?;
     let outputs: Vec<&Path> = paths.iter().map(PathBuf::as_path).collect();
     let mut staged = Staged::open(&outputs, quiet, cancel)?;
-    for (path, file) in outputs.iter().zip(&exported.files) {
+    for (path, file) in outputs.iter().zip(files) {
         staged.write(path, &file.bytes)?;
     }
     staged.finish()
 }
 
 impl Arguments {
-    /// Returns the stages that are asked for.
-    fn selection(&self) -> Result<Selection, Failure> {
+    /// Returns the stages that are asked for, with a shadow and a level of detail where none is named.
+    fn selection(&self, shadow: Option<&str>, detail: Option<&str>) -> Result<Selection, Failure> {
         let mut selection = match (&self.method, &self.search, &self.refine) {
             (None, Some(search), Some(refine)) => {
                 let mut selection = Selection::default();
@@ -215,11 +229,11 @@ impl Arguments {
         };
         // A shadow search is chosen after the shadow, which brings another one.
         let stages = [
-            (SURFACE, &self.surface),
-            (DETAIL, &self.detail),
-            (SHADOW, &self.shadow),
-            (SHADOW_SEARCH, &self.shadow_search),
-            (AMBIENT, &self.ambient),
+            (SURFACE, self.surface.as_deref()),
+            (DETAIL, self.detail.as_deref().or(detail)),
+            (SHADOW, self.shadow.as_deref().or(shadow)),
+            (SHADOW_SEARCH, self.shadow_search.as_deref()),
+            (AMBIENT, self.ambient.as_deref()),
         ];
         for (stage, name) in stages {
             if let Some(name) = name {
@@ -233,21 +247,32 @@ impl Arguments {
     }
 
     fn options(&self) -> Result<Options, Failure> {
+        Ok(Options {
+            name: self.file_name(),
+            sampling: self.sampling,
+            depth: self.depth,
+            profiles: self.profiles()?,
+            placement: self.placement(),
+            bake: Some(bake_line),
+        })
+    }
+
+    fn profiles(&self) -> Result<Vec<Profile>, Failure> {
         let targets = self.target.iter().map(|name| name.parse::<Target>());
         let targets: Vec<Target> = targets
             .collect::<Result<_, _>>()
             .map_err(|error| Failure::Usage(format!("--target: {error}")))?;
-        let profiles = Profile::of_names(&targets, &self.profile)
-            .map_err(|error| Failure::Usage(format!("--profile: {error}")))?;
+        Profile::of_names(&targets, &self.profile)
+            .map_err(|error| Failure::Usage(format!("--profile: {error}")))
+    }
+
+    fn file_name(&self) -> Option<String> {
+        self.name.clone().or_else(|| self.method.clone())
+    }
+
+    fn placement(&self) -> Option<Placement> {
         let first_binding = self.first_binding.unwrap_or_default();
-        Ok(Options {
-            name: self.name.clone().or_else(|| self.method.clone()),
-            sampling: self.sampling,
-            depth: self.depth,
-            profiles,
-            placement: self.group.map(|group| Placement { group, first_binding }),
-            bake: Some(bake_line),
-        })
+        self.group.map(|group| Placement { group, first_binding })
     }
 }
 
@@ -296,6 +321,9 @@ fn of_export(error: ExportError) -> Failure {
         ExportError::Displaced { .. } => {
             Failure::Usage(format!("--method: {error}: `relief mesh` makes meshes, {} shades them", facets()))
         }
+        ExportError::NoFunctions { key, .. } => Failure::Usage(format!("--{key}: {error}")),
+        ExportError::NoFunctionsIn { .. } => Failure::Usage(format!("--target: {error}")),
+        ExportError::Prefix { .. } => Failure::Usage(format!("--prefix: {error}")),
         ExportError::OnlyCpu { .. } => Failure::Usage(format!("--shadow: {error}")),
         ExportError::Name(_) => Failure::Usage(format!("--name: {error}")),
         ExportError::SameFile(_) => Failure::Usage(format!("--target: {error}")),

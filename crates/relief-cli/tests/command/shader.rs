@@ -179,3 +179,71 @@ fn no_room_on_the_disk_leaves_what_was_there() {
     assert_eq!(std::fs::read(folder.path("full/cone.wgsl")).expect("it is there"), b"old");
     assert_eq!(entries(&folder.path("full")).iter().filter(|name| !name.starts_with('.')).count(), 1);
 }
+
+#[test]
+fn functions_are_a_text_and_its_description() {
+    let folder = Folder::new();
+    let line =
+        "shader --method cone --entry functions --shadow ray --wrap repeat --prefix rock --target wgsl";
+    folder.relief(&format!("{line} --group 2 --first-binding 5 -o out")).fine();
+    assert_eq!(entries(&folder.path("out")), ["cone.json", "cone.wgsl"]);
+    let text = std::fs::read_to_string(folder.path("out/cone.wgsl")).expect("a text");
+    for there in ["fn rock_hit(", "fn rock_light(", "@group(2) @binding(6) var rock_search_map"] {
+        assert!(text.contains(there), "{there}");
+    }
+    assert!(!text.contains("@fragment") && !text.contains("surface_settings"));
+    let about = manifest(&folder, "out/cone.json");
+    let scale = found(&about["settings"], "name", "scale");
+    assert_eq!((&scale["type"], &scale["offset"]), (&Value::from("f32"), &Value::from(0)));
+    let limit = found(&about["settings"], "name", "search_limit");
+    assert!(limit["value"].as_f64().expect("a value") > 1.0 && limit["max"].is_number());
+    let map = found(&about["bindings"], "name", "rock_search_map");
+    assert_eq!(map["texture"]["dimension"], "2d");
+    assert!(map["texture"]["bake"]["how"].as_str().expect("a line").contains("--kind cone"));
+}
+
+#[test]
+fn more_can_be_asked_of_functions() {
+    let folder = Folder::new();
+    let size = |flags: &str| {
+        let line = format!("shader --method relief --entry functions {flags} --target wgsl -o out");
+        folder.relief(&line).fine();
+        std::fs::read_to_string(folder.path("out/relief.wgsl")).expect("a text")
+    };
+    let (plain, any_wrap) = (size("--wrap clamp"), size(""));
+    assert!(plain.len() < any_wrap.len() && any_wrap.contains("wrap: u32"));
+    // Without a shadow unless one is asked for.
+    assert!(!plain.contains("relief_light") && size("--shadow soft").contains("light_radius"));
+    let more = size("--with holes,footprint --set detail.flat=2");
+    assert!(
+        more.contains("relief_hole_map")
+            && more.contains("footprint: f32")
+            && more.contains("Begins with 2.")
+    );
+    assert!(!plain.contains("footprint: f32"));
+    // A method whose own surface needs a triangle is written for a flat point.
+    folder.relief("shader --method voxels --entry functions --target wgsl -o out").fine();
+    let bent = size("--surface quadric-vertical");
+    assert!(bent.contains("curvature: vec3f") && bent.contains("fn relief_curvature("));
+}
+
+#[test]
+fn functions_that_there_are_not_are_refused() {
+    let folder = with_out();
+    let refused = |flags: &str, named: &[&str]| {
+        let ran = folder.relief(&format!("shader {flags} --target wgsl -o {OUT}"));
+        assert_refused(&folder, &ran, 2, named);
+    };
+    refused("--method relief --entry functions --surface prism", &["--surface", "'plane'"]);
+    refused("--method depth-object --entry functions", &["'object'", "'quadric-vertical'"]);
+    refused("--method vertex --entry functions", &["vertex"]);
+    refused("--method translucent --entry functions", &["translucent"]);
+    refused("--method relief --entry functions --shadow map", &["--shadow", "'ray'"]);
+    refused("--method relief --entry functions --prefix while", &["--prefix", "while"]);
+    refused("--method relief --entry functions --prefix Rock", &["--prefix", "small letter"]);
+    refused("--method relief --entry functions --with hole", &["--with", "'holes'"]);
+    refused("--method relief --entry functions --wrap mirrored", &["mirror"]);
+    refused("--method relief --entry functions --depth", &["--depth"]);
+    refused("--method relief --entry functions --ambient sky", &["--ambient"]);
+    refused("--method relief --prefix rock", &["--prefix", "--entry functions"]);
+}

@@ -27,6 +27,7 @@ const PATHS: Paths = Paths {
     proposal: Proposal::Polygons,
     shown: Shown::Triangles,
     images: None,
+    through_frame: false,
     refused: &[
         Refused { stage: "search", refuses: super::is_active, reason: is_found },
         Refused { stage: "refine", refuses: super::is_active, reason: is_found },

@@ -26,5 +26,6 @@ const PATHS: Paths = Paths {
     proposal: Proposal::Shells,
     shown: Shown::Object,
     images: Some(AskedImages::OfGrid),
+    through_frame: false,
     refused: OF_IMAGES_REFUSE,
 };

@@ -58,6 +58,9 @@ pub struct Paths {
     pub shown: Shown,
     /// The images of an object that its rays read; none for surfaces without an object.
     pub images: Option<AskedImages>,
+    /// Whether rays go through the frame of the point at which they meet the base, and need no more of
+    /// its triangle: such surfaces have a form in tangent space.
+    pub through_frame: bool,
     /// The variants of other stages that cannot handle its segments.
     pub refused: &'static [Refused],
 }
@@ -128,6 +131,7 @@ impl Paths {
         proposal: Proposal::Polygons,
         shown: Shown::Relief,
         images: None,
+        through_frame: true,
         refused: &[],
     };
 

@@ -27,5 +27,6 @@ const PATHS: Paths = Paths {
     proposal: Proposal::Shells,
     shown: Shown::Object,
     images: Some(AskedImages::All),
+    through_frame: false,
     refused: OF_IMAGES_REFUSE,
 };

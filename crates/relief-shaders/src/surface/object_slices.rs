@@ -27,6 +27,7 @@ const PATHS: Paths = Paths {
     proposal: Proposal::Polygons,
     shown: Shown::ObjectSlices,
     images: Some(AskedImages::All),
+    through_frame: false,
     refused: &[
         Refused {
             stage: "slices",

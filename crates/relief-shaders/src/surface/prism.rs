@@ -49,5 +49,6 @@ const PATHS: Paths = Paths {
     proposal: Proposal::Shells,
     shown: Shown::Relief,
     images: None,
+    through_frame: false,
     refused: SEGMENTS_REFUSE,
 };

@@ -49,6 +49,7 @@ const PATHS: Paths = Paths {
     proposal: Proposal::Polygons,
     shown: Shown::Relief,
     images: None,
+    through_frame: true,
     refused: &[
         Refused {
             stage: "search",

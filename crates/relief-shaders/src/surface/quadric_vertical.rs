@@ -36,5 +36,6 @@ const PATHS: Paths = Paths {
     proposal: Proposal::Polygons,
     shown: Shown::Relief,
     images: None,
+    through_frame: true,
     refused: &[NO_ENTRY_OF_LIGHT],
 };

@@ -27,6 +27,7 @@ const PATHS: Paths = Paths {
     proposal: Proposal::Polygons,
     shown: Shown::Slices,
     images: None,
+    through_frame: false,
     refused: &[
         super::SLICES_ARE_SEARCHED,
         Refused {

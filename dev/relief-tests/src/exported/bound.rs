@@ -1,7 +1,7 @@
 //! Buffers and textures for what a manifest binds.
 
 use relief_core::MapTexels;
-use relief_render::job::Job;
+use relief_render::job::{Job, JobSurface};
 use relief_render::mipmaps::Mipmaps;
 use relief_render::wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
 use relief_render::wgpu::{
@@ -65,7 +65,7 @@ fn dimension(binding: &Json) -> TextureViewDimension {
 }
 
 /// The texels of a texture: level by level, and in these layer by layer.
-struct Texels {
+pub struct Texels {
     size: [u32; 2],
     layers: u32,
     levels: u32,
@@ -89,9 +89,19 @@ fn texture(device: &Device, queue: &Queue, binding: &Json, job: &Job) -> Texture
     let known = binding["texture"]["formats"].as_array().expect("formats");
     let format = format!("{:?}", texels.format).to_lowercase();
     assert!(known.iter().any(|known| *known == format), "{name} is {format}, not one of {known:?}");
+    view_of(device, queue, &texels, dimension(binding))
+}
+
+/// A texture with those texels.
+pub fn view_of(
+    device: &Device,
+    queue: &Queue,
+    texels: &Texels,
+    dimension: TextureViewDimension,
+) -> TextureView {
     let [width, height] = texels.size;
     let descriptor = TextureDescriptor {
-        label: Some(name),
+        label: None,
         size: Extent3d { width, height, depth_or_array_layers: texels.layers },
         mip_level_count: texels.levels,
         sample_count: 1,
@@ -102,12 +112,20 @@ fn texture(device: &Device, queue: &Queue, binding: &Json, job: &Job) -> Texture
     };
     let texture =
         device.create_texture_with_data(queue, &descriptor, TextureDataOrder::MipMajor, &texels.bytes);
-    let view = TextureViewDescriptor { dimension: Some(dimension(binding)), ..Default::default() };
+    let view = TextureViewDescriptor { dimension: Some(dimension), ..Default::default() };
     texture.create_view(&view)
 }
 
 fn texels(name: &str, job: &Job) -> Texels {
-    let surface = &job.surfaces[0];
+    texels_of(name, &job.surfaces[0])
+}
+
+/// The texels of a surface's texture of that name.
+///
+/// # Panics
+///
+/// When a map is not of 32 bits.
+pub fn texels_of(name: &str, surface: &JobSurface) -> Texels {
     let picture = |picture: Option<&Mipmaps>| match picture {
         None => blank(TextureFormat::Rgba32Float),
         Some(levels) => Texels {

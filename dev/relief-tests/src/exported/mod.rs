@@ -2,9 +2,11 @@
 
 mod beside;
 mod bound;
+mod called;
 mod computed;
 mod drawn;
 mod values;
 
 pub use beside::{Difference, compare, device, exported, rendered};
+pub use called::{OnPath, Point, Seen, differing_hits, shortened, size_of, surface_of};
 pub use drawn::{Device, Language, draw};

@@ -3,3 +3,4 @@
 mod exported_pictures;
 mod exported_shaders;
 mod exported_slices;
+mod functions;

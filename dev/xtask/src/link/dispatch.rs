@@ -26,16 +26,16 @@ fn procedures() -> String {
     for (number, entry) in procedure::ENTRIES.iter().enumerate() {
         let (stem, function) = (entry.name.replace('-', "_"), procedure::function_of(entry));
         let _ = writeln!(imports, "import package::procedure::{stem}::{function};");
-        let label = label(number, procedure::ENTRIES.len());
+        let label = label(number, number + 1 == procedure::ENTRIES.len());
         let _ = writeln!(arms, "        {label}: {{ return {function}(place, time, seed, params); }}");
     }
     let inputs = "number: u32, place: vec2f, time: f32, seed: u32, params: vec4f";
     format!("{imports}\nfn {PROCEDURE}({inputs}) -> f32 {{\n    switch (number) {{\n{arms}    }}\n}}\n")
 }
 
-/// Label of a `switch` for a number, given how many there are.
-fn label(number: usize, count: usize) -> String {
-    if number + 1 == count { "default".to_owned() } else { format!("case {number}u") }
+/// Label of a `switch` for a number.
+fn label(number: usize, is_last: bool) -> String {
+    if is_last { "default".to_owned() } else { format!("case {number}u") }
 }
 
 fn module(place: usize, stage: &Stage) -> String {
@@ -47,7 +47,7 @@ fn module(place: usize, stage: &Stage) -> String {
     );
     let mut functions = String::new();
     for call in stage.calls {
-        for entry in stage.entries {
+        for (_, entry) in stage.entries_with(call) {
             let stem = entry.name.replace('-', "_");
             let _ = writeln!(
                 text,
@@ -63,14 +63,14 @@ fn module(place: usize, stage: &Stage) -> String {
 
 /// The function that calls the variant of the number that the settings hold.
 fn function(place: usize, stage: &Stage, call: &Call) -> String {
-    let Stage { entries, .. } = stage;
     let declared: Vec<String> = call.inputs.iter().map(|(name, kind)| format!("{name}: {kind}")).collect();
     let passed: Vec<&str> = call.inputs.iter().map(|(name, _)| *name).collect();
     let (declared, passed) = (declared.join(", "), passed.join(", "));
     let mut arms = String::new();
-    for (number, entry) in entries.iter().enumerate() {
+    let mut entries = stage.entries_with(call).peekable();
+    while let Some((number, entry)) = entries.next() {
         let function = stage.function_of(call, entry);
-        let label = label(number, entries.len());
+        let label = label(number, entries.peek().is_none());
         let _ = writeln!(
             arms,
             "        {label}: {{ return {function}({passed}, surface_settings.choices[{place}].params); }}"

@@ -25,6 +25,10 @@ mod names;
 mod rust;
 mod wesl_link;
 
+/// The module whose functions other programs call, and which they are.
+const FUNCTIONS_ROOT: (&str, &[&str]) =
+    ("roots/functions", &["relief_hit", "relief_light", "relief_tile", "relief_curvature"]);
+
 /// Roots of the programs that GPUs run. Their declarations are checked against the linker's result.
 const GPU_ROOTS: [&str; 13] = [
     "roots/trace",
@@ -159,6 +163,12 @@ pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
             let (module, _) = valid(root, &linked)?;
             shared.push(module);
         }
+    }
+    for fast in [false, true] {
+        let (root, keep) = FUNCTIONS_ROOT;
+        let linked = wesl_link::link(&modules, root, keep, Features { fast, explain: false })?;
+        declarations::check(&declarations, &linked, fast)?;
+        valid(root, &linked)?;
     }
     let (root, keep) = CPU_ROOT;
     let linked = wesl_link::link(&modules, root, keep, Features::default())?;

@@ -1,0 +1,277 @@
+//! What a program must know of functions: settings, bindings and maps, for programs and in words.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use relief_shaders::{MapSlot, STAGES, Selection};
+use serde::Serialize;
+
+use super::names::Prefix;
+use super::settings::{STRUCT, Setting};
+use super::syntax::ItemKind;
+use super::{FunctionOptions, Reduced, has_footprint};
+use crate::manifest::{Bake, ChosenStage, TextureNeed};
+use crate::program::Checked;
+use crate::{ExportError, Options, layout, textures};
+
+/// A method as functions. Its JSON is `NAME.json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FunctionsManifest {
+    /// The files' name before their endings.
+    pub name: String,
+    /// The version of relief that wrote it.
+    pub relief: String,
+    /// The prefix of all names.
+    pub prefix: String,
+    /// The way in which textures are read: `exact` or `fast`.
+    pub sampling: &'static str,
+    /// The wrap that the functions have; none where a setting says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wrap: Option<&'static str>,
+    /// The functions to call, as WGSL declares them, and what each does.
+    pub functions: Vec<Lent>,
+    /// The size of the settings' struct in a uniform buffer, in bytes.
+    pub settings_size: u32,
+    /// The members of the settings' struct.
+    pub settings: Vec<SettingPlace>,
+    /// The textures, and with `fast` the sampler.
+    pub bindings: Vec<BoundTexture>,
+    /// The variants that are run, stage by stage.
+    pub stages: Vec<ChosenStage>,
+    /// The files.
+    pub files: Vec<String>,
+}
+
+/// A function that programs call.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Lent {
+    /// Its declaration in WGSL.
+    pub declaration: String,
+    /// What it does.
+    pub does: String,
+}
+
+/// A member of the settings' struct.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SettingPlace {
+    /// The member's name.
+    pub name: String,
+    /// Its type in WGSL.
+    #[serde(rename = "type")]
+    pub of: String,
+    /// Offset from the beginning of the struct, in bytes.
+    pub offset: u32,
+    /// What it holds.
+    pub holds: String,
+    /// For a parameter, the value to begin with, the least and the greatest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<f32>,
+    /// The least value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub min: Option<f32>,
+    /// The greatest value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max: Option<f32>,
+}
+
+/// A bound texture, or the sampler.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BoundTexture {
+    /// The variable.
+    pub name: String,
+    /// Its type in WGSL.
+    #[serde(rename = "type")]
+    pub of: String,
+    /// The bind group.
+    pub group: u32,
+    /// The number in it.
+    pub binding: u32,
+    /// The content, in words.
+    pub holds: &'static str,
+    /// For a texture, requirements on its texels.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub texture: Option<TextureNeed>,
+}
+
+impl Setting {
+    /// What it holds, with the value to begin with.
+    pub fn comment(&self) -> String {
+        match self.param {
+            Some((_, value)) => format!("{} Begins with {value}.", self.holds),
+            None => self.holds.clone(),
+        }
+    }
+}
+
+pub fn of(
+    selection: &Selection,
+    reduced: &Reduced,
+    prefix: &Prefix,
+    name: &str,
+    options: &FunctionOptions,
+) -> Result<FunctionsManifest, ExportError> {
+    let checked = Checked::read(&reduced.text)?;
+    let mut structs = BTreeMap::new();
+    for (handle, _) in checked.module.types.iter() {
+        layout::collect(&checked.module, handle, &mut structs);
+    }
+    let structure = structs.get(&prefix.of(STRUCT));
+    let settings = reduced.settings.iter().map(|setting| {
+        let member = structure.and_then(|of| of.members.iter().find(|member| member.name == setting.name));
+        SettingPlace {
+            name: setting.name.clone(),
+            of: setting.of.clone(),
+            offset: member.map_or(0, |member| member.offset),
+            holds: setting.holds.clone(),
+            value: setting.param.map(|(_, value)| value),
+            min: setting.param.map(|(param, _)| param.min),
+            max: setting.param.map(|(param, _)| param.max),
+        }
+    });
+    let settings: Vec<SettingPlace> = settings.collect();
+    Ok(FunctionsManifest {
+        name: name.to_owned(),
+        relief: env!("CARGO_PKG_VERSION").to_owned(),
+        prefix: options.prefix.clone(),
+        sampling: options.sampling.name(),
+        wrap: options.wrap.map(relief_core::Wrap::name),
+        functions: lent(selection, reduced, prefix),
+        settings_size: structure.map_or(0, |of| of.size),
+        settings,
+        bindings: bound(selection, reduced, prefix, options),
+        stages: stages(selection),
+        files: Vec::new(),
+    })
+}
+
+fn lent(selection: &Selection, reduced: &Reduced, prefix: &Prefix) -> Vec<Lent> {
+    let called = super::called(selection);
+    let lent = called.into_iter().filter_map(|name| {
+        let name = prefix.of(name);
+        let item = reduced.unit.items.iter().find(|item| item.kind.name() == Some(&name))?;
+        let ItemKind::Function(function) = &item.kind else { return None };
+        let given = function.parameters.iter().map(|of| format!("{}: {}", of.name, of.of));
+        let declaration =
+            format!("fn {name}({}) -> {}", given.collect::<Vec<_>>().join(", "), function.returns);
+        Some(Lent { declaration, does: item.comment.join(" ") })
+    });
+    lent.collect()
+}
+
+fn bound(
+    selection: &Selection,
+    reduced: &Reduced,
+    prefix: &Prefix,
+    options: &FunctionOptions,
+) -> Vec<BoundTexture> {
+    let needs = selection.map_needs();
+    let described = Options { sampling: options.sampling, bake: options.bake, ..Options::default() };
+    let bound = reduced.bindings.iter().map(|binding| {
+        let name = prefix.of(binding.name);
+        let variable = reduced.unit.variables().find(|variable| variable.name == name);
+        let of = variable.map_or(String::new(), |variable| variable.of.clone());
+        let texture = textures::need(binding, &needs, &described).map(|need| plain(need, binding.name, &of));
+        BoundTexture {
+            name,
+            of,
+            group: binding.group,
+            binding: binding.number,
+            holds: binding.holds,
+            texture,
+        }
+    });
+    bound.collect()
+}
+
+/// The requirements of a texture in the words of functions.
+fn plain(need: TextureNeed, name: &str, of: &str) -> TextureNeed {
+    let has_layers = of.contains("array");
+    let slot = MapSlot::ALL.into_iter().find(|slot| slot.name() == name);
+    let in_settings = |text: &str| {
+        let text = text.replace("surface_settings.height_levels", "height_levels");
+        match slot {
+            Some(slot) => {
+                text.replace(&format!("surface_settings.maps[{}].", slot as u32), &format!("{}_", slot.key()))
+            }
+            None => text,
+        }
+    };
+    TextureNeed {
+        dimension: if has_layers { "2d-array" } else { "2d" },
+        levels: in_settings(&need.levels),
+        layers: if has_layers { in_settings(&need.layers) } else { "1".to_owned() },
+        ..need
+    }
+}
+
+fn stages(selection: &Selection) -> Vec<ChosenStage> {
+    let is_run = |place: &usize| {
+        let is_other = ["geometry", "slices", "object", "shade", "ambient"].contains(&STAGES[*place].key);
+        let is_idle = match STAGES[*place].key {
+            "detail" => !has_footprint(selection),
+            "shadow" | "shadow-search" => !selection.has_shadows() || !selection.uses(*place),
+            _ => false,
+        };
+        !is_other && !is_idle
+    };
+    let chosen = (0..STAGES.len()).filter(is_run).map(|place| {
+        let entry = selection.choices[place].entry;
+        let published = [entry.publication.paper, entry.publication.section].join(", ");
+        ChosenStage {
+            stage: STAGES[place].key,
+            name: entry.name,
+            summary: entry.summary,
+            published: published.trim_end_matches(", ").to_owned(),
+            params: Vec::new(),
+        }
+    });
+    chosen.collect()
+}
+
+/// The comment at the head of a text.
+pub fn head(selection: &Selection, reduced: &Reduced, manifest: &FunctionsManifest) -> String {
+    let mut text = format!(
+        "// Relief: displacement mapping, a method as functions. {} sampling.\n\
+         // SPDX-License-Identifier: MIT OR Apache-2.0\n//\n",
+        capitalised(manifest.sampling)
+    );
+    for stage in &manifest.stages {
+        let _ = writeln!(text, "// {}: {}, {} ({})", stage.stage, stage.name, stage.summary, stage.published);
+    }
+    text += "//\n// Functions:\n";
+    for lent in &manifest.functions {
+        let _ = writeln!(text, "//   {}", lent.declaration);
+    }
+    text += "//\n// Textures:\n";
+    for bound in &manifest.bindings {
+        let (name, of, holds) = (&bound.name, &bound.of, bound.holds);
+        let _ = writeln!(text, "//   {name}: {of}; {holds}");
+        if let Some(need) = &bound.texture {
+            let formats = need.formats.join(", ");
+            let _ =
+                writeln!(text, "//     formats: {formats}; levels: {}; layers: {}", need.levels, need.layers);
+            if let Some(bake) = &need.bake {
+                baked(&mut text, bake);
+            }
+        }
+    }
+    if !reduced.settings.is_empty() && !selection.map_needs().is_empty() {
+        text += "//   Baked maps hold values: floats, or the texels of 8-bit files as they are.\n";
+    }
+    text
+}
+
+fn baked(text: &mut String, bake: &Bake) {
+    let map = [bake.kind, bake.texture].join(" ");
+    let settings = bake.settings.iter().map(|(name, value)| format!(", {name} = {value}"));
+    let settings: String = settings.collect();
+    let _ = writeln!(text, "//     baked map: {}{settings}, in {}", map.trim_end(), bake.metric);
+    if let Some(how) = &bake.how {
+        let _ = writeln!(text, "//     {how}");
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
