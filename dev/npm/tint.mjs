@@ -3,7 +3,7 @@
 //
 //     node tint.mjs PATH/TO/relief
 //
-// Exported are all methods, and every variant of the other stages on the method `relief`, or on `voxels` where it
+// Exported are all methods, as shaders and as functions, and every variant of the other stages on the method `relief`, or on `voxels` where it
 // needs a volume, or on `shell-map` where it needs a motif, in both samplings.
 
 import { execFileSync } from "node:child_process";
@@ -67,6 +67,11 @@ const all = execFileSync(relief, ["methods", "--json"], { encoding: "utf8", maxB
 const known = JSON.parse(all);
 // For each selection lists of flags; the first that go together are taken.
 const selections = known.methods.map(({ name }) => [["--method", name]]);
+// The methods as functions, on flat and on bent meshes.
+for (const { name } of known.methods) {
+    const functions = ["--method", name, "--entry", "functions"];
+    selections.push([functions], [[...functions, "--shadow", "ray", "--surface", "quadric-vertical", "--wrap", "clamp"]]);
+}
 for (const [stage, flag] of Object.entries(STAGES)) {
     for (const { name } of known[stage]) {
         selections.push(METHODS.map((method) => ["--method", method, ...(BESIDE[stage] ?? []), flag, name]));
@@ -103,7 +108,7 @@ for (const selection of selections) {
                 console.log(`${flags.join(" ")}:\n  ${found.slice(0, 3).join("\n  ")}`);
             }
             // A text with a fault must not pass.
-            const broken = text.replace(/fn (shade_pixel|gathered_in_shell)\(/, "fn $1s(");
+            const broken = text.replace(/fn (shade_pixel|gathered_in_shell|relief_base_of_point)\(/, "fn $1s(");
             if (broken === text || (await errors(broken)).length === 0) {
                 throw new Error(`${flags.join(" ")}: a fault in the text was not noticed`);
             }

@@ -42,10 +42,16 @@ pub enum ExportError {
         reason: String,
     },
     /// A target that functions are not written in.
-    #[error("functions are not written in {target}: choose {}", Target::Wgsl)]
+    #[error("functions are not written in {target}: choose {}", names(&Target::OF_FUNCTIONS))]
     NoFunctionsIn {
         /// The target.
         target: Target,
+    },
+    /// A target or a profile that whole shaders are not written in.
+    #[error("whole shaders are not written in {profile}: it is for functions alone")]
+    OnlyFunctions {
+        /// The profile's name.
+        profile: &'static str,
     },
     /// The prefix of functions is no name.
     #[error("'{prefix}' is no prefix of names: {reason}")]
@@ -91,4 +97,10 @@ pub enum ExportError {
     /// The assembled shader is not valid: a mistake in this library.
     #[error("the assembled shader is not valid, which is a mistake in relief: {0}")]
     Invalid(String),
+}
+
+/// The names of targets, as the end of a sentence.
+fn names(targets: &[Target]) -> String {
+    let names: Vec<&str> = targets.iter().map(|target| target.name()).collect();
+    names.join(", ")
 }

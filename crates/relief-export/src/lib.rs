@@ -10,6 +10,8 @@
 //! from it. The [`Manifest`] is written beside them as JSON. It has the bindings, the layout of the
 //! buffers and their names in each language: all that is needed to bind and fill everything.
 //!
+//! [`functions`](functions()) makes a method's functions alone, for the fragment functions of an engine.
+//!
 //! # Examples
 //!
 //! ```
@@ -86,6 +88,10 @@ pub fn export(selection: &Selection, options: &Options) -> Result<Exported, Expo
     check(selection)?;
     if options.profiles.is_empty() {
         return Err(ExportError::NoTarget);
+    }
+    let is_whole = |profile: &Profile| profile.target().profiles().contains(profile);
+    if let Some(other) = options.profiles.iter().find(|profile| !is_whole(profile)) {
+        return Err(ExportError::OnlyFunctions { profile: other.name() });
     }
     let derived = || format!("{}-{}", selection.search().name, selection.refine().name);
     let name = options.name.clone().unwrap_or_else(derived);

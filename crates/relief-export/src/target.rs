@@ -16,13 +16,19 @@ pub enum Target {
     Hlsl,
     /// The Metal Shading Language.
     Msl,
-    /// SPIR-V, of Vulkan.
+    /// SPIR-V, of Vulkan: whole shaders alone.
     Spirv,
+    /// WESL, of Bevy and others: functions alone, as WGSL has them.
+    Wesl,
 }
 
 impl Target {
-    /// Every target, in the order in which help lists them.
+    /// Every target of whole shaders, in the order in which help lists them.
     pub const ALL: [Target; 5] = [Target::Wgsl, Target::Glsl, Target::Hlsl, Target::Msl, Target::Spirv];
+
+    /// Every target of functions, in the order in which help lists them.
+    pub const OF_FUNCTIONS: [Target; 5] =
+        [Target::Wgsl, Target::Wesl, Target::Glsl, Target::Hlsl, Target::Msl];
 
     /// Returns the name on the command line and in manifests.
     pub const fn name(self) -> &'static str {
@@ -32,10 +38,11 @@ impl Target {
             Target::Hlsl => "hlsl",
             Target::Msl => "msl",
             Target::Spirv => "spirv",
+            Target::Wesl => "wesl",
         }
     }
 
-    /// Returns the versions; the first is the default.
+    /// Returns the versions of whole shaders; the first is the default.
     pub const fn profiles(self) -> &'static [Profile] {
         match self {
             Target::Wgsl => &[Profile::Wgsl],
@@ -43,7 +50,27 @@ impl Target {
             Target::Hlsl => &[Profile::Hlsl51, Profile::Hlsl60],
             Target::Msl => &[Profile::Msl20],
             Target::Spirv => &[Profile::Spirv13],
+            Target::Wesl => &[],
         }
+    }
+
+    /// Returns the versions of functions; the first is the default.
+    pub const fn profiles_of_functions(self) -> &'static [Profile] {
+        match self {
+            Target::Wgsl => &[Profile::Wgsl],
+            Target::Wesl => &[Profile::Wesl],
+            Target::Glsl => {
+                &[Profile::Core330, Profile::Es300, Profile::Vulkan450, Profile::Core450, Profile::Es310]
+            }
+            Target::Hlsl => &[Profile::Hlsl51, Profile::Hlsl60],
+            Target::Msl => &[Profile::Msl20],
+            Target::Spirv => &[],
+        }
+    }
+
+    /// Every target.
+    fn known() -> impl Iterator<Item = Target> {
+        Self::ALL.into_iter().chain([Target::Wesl])
     }
 }
 
@@ -57,8 +84,8 @@ impl FromStr for Target {
     type Err = UnknownName;
 
     fn from_str(name: &str) -> Result<Self, UnknownName> {
-        let found = Self::ALL.into_iter().find(|target| target.name() == name);
-        found.ok_or_else(|| UnknownName::new("target", name, Self::ALL.map(Self::name)))
+        let found = Self::known().find(|target| target.name() == name);
+        found.ok_or_else(|| UnknownName::new("target", name, Self::known().map(Self::name)))
     }
 }
 
@@ -79,10 +106,18 @@ pub enum Profile {
     Msl20,
     /// SPIR-V 1.3, of Vulkan 1.1.
     Spirv13,
+    /// WESL: functions alone.
+    Wesl,
+    /// GLSL 3.30 of OpenGL's core profile: functions alone.
+    Core330,
+    /// GLSL ES 3.00, of WebGL 2: functions alone.
+    Es300,
+    /// GLSL 4.50 of Vulkan: functions alone.
+    Vulkan450,
 }
 
 impl Profile {
-    /// Every profile.
+    /// Every profile of whole shaders.
     pub const ALL: [Profile; 7] = [
         Profile::Wgsl,
         Profile::Core450,
@@ -103,6 +138,10 @@ impl Profile {
             Profile::Hlsl60 => "6.0",
             Profile::Msl20 => "2.0",
             Profile::Spirv13 => "1.3",
+            Profile::Wesl => "wesl",
+            Profile::Core330 => "core330",
+            Profile::Es300 => "es300",
+            Profile::Vulkan450 => "vulkan450",
         }
     }
 
@@ -116,6 +155,10 @@ impl Profile {
             Profile::Hlsl60 => "HLSL, shader model 6.0",
             Profile::Msl20 => "Metal Shading Language 2.0",
             Profile::Spirv13 => "SPIR-V 1.3",
+            Profile::Wesl => "WESL",
+            Profile::Core330 => "GLSL 3.30, core profile",
+            Profile::Es300 => "GLSL ES 3.00, of WebGL 2",
+            Profile::Vulkan450 => "GLSL 4.50 of Vulkan",
         }
     }
 
@@ -123,22 +166,42 @@ impl Profile {
     pub const fn target(self) -> Target {
         match self {
             Profile::Wgsl => Target::Wgsl,
-            Profile::Core450 | Profile::Es310 => Target::Glsl,
+            Profile::Wesl => Target::Wesl,
+            Profile::Core450 | Profile::Es310 | Profile::Core330 | Profile::Es300 | Profile::Vulkan450 => {
+                Target::Glsl
+            }
             Profile::Hlsl51 | Profile::Hlsl60 => Target::Hlsl,
             Profile::Msl20 => Target::Msl,
             Profile::Spirv13 => Target::Spirv,
         }
     }
 
-    /// Returns the profiles of `targets` with the given names, and the first profile of each target
-    /// without a named one.
+    /// Returns the profiles of whole shaders of `targets` with the given names, and the first profile of
+    /// each target without a named one.
     ///
     /// # Errors
     ///
     /// When no profile of these targets has such a name; the error names the nearest, and all of
     /// theirs.
     pub fn of_names<N: AsRef<str>>(targets: &[Target], names: &[N]) -> Result<Vec<Profile>, UnknownName> {
-        let known = || targets.iter().flat_map(|target| target.profiles()).copied();
+        Self::among(targets, names, Target::profiles)
+    }
+
+    /// Returns the profiles of functions, likewise.
+    ///
+    /// # Errors
+    ///
+    /// As [`of_names`](Self::of_names).
+    pub fn of_functions<N: AsRef<str>>(targets: &[Target], names: &[N]) -> Result<Vec<Profile>, UnknownName> {
+        Self::among(targets, names, Target::profiles_of_functions)
+    }
+
+    fn among<N: AsRef<str>>(
+        targets: &[Target],
+        names: &[N],
+        profiles: fn(Target) -> &'static [Profile],
+    ) -> Result<Vec<Profile>, UnknownName> {
+        let known = || targets.iter().flat_map(|target| profiles(*target)).copied();
         let named = names.iter().map(|name| {
             let found = known().find(|profile| profile.name() == name.as_ref());
             found.ok_or_else(|| UnknownName::new("profile", name.as_ref(), known().map(Profile::name)))
@@ -148,7 +211,7 @@ impl Profile {
             let mut chosen: Vec<Profile> =
                 named.iter().copied().filter(|profile| profile.target() == *target).collect();
             if chosen.is_empty() {
-                chosen.extend(target.profiles().first());
+                chosen.extend(profiles(*target).first());
             }
             chosen
         };

@@ -1,8 +1,8 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `functions`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `loaders`, `look`, `looks`,
-//! `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`,
-//! `shell-map`, `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace`, `units`, `view-dependent` and
-//! `volumes`. Results are kept in `docs/measurements/`.
+//! `embree`, `frame`, `functions`, `fuzz`, `ground`, `impostors`, `judge`, `kits`, `lanes`, `levels`,
+//! `loaders`, `look`, `looks`, `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`,
+//! `readers`, `remesh`, `shadow`, `shell-map`, `sheet`, `slices`, `solids`, `surfaces`, `tessellate`,
+//! `trace`, `units`, `view-dependent` and `volumes`. Results are kept in `docs/measurements/`.
 
 use std::process::ExitCode;
 
@@ -24,6 +24,7 @@ mod fuzz;
 mod ground;
 mod impostors;
 mod judge;
+mod kits;
 mod lanes;
 mod levels;
 mod loaders;
@@ -96,6 +97,8 @@ enum Command {
     Ground(ground::Arguments),
     /// The exact judge of displaced meshes beside a tessellation: fails where they disagree
     Judge(judge::Arguments),
+    /// Kits for engines beside Relief, in Chromium: fails where a plane differs
+    Kits(kits::Arguments),
     /// What the machine's vectors bring the CPU, beside the same work without them
     Lanes(lanes::Arguments),
     /// What is between filter levels and their map: volume, skylines, and seconds to make them
@@ -163,6 +166,7 @@ fn main() -> ExitCode {
         Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Ground(arguments) => ground::run(&arguments),
         Command::Judge(arguments) => judge::run(&arguments),
+        Command::Kits(arguments) => kits::run(&arguments),
         Command::Lanes(arguments) => lanes::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Levels(arguments) => levels::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Loaders(arguments) => loaders::run(&arguments),

@@ -44,7 +44,7 @@ pub struct Arguments {
     refine: Option<String>,
     #[arg(long, value_name = "NAME", help_heading = "Method", help = variants("Surface", SURFACE))]
     surface: Option<String>,
-    #[arg(long, value_name = "NAME", help_heading = "Method", help = variants("Shadow", SHADOW))]
+    #[arg(long, value_name = "NAME", help_heading = "Method", help = shadow_help())]
     shadow: Option<String>,
     /// Search for shadow rays, one of --search [default: the view's search where it can, else
     /// cells]
@@ -65,11 +65,12 @@ pub struct Arguments {
     /// always do
     #[arg(long)]
     depth: bool,
-    /// Shading languages to write: wgsl, glsl, hlsl, msl, spirv
+    /// Shading languages to write: wgsl, glsl, hlsl, msl, spirv; of functions wgsl, wesl, glsl, hlsl,
+    /// msl
     #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',', required = true)]
     target: Vec<String>,
     /// Versions of the targets: core450 or es310 of glsl, 5.1 or 6.0 of hlsl, 2.0 of msl, 1.3 of
-    /// spirv [default: the first of each]
+    /// spirv; of functions also core330, es300 and vulkan450 of glsl [default: the first of each]
     #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',')]
     profile: Vec<String>,
     /// Texture reads. exact: texel by texel, with the same bits on every machine; fast: through a
@@ -144,11 +145,13 @@ fn after_help() -> String {
          All files take their names at the end, or none does.\n\n\
          Profiles:\n"
     );
-    for target in Target::ALL {
-        for profile in target.profiles() {
-            text += &format!("  {target} {}: {}\n", profile.name(), profile.title());
-        }
-    }
+    let listed = |profiles: &[Profile]| -> String {
+        let lines = profiles.iter().map(|of| format!("  {} {}: {}\n", of.target(), of.name(), of.title()));
+        lines.collect()
+    };
+    text += &Target::ALL.map(|target| listed(target.profiles())).concat();
+    text += "\nProfiles of functions:\n";
+    text += &Target::OF_FUNCTIONS.map(|target| listed(target.profiles_of_functions())).concat();
     let shows_triangles = |method: &&Method| {
         let selection = Selection::of(method);
         selection.is_ok_and(|it| it.choices[GEOMETRY].entry.geometry().shown == Shown::Triangles)
@@ -175,6 +178,12 @@ fn method_help() -> String {
 fn variants(title: &str, place: usize) -> String {
     let names: Vec<&str> = STAGES[place].entries.iter().map(|entry| entry.name).collect();
     format!("{title}: {} [default: {}]", names.join(", "), names[0])
+}
+
+fn shadow_help() -> String {
+    let idle = STAGES[SHADOW].first(Entry::is_idle).map_or("", |(_, entry)| entry.name);
+    let plain = variants("Shadow", SHADOW);
+    format!("{}; of functions {idle}]", plain.trim_end_matches(']'))
 }
 
 /// Exports the shaders and writes them.
@@ -257,13 +266,28 @@ impl Arguments {
         })
     }
 
+    /// Returns the profiles of whole shaders or, if functions are asked for, of functions.
     fn profiles(&self) -> Result<Vec<Profile>, Failure> {
         let targets = self.target.iter().map(|name| name.parse::<Target>());
         let targets: Vec<Target> = targets
             .collect::<Result<_, _>>()
             .map_err(|error| Failure::Usage(format!("--target: {error}")))?;
-        Profile::of_names(&targets, &self.profile)
-            .map_err(|error| Failure::Usage(format!("--profile: {error}")))
+        let asked = self.functions.are_asked();
+        let profiles_of =
+            |target: &Target| if asked { target.profiles_of_functions() } else { target.profiles() };
+        if let Some(&target) = targets.iter().find(|target| profiles_of(target).is_empty()) {
+            let error = match asked {
+                true => ExportError::NoFunctionsIn { target },
+                false => ExportError::OnlyFunctions { profile: target.name() },
+            };
+            return Err(of_export(error));
+        }
+        let profiles = if asked {
+            Profile::of_functions(&targets, &self.profile)
+        } else {
+            Profile::of_names(&targets, &self.profile)
+        };
+        profiles.map_err(|error| Failure::Usage(format!("--profile: {error}")))
     }
 
     fn file_name(&self) -> Option<String> {
@@ -321,7 +345,14 @@ fn of_export(error: ExportError) -> Failure {
         ExportError::Displaced { .. } => {
             Failure::Usage(format!("--method: {error}: `relief mesh` makes meshes, {} shades them", facets()))
         }
+        // The geometry and the objects of images come with the method.
+        ExportError::NoFunctions { key: "geometry" | "object", .. } => {
+            Failure::Usage(format!("--method: {error}"))
+        }
         ExportError::NoFunctions { key, .. } => Failure::Usage(format!("--{key}: {error}")),
+        ExportError::OnlyFunctions { .. } => {
+            Failure::Usage(format!("--target: {error}: add --entry functions"))
+        }
         ExportError::NoFunctionsIn { .. } => Failure::Usage(format!("--target: {error}")),
         ExportError::Prefix { .. } => Failure::Usage(format!("--prefix: {error}")),
         ExportError::OnlyCpu { .. } => Failure::Usage(format!("--shadow: {error}")),

@@ -180,13 +180,18 @@ fn no_room_on_the_disk_leaves_what_was_there() {
     assert_eq!(entries(&folder.path("full")).iter().filter(|name| !name.starts_with('.')).count(), 1);
 }
 
+fn sorted(mut names: Vec<String>) -> Vec<String> {
+    names.sort();
+    names
+}
+
 #[test]
 fn functions_are_a_text_and_its_description() {
     let folder = Folder::new();
     let line =
         "shader --method cone --entry functions --shadow ray --wrap repeat --prefix rock --target wgsl";
     folder.relief(&format!("{line} --group 2 --first-binding 5 -o out")).fine();
-    assert_eq!(entries(&folder.path("out")), ["cone.json", "cone.wgsl"]);
+    assert_eq!(sorted(entries(&folder.path("out"))), ["cone.json", "cone.wgsl"]);
     let text = std::fs::read_to_string(folder.path("out/cone.wgsl")).expect("a text");
     for there in ["fn rock_hit(", "fn rock_light(", "@group(2) @binding(6) var rock_search_map"] {
         assert!(text.contains(there), "{there}");
@@ -197,8 +202,10 @@ fn functions_are_a_text_and_its_description() {
     assert_eq!((&scale["type"], &scale["offset"]), (&Value::from("f32"), &Value::from(0)));
     let limit = found(&about["settings"], "name", "search_limit");
     assert!(limit["value"].as_f64().expect("a value") > 1.0 && limit["max"].is_number());
+    let view = found(&about["point"], "name", "view");
+    assert_eq!((&view["type"], about["hit"].as_array().map(Vec::len)), (&Value::from("vec3f"), Some(5)));
     let map = found(&about["bindings"], "name", "rock_search_map");
-    assert_eq!(map["texture"]["dimension"], "2d");
+    assert_eq!((&map["texture"]["dimension"], &map["texture"]["levels"]), (&"2d".into(), &"1".into()));
     assert!(map["texture"]["bake"]["how"].as_str().expect("a line").contains("--kind cone"));
 }
 
@@ -228,6 +235,25 @@ fn more_can_be_asked_of_functions() {
 }
 
 #[test]
+fn functions_come_in_other_languages() {
+    let folder = Folder::new();
+    let line = "shader --method relief --entry functions --wrap repeat --prefix rock";
+    folder.relief(&format!("{line} --target wesl,glsl,hlsl,msl --profile es300 -o out")).fine();
+    let files = ["relief.glsl", "relief.hlsl", "relief.json", "relief.metal", "relief.wesl"];
+    assert_eq!(sorted(entries(&folder.path("out"))), files);
+    let text = |name: &str| std::fs::read_to_string(folder.path("out").join(name)).expect("a text");
+    let declared = "RockHit rock_hit(RockSettings settings, RockPoint at)";
+    for name in ["relief.glsl", "relief.hlsl"] {
+        // In the code, and in the list at its head.
+        assert_eq!(text(name).matches(declared).count(), 2, "{name}");
+        assert!(!text(name).contains("void main") && !text(name).contains("#version"), "{name}");
+    }
+    assert!(text("relief.glsl").contains("sampler2D rock_height_map;"));
+    assert!(text("relief.hlsl").contains("rock_height_map : register(t0)"));
+    assert!(text("relief.metal").contains("RockHit rock_hit("));
+}
+
+#[test]
 fn functions_that_there_are_not_are_refused() {
     let folder = with_out();
     let refused = |flags: &str, named: &[&str]| {
@@ -235,8 +261,8 @@ fn functions_that_there_are_not_are_refused() {
         assert_refused(&folder, &ran, 2, named);
     };
     refused("--method relief --entry functions --surface prism", &["--surface", "'plane'"]);
-    refused("--method depth-object --entry functions", &["'object'", "'quadric-vertical'"]);
-    refused("--method vertex --entry functions", &["vertex"]);
+    refused("--method depth-object --entry functions", &["--method", "'object'"]);
+    refused("--method vertex --entry functions", &["--method", "vertex", "'cone'"]);
     refused("--method translucent --entry functions", &["translucent"]);
     refused("--method relief --entry functions --shadow map", &["--shadow", "'ray'"]);
     refused("--method relief --entry functions --prefix while", &["--prefix", "while"]);
@@ -246,4 +272,12 @@ fn functions_that_there_are_not_are_refused() {
     refused("--method relief --entry functions --depth", &["--depth"]);
     refused("--method relief --entry functions --ambient sky", &["--ambient"]);
     refused("--method relief --prefix rock", &["--prefix", "--entry functions"]);
+    let other = |flags: &str, named: &[&str]| {
+        let ran = folder.relief(&format!("shader --method relief {flags} -o {OUT}"));
+        assert_refused(&folder, &ran, 2, named);
+    };
+    other("--entry functions --target spirv", &["--target", "spirv", "glsl"]);
+    other("--entry functions --target glsl --profile core331", &["--profile", "core330"]);
+    other("--target wesl", &["--target", "wesl", "--entry functions"]);
+    other("--target glsl --profile es300", &["--profile", "es310"]);
 }

@@ -8,11 +8,11 @@ use serde::Serialize;
 
 use super::names::Prefix;
 use super::settings::{STRUCT, Setting};
-use super::syntax::ItemKind;
+use super::syntax::{ItemKind, Member};
 use super::{FunctionOptions, Reduced, has_footprint};
 use crate::manifest::{Bake, ChosenStage, TextureNeed};
 use crate::program::Checked;
-use crate::{ExportError, Options, layout, textures};
+use crate::{ExportError, Options, Profile, layout, textures};
 
 /// A method as functions. Its JSON is `NAME.json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -30,6 +30,10 @@ pub struct FunctionsManifest {
     pub wrap: Option<&'static str>,
     /// The functions to call, as WGSL declares them, and what each does.
     pub functions: Vec<Lent>,
+    /// The members of what goes in: a point of the mesh and the ray that sees it.
+    pub point: Vec<Passed>,
+    /// The members of what comes out.
+    pub hit: Vec<Passed>,
     /// The size of the settings' struct in a uniform buffer, in bytes.
     pub settings_size: u32,
     /// The members of the settings' struct.
@@ -49,6 +53,18 @@ pub struct Lent {
     pub declaration: String,
     /// What it does.
     pub does: String,
+}
+
+/// A member of a struct that goes in or comes out.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Passed {
+    /// The member's name.
+    pub name: String,
+    /// Its type in WGSL.
+    #[serde(rename = "type")]
+    pub of: String,
+    /// What it holds; members of one sentence stand together.
+    pub holds: String,
 }
 
 /// A member of the settings' struct.
@@ -136,6 +152,8 @@ pub fn of(
         sampling: options.sampling.name(),
         wrap: options.wrap.map(relief_core::Wrap::name),
         functions: lent(selection, reduced, prefix),
+        point: passed(reduced, &prefix.of("ReliefPoint")),
+        hit: passed(reduced, &prefix.of("ReliefHit")),
         settings_size: structure.map_or(0, |of| of.size),
         settings,
         bindings: bound(selection, reduced, prefix, options),
@@ -158,6 +176,15 @@ fn lent(selection: &Selection, reduced: &Reduced, prefix: &Prefix) -> Vec<Lent> 
     lent.collect()
 }
 
+/// The members of a struct that goes in or comes out.
+fn passed(reduced: &Reduced, name: &str) -> Vec<Passed> {
+    let structure = reduced.unit.structs().find(|structure| structure.name == name);
+    let members = structure.into_iter().flat_map(|structure| &structure.members);
+    let member =
+        |of: &Member| Passed { name: of.name.clone(), of: of.of.clone(), holds: of.comment.join(" ") };
+    members.map(member).collect()
+}
+
 fn bound(
     selection: &Selection,
     reduced: &Reduced,
@@ -170,13 +197,16 @@ fn bound(
         let name = prefix.of(binding.name);
         let variable = reduced.unit.variables().find(|variable| variable.name == name);
         let of = variable.map_or(String::new(), |variable| variable.of.clone());
-        let texture = textures::need(binding, &needs, &described).map(|need| plain(need, binding.name, &of));
+        let has_levels = has_footprint(selection);
+        let texture = textures::need(binding, &needs, &described);
+        let texture = texture.map(|need| plain(need, binding.name, &of, has_levels));
         BoundTexture {
             name,
             of,
             group: binding.group,
             binding: binding.number,
-            holds: binding.holds,
+            // A texture is bound because it is read.
+            holds: binding.holds.split(';').next().unwrap_or_default(),
             texture,
         }
     });
@@ -184,7 +214,7 @@ fn bound(
 }
 
 /// The requirements of a texture in the words of functions.
-fn plain(need: TextureNeed, name: &str, of: &str) -> TextureNeed {
+fn plain(need: TextureNeed, name: &str, of: &str, has_levels: bool) -> TextureNeed {
     let has_layers = of.contains("array");
     let slot = MapSlot::ALL.into_iter().find(|slot| slot.name() == name);
     let in_settings = |text: &str| {
@@ -198,10 +228,17 @@ fn plain(need: TextureNeed, name: &str, of: &str) -> TextureNeed {
     };
     TextureNeed {
         dimension: if has_layers { "2d-array" } else { "2d" },
-        levels: in_settings(&need.levels),
+        levels: if has_levels { in_settings(&need.levels) } else { without_levels(&need.levels) },
         layers: if has_layers { in_settings(&need.layers) } else { "1".to_owned() },
         ..need
     }
+}
+
+/// The levels of a texture where the finest level of the heights alone is read: maps of every level have
+/// one, other maps all of theirs.
+fn without_levels(levels: &str) -> String {
+    let is_of_heights = levels.starts_with("surface_settings.") || levels.starts_with("one for each level");
+    if is_of_heights { "1".to_owned() } else { levels.to_owned() }
 }
 
 fn stages(selection: &Selection) -> Vec<ChosenStage> {
@@ -229,18 +266,28 @@ fn stages(selection: &Selection) -> Vec<ChosenStage> {
 }
 
 /// The comment at the head of a text.
-pub fn head(selection: &Selection, reduced: &Reduced, manifest: &FunctionsManifest) -> String {
+pub fn head(
+    selection: &Selection,
+    reduced: &Reduced,
+    manifest: &FunctionsManifest,
+    profile: Profile,
+    code: &str,
+) -> String {
     let mut text = format!(
-        "// Relief: displacement mapping, a method as functions. {} sampling.\n\
+        "// Relief: displacement mapping, a method as functions. {}, {} sampling.\n\
          // SPDX-License-Identifier: MIT OR Apache-2.0\n//\n",
-        capitalised(manifest.sampling)
+        profile.title(),
+        manifest.sampling
     );
+    if matches!(profile, Profile::Es300 | Profile::Es310) {
+        text += "// Put `precision highp float; precision highp int;` before it.\n//\n";
+    }
     for stage in &manifest.stages {
         let _ = writeln!(text, "// {}: {}, {} ({})", stage.stage, stage.name, stage.summary, stage.published);
     }
     text += "//\n// Functions:\n";
-    for lent in &manifest.functions {
-        let _ = writeln!(text, "//   {}", lent.declaration);
+    for declared in code.lines().filter(|line| declares(line, manifest)) {
+        let _ = writeln!(text, "//   {}", declared.trim_end_matches([' ', '{']));
     }
     text += "//\n// Textures:\n";
     for bound in &manifest.bindings {
@@ -271,7 +318,12 @@ fn baked(text: &mut String, bake: &Bake) {
     }
 }
 
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+/// Whether a line begins a function that programs call.
+fn declares(line: &str, manifest: &FunctionsManifest) -> bool {
+    let is_begin = line.starts_with(|c: char| c.is_ascii_alphabetic());
+    let is_it = |lent: &Lent| {
+        let name = lent.declaration.trim_start_matches("fn ").split('(').next().unwrap_or_default();
+        line.contains(&format!(" {name}("))
+    };
+    is_begin && manifest.functions.iter().any(is_it)
 }

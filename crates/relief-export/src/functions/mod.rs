@@ -7,6 +7,7 @@
 //! The text is the shaders' own, reduced: choices that are made are put in their places, and what is then not
 //! needed is left out. Arithmetic on floats is never done or moved, so hits keep their bits.
 
+mod languages;
 mod manifest;
 mod names;
 mod parameters;
@@ -23,7 +24,7 @@ use relief_shaders::{
     DETAIL, Entry, GEOMETRY, MapNeed, MapSlot, SEARCH, SHADOW, STAGES, SURFACE, Selection, Variants,
 };
 
-pub use self::manifest::{FunctionsManifest, Lent, SettingPlace};
+pub use self::manifest::{BoundTexture, FunctionsManifest, Lent, Passed, SettingPlace};
 pub use self::names::Prefix;
 use self::reduce::{Kept, reduce};
 use self::settings::Setting;
@@ -117,13 +118,18 @@ pub fn functions(selection: &Selection, options: &FunctionOptions) -> Result<Exp
     let mut manifest = manifest::of(selection, &reduced, &prefix, name, options)?;
     let mut files: Vec<File> = Vec::new();
     for profile in &options.profiles {
-        let file = match profile.target() {
-            Target::Wgsl => {
-                let head = manifest::head(selection, &reduced, &manifest);
-                File { name: format!("{name}.wgsl"), bytes: (head + "\n" + &reduced.text).into_bytes() }
+        let (ending, text) = match profile.target() {
+            Target::Wgsl => ("wgsl", reduced.text.clone()),
+            Target::Wesl => ("wesl", reduced.text.clone()),
+            target @ (Target::Glsl | Target::Hlsl | Target::Msl) => {
+                let text = languages::write(selection, &reduced, &prefix, *profile)?;
+                let ending = if target == Target::Msl { "metal" } else { target.name() };
+                (ending, text)
             }
-            target => return Err(ExportError::NoFunctionsIn { target }),
+            target @ Target::Spirv => return Err(ExportError::NoFunctionsIn { target }),
         };
+        let head = manifest::head(selection, &reduced, &manifest, *profile, &text);
+        let file = File { name: format!("{name}.{ending}"), bytes: (head + "\n" + &text).into_bytes() };
         if files.iter().any(|other| other.name == file.name) {
             return Err(ExportError::SameFile(file.name));
         }
@@ -143,8 +149,9 @@ fn check(selection: &Selection) -> Result<(), ExportError> {
         Err(ExportError::NoFunctions { stage, entry, key: STAGES[place].key, reason })
     };
     if selection.geometry().is_some() {
-        let entry = selection.choices[GEOMETRY].entry.name;
-        return Err(ExportError::Displaced { geometry: entry });
+        let reason = "its triangles are made on the CPU, and no ray is traced through a relief on them: choose a \
+                      method that traces rays, as 'cone' or 'relief'";
+        return refused(GEOMETRY, reason.to_owned());
     }
     if selection.is_translucent() {
         return refused(SEARCH, "nothing is hit in a translucent volume".to_owned());

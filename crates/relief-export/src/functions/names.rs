@@ -197,13 +197,13 @@ impl Prefix {
     pub fn new(prefix: &str) -> Result<Self, ExportError> {
         let refused = |reason: &'static str| ExportError::Prefix { prefix: prefix.to_owned(), reason };
         if !prefix.starts_with(|c: char| c.is_ascii_lowercase()) {
-            return Err(refused("it begins with a small letter from a to z"));
+            return Err(refused("it must begin with a small letter from a to z"));
         }
         if !prefix.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_') {
-            return Err(refused("it is made of small letters, digits and '_'"));
+            return Err(refused("it may hold small letters, digits and '_' alone"));
         }
         if prefix.contains("__") || prefix.ends_with('_') {
-            return Err(refused("shading languages keep two '_' in a row for themselves, and one is added"));
+            return Err(refused("it may not hold two '_' in a row, nor end in one: one is added"));
         }
         if WORDS.contains(&prefix) {
             return Err(refused("it is a word of a shading language"));
@@ -231,7 +231,7 @@ impl Prefix {
     /// Renames all declarations.
     pub fn rename(&self, unit: &mut Unit) {
         let known = || unit.items.iter().filter_map(|item| item.kind.name());
-        // What programs call keeps its name; what would have the same is told apart.
+        // What programs call keeps its name; another with the same name gets a word more.
         let lent: BTreeSet<String> = known().filter(|name| is_lent(name)).map(|name| self.of(name)).collect();
         let of = |name: &str| {
             let plain = self.of(name);

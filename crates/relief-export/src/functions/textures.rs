@@ -1,4 +1,4 @@
-//! Textures of which one layer is read are plain ones.
+//! A texture is a plain one where a single layer of it is read.
 
 use std::collections::BTreeSet;
 

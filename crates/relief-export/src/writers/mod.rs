@@ -11,6 +11,8 @@ mod msl;
 mod spirv;
 mod wgsl;
 
+pub use hlsl_samplers::with_plain_samplers;
+pub use hlsl_zeros::with_listed_zeros;
 use naga::ShaderStage;
 use naga::proc::{BoundsCheckPolicies, BoundsCheckPolicy};
 use relief_shaders::bindings::Binding;
@@ -20,7 +22,7 @@ use crate::program::Program;
 use crate::{ExportError, Options, Profile, Target, binding_points};
 
 /// Textures and buffers are indexed without further checks.
-const UNCHECKED: BoundsCheckPolicies = BoundsCheckPolicies {
+pub const UNCHECKED: BoundsCheckPolicies = BoundsCheckPolicies {
     index: BoundsCheckPolicy::Unchecked,
     buffer: BoundsCheckPolicy::Unchecked,
     image_load: BoundsCheckPolicy::Unchecked,
@@ -56,6 +58,7 @@ pub fn write(
         Target::Hlsl => hlsl::write(program, profile, &points, name).map(|text| vec![text]),
         Target::Msl => msl::write(program, &points, name, options).map(|text| vec![text]),
         Target::Spirv => spirv::write(program, &points, name).map(|text| vec![text]),
+        Target::Wesl => Err(ExportError::OnlyFunctions { profile: profile.name() }),
     }
 }
 

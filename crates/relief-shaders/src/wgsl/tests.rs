@@ -20,6 +20,10 @@ fn every_pair_gives_a_valid_shader_and_the_same_one_again() {
     for (number, selection) in pairs().enumerate() {
         // Samplings take turns, from root to root and from pair to pair.
         for (turn, root) in (number..).zip(Root::ALL) {
+            // Other surfaces have no functions.
+            if root == Root::Functions && !selection.paths().through_frame {
+                continue;
+            }
             let sampling = Sampling::ALL[turn % Sampling::ALL.len()];
             let text = assemble(&selection, root, sampling);
             let name = || format!("{} {} {root:?}", selection.search().name, selection.refine().name);

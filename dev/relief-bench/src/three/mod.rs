@@ -12,11 +12,20 @@ const REVISION: &str = "187";
 /// How long a page may work before its answer is read, in milliseconds of its own clock.
 const PAGE_MS: &str = "--virtual-time-budget=600000";
 
-const FILES: [(&str, &str); 3] = [
+const PACKAGE: [(&str, &str); 2] = [
     ("package.json", include_str!("package.json")),
     ("package-lock.json", include_str!("package-lock.json")),
-    ("page.html", include_str!("page.html")),
 ];
+
+/// Installs three.js into a folder.
+pub fn install(folder: &Path) -> Result<(), String> {
+    for (name, text) in PACKAGE {
+        std::fs::write(folder.join(name), text).map_err(|error| format!("{name}: {error}"))?;
+    }
+    let mut npm = Command::new("npm");
+    npm.args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]).current_dir(folder);
+    output(&mut npm, "install Node.js with npm").map(drop)
+}
 
 /// Runs a page. `script` is a module that exports by default a function from the input to a text, or to a
 /// promise of one. Returns that text.
@@ -24,12 +33,11 @@ pub fn answer(chromium: &Path, script: &str, mut input: Value) -> Result<String,
     input["revision"] = REVISION.into();
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let input = format!("export default {input};\n");
-    for (name, text) in FILES.into_iter().chain([("page.js", script), ("input.js", input.as_str())]) {
+    let page = include_str!("page.html");
+    for (name, text) in [("page.html", page), ("page.js", script), ("input.js", input.as_str())] {
         std::fs::write(folder.path().join(name), text).map_err(|error| format!("{name}: {error}"))?;
     }
-    let mut npm = Command::new("npm");
-    npm.args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]).current_dir(folder.path());
-    output(&mut npm, "install Node.js with npm")?;
+    install(folder.path())?;
     let mut browser = Command::new(chromium);
     browser
         .args(["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"])
@@ -63,7 +71,7 @@ mod tests {
 
     #[test]
     fn the_version_is_the_one_that_is_locked() {
-        let [package, lock, ..] = FILES.map(|(_, text)| text);
+        let [package, lock] = PACKAGE.map(|(_, text)| text);
         assert!(package.contains(&format!("\"three\": \"{VERSION}\"")));
         assert!(lock.contains(&format!("\"version\": \"{VERSION}\"")));
         assert_eq!(VERSION.split('.').nth(1), Some(REVISION));

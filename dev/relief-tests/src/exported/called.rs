@@ -15,6 +15,7 @@ use relief_shaders::wgsl::Sampling;
 use super::Device;
 use super::bound::{texels_of, view_of};
 use crate::baked::maps_for;
+use crate::compilers::{GLSLANG, run};
 use crate::one_source::cases::bare_surface;
 
 /// Invocations of a workgroup.
@@ -68,6 +69,44 @@ pub struct OnPath {
 /// The most cells or steps that a stage may take: see `one_source`.
 const LONGEST_LOOP: f64 = 16_384.0;
 
+/// A language in which functions are called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dialect {
+    /// As it is.
+    Wgsl,
+    /// GLSL of Vulkan, compiled to SPIR-V by somebody else's compiler.
+    Glsl,
+    /// The same.
+    Hlsl,
+}
+
+impl Dialect {
+    /// A statement of WGSL in this language: declarations of one of these types, and vectors.
+    fn statement(self, text: &str, constructs: &str) -> String {
+        let vectors = |text: String, of: [&str; 3]| {
+            let names = ["vec2f(", "vec3f(", "vec4f("];
+            names.iter().zip(of).fold(text, |text, (from, to)| text.replace(from, &format!("{to}(")))
+        };
+        let numbers = |text: &str| text.replace("f32(", "float(").replace("u32(", "uint(");
+        match self {
+            Dialect::Wgsl => text.to_owned(),
+            Dialect::Glsl => vectors(numbers(text), ["vec2", "vec3", "vec4"]),
+            Dialect::Hlsl => {
+                let text = text.replace(&format!("{constructs}("), &format!("Construct{constructs}("));
+                vectors(numbers(&text), ["float2", "float3", "float4"])
+            }
+        }
+    }
+
+    /// The declaration of a value of a type.
+    fn declared(self, name: &str, of: &str, value: &str) -> String {
+        match self {
+            Dialect::Wgsl => format!("let {name} = {value};"),
+            Dialect::Glsl | Dialect::Hlsl => format!("{of} {name} = {value};"),
+        }
+    }
+}
+
 /// Members of a path and where they lie among its numbers.
 const PATH: [(&str, &str); 11] = [
     ("uv", "vec2f(number_at(0u), number_at(1u))"),
@@ -98,23 +137,34 @@ const POINT: usize = 14;
 const RESULT: usize = 9;
 
 impl Device {
-    /// Runs search and refinement of functions over paths.
+    /// Runs search and refinement of functions over paths, in a language. The first file of the export is
+    /// WGSL, the second that language.
     ///
     /// # Panics
     ///
     /// When the functions are none that this device runs.
-    pub fn traced(&self, exported: &ExportedFunctions, surface: &JobSurface, paths: &[Path]) -> Vec<OnPath> {
+    pub fn traced(
+        &self,
+        exported: &ExportedFunctions,
+        surface: &JobSurface,
+        paths: &[Path],
+        dialect: Dialect,
+    ) -> Vec<OnPath> {
         let text = text_of(exported);
         let found = text.split("let found = ").nth(1).and_then(|rest| rest.split(';').next());
         let found = found.expect("it searches and refines");
-        let path = made(&text, &type_of(exported, "Path"), &PATH);
+        let [path, hit] = [type_of(exported, "Path"), type_of(exported, "TracedHit")];
+        let made = dialect.statement(&made(&text, &path, &PATH), &path);
         let body = format!(
-            "let settings = own_settings;\n    let path = {path};\n    let found = {found};\n    \
-             results[out] = f32(found.found);\n    results[out + 1u] = found.uv.x;\n    \
-             results[out + 2u] = found.uv.y;\n    results[out + 3u] = found.t;"
+            "{}\n    {}\n    {}\n    results[out_at] = {}(found.found);\n    results[out_at + 1u] = found.uv.x;\n    \
+             results[out_at + 2u] = found.uv.y;\n    results[out_at + 3u] = found.t;",
+            dialect.declared("settings", &type_of(exported, "Settings"), "own_settings"),
+            dialect.declared("path", &path, &made),
+            dialect.declared("found", &hit, found),
+            if dialect == Dialect::Wgsl { "f32" } else { "float" },
         );
         let numbers: Vec<f32> = paths.iter().flat_map(numbers_of).collect();
-        let results = self.called(exported, surface, &body, NUMBERS_OF_PATH, &numbers);
+        let results = self.called(exported, surface, &body, NUMBERS_OF_PATH, &numbers, dialect);
         let found = |of: &[f32]| OnPath { found: of[0] != 0.0, uv: [of[1], of[2]], t: of[3] };
         results.chunks_exact(RESULT).map(found).collect()
     }
@@ -138,18 +188,18 @@ impl Device {
         let body = format!(
             "let settings = own_settings;\n    let at = {point};\n    let hit = {prefix}_hit(settings, at);\n    \
              var light = 0.0;\n    if (hit.hit) {{\n        light = {light};\n    }}\n    \
-             results[out] = select(0.0, 1.0, hit.hit);\n    results[out + 1u] = hit.uv.x;\n    \
-             results[out + 2u] = hit.uv.y;\n    results[out + 3u] = hit.height;\n    \
-             results[out + 4u] = hit.depth;\n    results[out + 5u] = hit.normal.x;\n    \
-             results[out + 6u] = hit.normal.y;\n    results[out + 7u] = hit.normal.z;\n    \
-             results[out + 8u] = light;"
+             results[out_at] = select(0.0, 1.0, hit.hit);\n    results[out_at + 1u] = hit.uv.x;\n    \
+             results[out_at + 2u] = hit.uv.y;\n    results[out_at + 3u] = hit.height;\n    \
+             results[out_at + 4u] = hit.depth;\n    results[out_at + 5u] = hit.normal.x;\n    \
+             results[out_at + 6u] = hit.normal.y;\n    results[out_at + 7u] = hit.normal.z;\n    \
+             results[out_at + 8u] = light;"
         );
         let numbers = |point: &Point| {
             let Point { uv, view, tile, curvature, footprint, toward } = *point;
             [&uv[..], &view, &tile, &curvature, &[footprint], &toward].concat()
         };
         let numbers: Vec<f32> = points.iter().flat_map(numbers).collect();
-        let results = self.called(exported, surface, &body, POINT, &numbers);
+        let results = self.called(exported, surface, &body, POINT, &numbers, Dialect::Wgsl);
         let seen = |of: &[f32]| Seen {
             hit: of[0] != 0.0,
             uv: [of[1], of[2]],
@@ -169,22 +219,10 @@ impl Device {
         body: &str,
         count: usize,
         numbers: &[f32],
+        dialect: Dialect,
     ) -> Vec<f32> {
         let Self { device, queue } = self;
-        let settings = type_of(exported, "Settings");
-        let text = format!(
-            "{}\n@group(1) @binding(0) var<storage, read> given: array<f32>;\n\
-             @group(1) @binding(1) var<storage, read_write> results: array<f32>;\n\
-             @group(1) @binding(2) var<uniform> own_settings: {settings};\n\n\
-             var<private> first: u32;\n\nfn number_at(place: u32) -> f32 {{\n    return given[first + place];\n}}\n\n\
-             @compute @workgroup_size({GROUP})\n\
-             fn compute_main(@builtin(global_invocation_id) id: vec3u) {{\n    \
-             if (id.x * {count}u >= arrayLength(&given)) {{\n        return;\n    }}\n    \
-             first = id.x * {count}u;\n    let out = id.x * {RESULT}u;\n    {body}\n}}\n",
-            text_of(exported)
-        );
-        let source = wgpu::ShaderSource::Wgsl(text.into());
-        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source });
+        let module = self.module(exported, body, count, dialect);
         let views: Vec<_> = exported
             .manifest
             .bindings
@@ -234,7 +272,7 @@ impl Device {
             label: None,
             layout: Some(&layout),
             module: &module,
-            entry_point: Some("compute_main"),
+            entry_point: Some("main"),
             compilation_options: Default::default(),
             cache: None,
         });
@@ -282,6 +320,91 @@ impl Device {
         let bytes = readable.get_mapped_range(..).expect("the numbers are mapped");
         bytes.as_chunks().0.iter().map(|bytes| f32::from_le_bytes(*bytes)).collect()
     }
+}
+
+impl Device {
+    /// The compute shader around a body.
+    fn module(
+        &self,
+        exported: &ExportedFunctions,
+        body: &str,
+        count: usize,
+        dialect: Dialect,
+    ) -> wgpu::ShaderModule {
+        let settings = type_of(exported, "Settings");
+        if dialect == Dialect::Wgsl {
+            return self.wgsl(wgsl(&text_of(exported), &settings, body, count).as_bytes());
+        }
+        let file = &exported.files[1];
+        let text = without_derivatives(&String::from_utf8(file.bytes.clone()).expect("a text"));
+        let (text, flags) = match dialect {
+            Dialect::Glsl => (glsl(&text, &settings, body, count), &["-V", "-S", "comp"][..]),
+            _ => (hlsl(&text, &settings, body, count), &["-D", "-V", "-Od", "-S", "comp", "-e", "main"][..]),
+        };
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        std::fs::write(folder.path().join("given"), text).expect("the folder is writable");
+        run(folder.path(), GLSLANG, flags.iter().chain(&["-o", "out.spv", "given"]))
+            .unwrap_or_else(|error| panic!("{}: {error}", file.name));
+        self.spirv(&std::fs::read(folder.path().join("out.spv")).expect("it was compiled"), "main")
+    }
+}
+
+fn wgsl(functions: &str, settings: &str, body: &str, count: usize) -> String {
+    format!(
+        "{functions}\n@group(1) @binding(0) var<storage, read> given: array<f32>;\n\
+         @group(1) @binding(1) var<storage, read_write> results: array<f32>;\n\
+         @group(1) @binding(2) var<uniform> own_settings: {settings};\n\n\
+         var<private> first: u32;\n\nfn number_at(place: u32) -> f32 {{\n    \
+         return given[first + place];\n}}\n\n\
+         @compute @workgroup_size({GROUP})\n\
+         fn main(@builtin(global_invocation_id) id: vec3u) {{\n    \
+         if (id.x * {count}u >= arrayLength(&given)) {{\n        return;\n    }}\n    \
+         first = id.x * {count}u;\n    let out_at = id.x * {RESULT}u;\n    {body}\n}}\n"
+    )
+}
+
+fn glsl(functions: &str, settings: &str, body: &str, count: usize) -> String {
+    // The device has textures without samplers, as texels alone are loaded.
+    let functions = functions.replace("sampler2D", "texture2D");
+    format!(
+        "#version 450\n#extension GL_EXT_samplerless_texture_functions : require\n{functions}\n\
+         layout(local_size_x = {GROUP}) in;\n\
+         layout(set = 1, binding = 0) readonly buffer Given {{ float given[]; }};\n\
+         layout(set = 1, binding = 1) buffer Results {{ float results[]; }};\n\
+         layout(set = 1, binding = 2) uniform Own {{ {settings} own_settings; }};\n\
+         uint first;\nfloat number_at(uint place) {{ return given[first + place]; }}\n\
+         void main() {{\n    uint invocation = gl_GlobalInvocationID.x;\n    \
+         if (invocation * {count}u >= given.length()) {{ return; }}\n    first = invocation * {count}u;\n    \
+         uint out_at = invocation * {RESULT}u;\n    {body}\n}}\n"
+    )
+}
+
+fn hlsl(functions: &str, settings: &str, body: &str, count: usize) -> String {
+    format!(
+        "{functions}\nStructuredBuffer<float> given : register(t0, space1);\n\
+         RWStructuredBuffer<float> results : register(u1, space1);\n\
+         cbuffer Own : register(b2, space1) {{ {settings} own_settings; }}\n\
+         static uint first;\nfloat number_at(uint place) {{ return given[first + place]; }}\n\
+         [numthreads({GROUP}, 1, 1)]\nvoid main(uint3 id : SV_DispatchThreadID) {{\n    \
+         uint all;\n    uint stride;\n    given.GetDimensions(all, stride);\n    \
+         if (id.x * {count}u >= all) {{ return; }}\n    first = id.x * {count}u;\n    \
+         uint out_at = id.x * {RESULT}u;\n    {body}\n}}\n"
+    )
+}
+
+/// A text without the functions that take derivatives, which compute shaders have not.
+fn without_derivatives(text: &str) -> String {
+    let mut kept = String::new();
+    let mut rest = text;
+    while let Some(end) = rest.find("\n}\n") {
+        let (declared, after) = rest.split_at(end + 3);
+        let takes = ["dFdx(", "ddx(", "ddx_coarse("].iter().any(|name| declared.contains(name));
+        if !takes {
+            kept += declared;
+        }
+        rest = after;
+    }
+    kept + rest
 }
 
 /// A binding of compute passes.
@@ -381,8 +504,8 @@ pub fn surface_of(map: HeightMap, selection: Selection) -> JobSurface {
     bare_surface(Arc::clone(&map), selection, maps_for(&map, &selection))
 }
 
-/// The renderer's paths of rays.
-fn paths_of(surface: &JobSurface, rays: &[PixelIn]) -> Vec<Path> {
+/// Returns the renderer's paths of rays.
+pub fn paths_of(surface: &JobSurface, rays: &[PixelIn]) -> Vec<Path> {
     let program = surface.program(Frame::none(), None);
     let path = |ray: &PixelIn| {
         let at = program.enter(*ray);
@@ -404,7 +527,7 @@ pub fn differing_hits(
     rays: &[PixelIn],
 ) -> usize {
     let paths = paths_of(surface, rays);
-    let found = device.traced(text, surface, &paths);
+    let found = device.traced(text, surface, &paths, Dialect::Wgsl);
     let hits = prober.trace(surface, Sampling::Exact, &paths).expect("hits");
     let differs = |(hit, found): &(&Hit, &OnPath)| {
         let bits = [hit.uv.x, hit.uv.y, hit.t].map(f32::to_bits);

@@ -67,12 +67,12 @@ impl Device {
         Gpu::of_device(self.device.clone(), self.queue.clone(), "the tests' own")
     }
 
-    fn wgsl(&self, bytes: &[u8]) -> ShaderModule {
+    pub(super) fn wgsl(&self, bytes: &[u8]) -> ShaderModule {
         let source = ShaderSource::Wgsl(String::from_utf8_lossy(bytes).into_owned().into());
         self.device.create_shader_module(ShaderModuleDescriptor { label: None, source })
     }
 
-    fn spirv(&self, bytes: &[u8], entry: &str) -> ShaderModule {
+    pub(super) fn spirv(&self, bytes: &[u8], entry: &str) -> ShaderModule {
         let word = |four: &[u8]| u32::from_le_bytes([four[0], four[1], four[2], four[3]]);
         let words: Vec<u32> = bytes.chunks_exact(4).map(word).collect();
         let name = Cow::Borrowed(entry);

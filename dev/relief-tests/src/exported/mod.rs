@@ -8,5 +8,5 @@ mod drawn;
 mod values;
 
 pub use beside::{Difference, compare, device, exported, rendered};
-pub use called::{OnPath, Point, Seen, differing_hits, shortened, size_of, surface_of};
+pub use called::{Dialect, OnPath, Point, Seen, differing_hits, paths_of, shortened, size_of, surface_of};
 pub use drawn::{Device, Language, draw};

@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 use relief_core::Wrap;
 use relief_core::registry::UnknownName;
-use relief_export::{File, FunctionOptions, functions};
+use relief_export::{ExportError, File, FunctionOptions, functions};
 use relief_shaders::surface::{Paths, Shown};
 use relief_shaders::{DETAIL, Entry, SHADOW, STAGES, SURFACE, Selection};
 
@@ -115,7 +115,14 @@ pub fn files(arguments: &super::Arguments) -> Result<Vec<File>, Failure> {
         placement: arguments.placement(),
         bake: Some(bake_line),
     };
-    Ok(functions(&selection, &options).map_err(of_export)?.files)
+    let exported = functions(&selection, &options).map_err(|error| match error {
+        // The method brought the surface.
+        ExportError::NoFunctions { key, .. } if key == STAGES[SURFACE].key && arguments.surface.is_none() => {
+            Failure::Usage(format!("--method: {error}"))
+        }
+        error => of_export(error),
+    });
+    Ok(exported?.files)
 }
 
 /// The chosen stages: without a shadow unless one is asked for, and on a surface that has functions.

@@ -100,10 +100,12 @@ pub fn members(unit: &mut Unit, kept: &Kept<'_>) {
         unit.structs().map(|of| of.name.clone()).filter(|name| !given.contains(name)).collect();
     for name in names {
         let types = Types::of(unit);
+        let locals = types.all_locals(unit);
         let members = types.members(&name).to_vec();
         let known: BTreeMap<String, Expression> = (0..members.len())
             .filter_map(|place| {
-                let constant = member_constant(unit, &types, &values, &name, place, &members[place].0)?;
+                let constant =
+                    member_constant(unit, (&types, &locals), &values, &name, place, &members[place].0)?;
                 Some((members[place].0.clone(), constant))
             })
             .collect();
@@ -118,7 +120,7 @@ pub fn members(unit: &mut Unit, kept: &Kept<'_>) {
 /// The constant that a member always is.
 fn member_constant(
     unit: &Unit,
-    types: &Types,
+    types: (&Types, &BTreeMap<String, Locals>),
     values: &Values,
     name: &str,
     place: usize,
@@ -130,7 +132,7 @@ fn member_constant(
 /// All that a member of a struct is made of; none if that is not known.
 pub fn member_values(
     unit: &Unit,
-    types: &Types,
+    (types, locals): (&Types, &BTreeMap<String, Locals>),
     name: &str,
     place: usize,
     member: &str,
@@ -138,8 +140,8 @@ pub fn member_values(
     let mut all: Vec<Expression> = Vec::new();
     let mut is_sure = true;
     for function in unit.functions() {
-        let locals = types.locals(function);
-        let is_of = |of: &Expression| types.type_of(of, &locals).as_deref() == Some(name);
+        let Some(locals) = locals.get(&function.name) else { continue };
+        let is_of = |of: &Expression| types.type_of(of, locals).as_deref() == Some(name);
         visit_expressions(&function.body, &mut |part| match part {
             Expression::Call(called, arguments) if called == name => match arguments.get(place) {
                 Some(value) => all.push(value.clone()),
@@ -147,7 +149,7 @@ pub fn member_values(
             },
             // A struct of an unknown type may be this one.
             Expression::Member(of, found) if found == member => {
-                is_sure &= types.type_of(of, &locals).is_some();
+                is_sure &= types.type_of(of, locals).is_some();
             }
             _ => {}
         });

@@ -9,12 +9,19 @@ use super::types::{Locals, Types};
 use crate::functions::syntax::{Block, Expression, Function, StatementKind, Unit};
 
 /// What is needed.
-#[derive(Default, PartialEq, Clone)]
+#[derive(Default)]
 struct Live {
     /// Locals and parameters, by function and name.
     locals: BTreeSet<(String, String)>,
     /// Members, by struct and name.
     members: BTreeSet<(String, String)>,
+}
+
+impl Live {
+    /// How much is needed: it only grows.
+    fn size(&self) -> usize {
+        self.locals.len() + self.members.len()
+    }
 }
 
 struct Search<'a> {
@@ -83,14 +90,15 @@ fn live(unit: &Unit, kept: &Kept<'_>) -> Live {
     }
     let names = |function: &'_ Function| function.parameters.iter().map(|of| of.name.clone()).collect();
     let parameters = unit.functions().map(|function| (function.name.clone(), names(function))).collect();
-    let mut search = Search { unit, types: Types::of(unit), parameters, live };
+    let types = Types::of(unit);
+    let locals = types.all_locals(unit);
+    let mut search = Search { unit, types, parameters, live };
     loop {
-        let before = search.live.clone();
+        let size = search.live.size();
         for function in search.unit.functions() {
-            let locals = search.types.locals(function);
-            search.block(&function.body, function, &locals);
+            search.block(&function.body, function, &locals[&function.name]);
         }
-        if search.live == before {
+        if search.live.size() == size {
             return search.live;
         }
     }

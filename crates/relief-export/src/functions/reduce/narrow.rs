@@ -1,4 +1,4 @@
-//! Counters of reads, steps and bytes of which one count alone is needed become single numbers.
+//! Counters of reads, steps and bytes become single numbers where one count alone is needed.
 
 use std::collections::BTreeSet;
 

@@ -12,10 +12,11 @@ use crate::functions::syntax::{Expression, Unit, change_expressions};
 pub fn compare(unit: &mut Unit, kept: &Kept<'_>) {
     let (types, values) = (Types::of(unit), Values::of(unit));
     let given = kept.given(unit);
+    let all_locals = types.all_locals(unit);
     let mut known: BTreeMap<(String, String), Vec<Value>> = BTreeMap::new();
     for name in unit.structs().map(|of| &of.name).filter(|name| !given.contains(*name)) {
         for (place, (member, _)) in types.members(name).iter().enumerate() {
-            let all = member_values(unit, &types, name, place, member).unwrap_or_default();
+            let all = member_values(unit, (&types, &all_locals), name, place, member).unwrap_or_default();
             let constants: Option<Vec<Value>> = all.iter().map(|value| values.value(value)).collect();
             if let Some(constants) = constants.filter(|constants| !constants.is_empty()) {
                 known.insert((name.clone(), member.clone()), constants);

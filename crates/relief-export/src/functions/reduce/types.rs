@@ -43,6 +43,11 @@ impl Types {
         self.structs.get(name).map_or(&[], Vec::as_slice)
     }
 
+    /// The types of all functions' locals, by the functions' names.
+    pub fn all_locals(&self, unit: &Unit) -> BTreeMap<String, Locals> {
+        unit.functions().map(|function| (function.name.clone(), self.locals(function))).collect()
+    }
+
     /// The types of a function's locals. Two of one name must have one type.
     pub fn locals(&self, function: &Function) -> Locals {
         let mut locals: Locals =

@@ -1,0 +1,220 @@
+//! `kits`: kits for engines beside Relief. The kit of three.js draws meshes in Chromium without a window, on
+//! WebGPU and on WebGL 2 (SwiftShader); each pixel's hit is held to the renderer's.
+
+mod served;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use clap::Args;
+use glam::{DVec3, Vec2};
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::{Builtin, Mesh};
+use relief_core::{HeightMap, Watch, Wrap};
+use relief_export::{FunctionOptions, Profile, functions};
+use relief_maps::Maps;
+use relief_render::Renderer;
+use relief_scene::{Look, Scene, Surface};
+use relief_shaders::Selection;
+use relief_testing::maps;
+use serde_json::{Value, json};
+
+use crate::table::table;
+
+/// Arguments of `kits`.
+#[derive(Args)]
+pub struct Arguments {
+    /// Chromium or Chrome, which runs three.js
+    #[arg(long, value_name = "PROGRAM", default_value = "chromium")]
+    chromium: PathBuf,
+    /// Width of the pictures; they are three quarters as high
+    #[arg(long, default_value_t = 512)]
+    width: u32,
+}
+
+/// A mesh under a relief: its tiles, and the surface.
+const MESHES: [(Builtin, Vec2, &str); 3] = [
+    (Builtin::Plane, Vec2::new(0.25, 0.25), "plane"),
+    (Builtin::Sphere, Vec2::new(1.0, 0.5), "quadric-vertical"),
+    (Builtin::Torus, Vec2::new(1.0, 0.375), "quadric-vertical"),
+];
+
+const METHODS: [&str; 2] = ["relief", "exact"];
+
+const BACKENDS: [&str; 2] = ["webgpu", "webgl"];
+
+const EYE_M: DVec3 = DVec3::new(0.9, 0.8, 1.3);
+const FOV_DEGREES: f64 = 40.0;
+const SCALE_M: f64 = 0.03;
+
+/// A summand that makes texture coordinates positive, since they are drawn as colours.
+const BEYOND: f64 = 4.0;
+
+/// Hits that are as near as this, in texels, count as the same.
+const NEAR_TEXELS: f64 = 0.02;
+
+/// Rasterisers know places to some hundredths of a pixel (SwiftShader to a sixteenth). How much that moves hits is
+/// seen by the renderer's own picture, moved as far aside.
+const ASIDE_PIXELS: f64 = 1.0 / 32.0;
+
+/// A pixel's hit, in texture coordinates.
+type Shown = Vec<Option<[f64; 2]>>;
+
+/// Prints the table. Fails where a plane misses a bound.
+pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
+    let size = [arguments.width, arguments.width * 3 / 4];
+    let mut rows = table(&["mesh", "method", "picture", "hits agree", "median", "p99", "within 0.02 texel"]);
+    let mut holds = true;
+    for (builtin, tile, surface) in MESHES {
+        for method in METHODS {
+            let mut selection = Selection::method(method).map_err(|error| error.to_string())?;
+            for (key, name) in [("surface", surface), ("shadow", "none")] {
+                selection.choose(key, name).map_err(|error| error.to_string())?;
+            }
+            let mesh = builtin.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(tile));
+            let mesh = Arc::new(mesh.map_err(|error| error.to_string())?);
+            let heights = heights()?;
+            let of = |pixels| ours(&mesh, &heights, &selection, size, pixels);
+            let (ours, aside) = (of(0.0)?, of(ASIDE_PIXELS)?);
+            let itself = compare(&ours, &aside, heights.width());
+            rows.add_row(row(builtin, method, "Relief, aside", &itself));
+            for backend in BACKENDS {
+                let input = input(&mesh, &heights, &selection, backend, size)?;
+                let answer = served::answer(&arguments.chromium, include_str!("page.js"), &input)?;
+                let theirs = shown(&answer, size, backend)?;
+                let found = compare(&ours, &theirs, heights.width());
+                holds &= builtin != Builtin::Plane || found.is_as_near_as(&itself);
+                rows.add_row(row(builtin, method, backend, &found));
+            }
+        }
+    }
+    println!("{rows}");
+    Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn row(mesh: Builtin, method: &str, picture: &str, found: &Apart) -> [String; 7] {
+    [
+        mesh.name().to_owned(),
+        method.to_owned(),
+        picture.to_owned(),
+        format!("{:.3} %", 100.0 * found.hits),
+        format!("{:.4}", found.median),
+        format!("{:.4}", found.p99),
+        format!("{:.2} %", 100.0 * found.near),
+    ]
+}
+
+fn heights() -> Result<HeightMap, String> {
+    let natural = maps::ALL.iter().find(|map| map.name == "natural 128x128").ok_or("no such map")?;
+    natural.build(Wrap::Repeat).with_displacement(SCALE_M, -SCALE_M).map_err(|error| error.to_string())
+}
+
+/// The renderer's hits, in a picture that is moved aside.
+fn ours(
+    mesh: &Arc<Mesh>,
+    heights: &HeightMap,
+    selection: &Selection,
+    [width, height]: [u32; 2],
+    aside_pixels: f64,
+) -> Result<Shown, String> {
+    let text = |error: &dyn std::fmt::Display| error.to_string();
+    let pixel_m = 2.0 * EYE_M.length() * (FOV_DEGREES.to_radians() / 2.0).tan() / f64::from(height);
+    let target = DVec3::Y.cross(EYE_M).normalize() * (pixel_m * aside_pixels);
+    let camera = Camera::with(EYE_M, target, Projection::Perspective { fov_degrees: FOV_DEGREES });
+    let surface = Surface::new(Arc::clone(mesh), heights.clone()).with_selection(*selection);
+    let scene = Scene::builder(surface)
+        .look(Look::Plain)
+        .camera(camera.map_err(|error| text(&error))?)
+        .size(width, height)
+        .samples(1)
+        .build()
+        .map_err(|error| text(&error))?;
+    let rendered = Renderer::on_cpu().render(&scene, &mut Maps::in_memory(), &Watch::none());
+    let rendering = rendered.map_err(|error| text(&error))?.rendering;
+    let hit = |pixel: &relief_shaders::cpu::PixelOut| {
+        (pixel.hit == 1).then(|| [f64::from(pixel.uv.x), f64::from(pixel.uv.y)])
+    };
+    Ok(rendering.pixels.iter().map(hit).collect())
+}
+
+fn input(
+    mesh: &Mesh,
+    heights: &HeightMap,
+    selection: &Selection,
+    backend: &str,
+    [width, height]: [u32; 2],
+) -> Result<Value, String> {
+    let profiles = vec![Profile::Wgsl, Profile::Es300];
+    let options = FunctionOptions { wrap: Some(heights.wrap()), profiles, ..FunctionOptions::default() };
+    let exported = functions(selection, &options).map_err(|error| error.to_string())?;
+    let text = |place: usize| String::from_utf8_lossy(&exported.files[place].bytes).into_owned();
+    let flat = |part: fn(&relief_core::mesh::Vertex) -> Vec<f32>| -> Vec<f32> {
+        mesh.vertices().iter().flat_map(part).collect()
+    };
+    Ok(json!({
+        "backend": backend,
+        "width": width,
+        "height": height,
+        "eye": EYE_M.to_array(),
+        "fov": FOV_DEGREES,
+        "scale": SCALE_M,
+        "beyond": BEYOND,
+        "mesh": {
+            "positions": flat(|vertex| vertex.position.to_array().to_vec()),
+            "normals": flat(|vertex| vertex.normal.to_array().to_vec()),
+            "uvs": flat(|vertex| vertex.uv.to_array().to_vec()),
+            "triangles": mesh.triangles().as_flattened(),
+        },
+        "heights": { "width": heights.width(), "height": heights.height(), "texels": heights.texels() },
+        "functions": { "about": exported.manifest, "texts": { "wgsl": text(0), "glsl": text(1) } },
+    }))
+}
+
+/// The page's pixels: `u`, `v`, depth and 1 for a hit.
+fn shown(answer: &[u8], [width, height]: [u32; 2], backend: &str) -> Result<Shown, String> {
+    let numbers: Vec<f32> = answer.as_chunks().0.iter().map(|bytes| f32::from_le_bytes(*bytes)).collect();
+    let pixels = numbers.as_chunks::<4>().0;
+    if pixels.len() != (width * height) as usize {
+        return Err(format!("the page says: {}", String::from_utf8_lossy(&answer[..answer.len().min(4000)])));
+    }
+    let hit = |pixel: &[f32; 4]| (pixel[3] > 0.5).then(|| [0, 1].map(|k| f64::from(pixel[k]) - BEYOND));
+    let mut rows: Vec<Shown> =
+        pixels.chunks(width as usize).map(|row| row.iter().map(hit).collect()).collect();
+    // WebGL reads from the lowest row up.
+    if backend == "webgl" {
+        rows.reverse();
+    }
+    Ok(rows.concat())
+}
+
+/// How far hits are from others.
+struct Apart {
+    hits: f64,
+    median: f64,
+    p99: f64,
+    near: f64,
+}
+
+impl Apart {
+    /// Whether a kit is as near as the renderer is to its own picture, moved aside.
+    fn is_as_near_as(&self, itself: &Self) -> bool {
+        self.hits >= itself.hits - 0.002 && self.near >= itself.near
+    }
+}
+
+fn compare(ours: &Shown, theirs: &Shown, side: u32) -> Apart {
+    let covered = ours.iter().zip(theirs).filter(|(a, b)| a.is_some() || b.is_some()).count();
+    let both = ours.iter().zip(theirs).filter_map(|(a, b)| a.zip(*b));
+    let mut off: Vec<f64> = both.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]) * f64::from(side)).collect();
+    off.sort_by(f64::total_cmp);
+    let at =
+        |part: f64| off.get((off.len().saturating_sub(1) as f64 * part) as usize).copied().unwrap_or(0.0);
+    let near = off.iter().filter(|off| **off <= NEAR_TEXELS).count();
+    Apart {
+        hits: off.len() as f64 / covered.max(1) as f64,
+        median: at(0.5),
+        p99: at(0.99),
+        near: near as f64 / off.len().max(1) as f64,
+    }
+}

@@ -1,0 +1,237 @@
+// Relief on the materials of three.js: what `relief shader --entry functions` writes, as nodes of any
+// MeshStandardNodeMaterial. Colour, normal, roughness, depth, silhouette, and shadows that are cast and received.
+//
+// SPDX-License-Identifier: MIT OR Apache-2.0
+
+import { FrontSide, Vector2, Vector4 } from 'three/webgpu';
+import {
+	cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, dFdx, dFdy, Fn, glslFn, inverse, ivec2,
+	lightTargetDirection, normalViewGeometry, positionView, select, texture, uniform, uv, vec3, vec4,
+	viewZToOrthographicDepth, viewZToPerspectiveDepth, wgslFn,
+} from 'three/tsl';
+
+/**
+ * Reads the functions of a method, by the address of their description, NAME.json. The texts lie beside it:
+ * NAME.wgsl for WebGPU, NAME.glsl (of the profile es300) for WebGL 2.
+ */
+export async function loadRelief( url ) {
+
+	const address = new URL( url, globalThis.location?.href );
+	const read = async ( name ) => {
+
+		const answer = await fetch( new URL( name, address ) );
+		if ( ! answer.ok ) throw new Error( `relief: ${ name } cannot be read (${ answer.status })` );
+		return answer;
+
+	};
+
+	const about = await ( await read( address.href ) ).json();
+	const texts = {};
+	for ( const language of [ 'wgsl', 'glsl' ] ) {
+
+		const file = about.files.find( ( name ) => name.endsWith( `.${ language }` ) );
+		if ( file !== undefined ) texts[ language ] = await ( await read( file ) ).text();
+
+	}
+
+	return { about, texts };
+
+}
+
+/** What GLSL and WGSL call the types of settings, and a setting of that type from a parameter. */
+const TYPES = {
+	f32: [ 'f32', 'float', ( name ) => name, ( name ) => name ],
+	u32: [ 'f32', 'float', ( name ) => `u32(${ name })`, ( name ) => `uint(${ name })` ],
+	vec2u: [ 'vec2f', 'vec2', ( name ) => `vec2u(${ name })`, ( name ) => `uvec2(${ name })` ],
+	vec2f: [ 'vec2f', 'vec2', ( name ) => name, ( name ) => name ],
+	vec4u: [ 'vec4f', 'vec4', ( name ) => `vec4u(${ name })`, ( name ) => `uvec4(${ name })` ],
+};
+
+/** The name of a type with the prefix: `rock` and `Hit` give `RockHit`. */
+function typeName( prefix, name ) {
+
+	const words = prefix.split( '_' ).map( ( word ) => word[ 0 ].toUpperCase() + word.slice( 1 ) );
+	return words.join( '' ) + name;
+
+}
+
+/** Whether there is a function of that name. */
+function has( about, name ) {
+
+	return about.functions.some( ( { declaration } ) => declaration.startsWith( `fn ${ about.prefix }_${ name }(` ) );
+
+}
+
+/** The functions that nodes call, in both languages: the hit of a fragment, and the light that arrives there. */
+function sources( about ) {
+
+	const p = about.prefix;
+	const [ Settings, Point, Hit ] = [ 'Settings', 'Point', 'Hit' ].map( ( name ) => typeName( p, name ) );
+	const given = { uv: '', view: '', tile: '', curvature: '', footprint: '' };
+	for ( const { name } of about.point ) if ( ! ( name in given ) ) throw new Error( `relief: nothing is known of ${ name }` );
+	const isIn = ( name ) => about.point.some( ( member ) => member.name === name );
+	const settings = ( place ) => about.settings.map( ( { name, type } ) => TYPES[ type ][ place ]( name ) ).join( ', ' );
+	const parameters = ( place, declared ) => about.settings.map( ( { name, type } ) => declared( name, TYPES[ type ][ place ] ) );
+	const wgslTexture = ( { name, type } ) => `of_${ name }: ${ type }`;
+	const passed = [
+		...parameters( 0, ( name, type ) => `${ name }: ${ type }` ),
+		...about.bindings.map( wgslTexture ),
+	].join( ', ' );
+	const passedGlsl = [
+		...parameters( 1, ( name, type ) => `${ type } ${ name }` ),
+		// A texel stands for a texture: three.js gives samplers names there that it does not declare.
+		...about.bindings.map( ( { name } ) => `float of_${ name }` ),
+	].join( ', ' );
+	const members = ( wide ) => [
+		'uv', wide( 'dot(view, t), dot(view, b), dot(view, n)' ), 'tile',
+		isIn( 'curvature' ) ? `${ p }_curvature(position, n, uv)` : '',
+		isIn( 'footprint' ) ? 'footprint' : '',
+	].filter( ( member ) => member !== '' ).join( ', ' );
+
+	// The frame of the point in view space, from derivatives: along +u, along +v, and the normal.
+	const wgslFrame = `
+	let settings = ${ Settings }(${ settings( 2 ) });
+	let dx = dpdx(position);
+	let dy = dpdy(position);
+	let du = vec2f(dpdx(uv.x), dpdy(uv.x));
+	let dv = vec2f(dpdx(uv.y), dpdy(uv.y));
+	let turn = sign(du.x * dv.y - du.y * dv.x);
+	let n = normalize(normal);
+	let along_u = (dx * dv.y - dy * dv.x) * turn;
+	let along_v = (dy * du.x - dx * du.y) * turn;
+	let t = normalize(along_u - n * dot(n, along_u));
+	let b = normalize(along_v - n * dot(n, along_v));
+	let tile = ${ p }_tile(position, uv);
+	let texels = uv * size;
+	let footprint = min(length(dpdx(texels)), length(dpdy(texels)));
+	let at = ${ Point }(${ members( ( list ) => `vec3f(${ list })` ) });`;
+	const glslFrame = `
+	${ Settings } settings = ${ Settings }(${ settings( 3 ) });
+	vec3 dx = dFdx(position);
+	vec3 dy = dFdy(position);
+	vec2 du = vec2(dFdx(uv.x), dFdy(uv.x));
+	vec2 dv = vec2(dFdx(uv.y), dFdy(uv.y));
+	float turn = sign(du.x * dv.y - du.y * dv.x);
+	vec3 n = normalize(normal);
+	vec3 along_u = (dx * dv.y - dy * dv.x) * turn;
+	vec3 along_v = (dy * du.x - dx * du.y) * turn;
+	vec3 t = normalize(along_u - n * dot(n, along_u));
+	vec3 b = normalize(along_v - n * dot(n, along_v));
+	vec2 tile = ${ p }_tile(position, uv);
+	vec2 texels = uv * size;
+	float footprint = min(length(dFdx(texels)), length(dFdy(texels)));
+	${ Point } at = ${ Point }(${ members( ( list ) => `vec3(${ list })` ) });`;
+	return {
+		wgsl: {
+			hit: `fn ${ p }_of_fragment(uv: vec2f, position: vec3f, normal: vec3f, view: vec3f, size: vec2f, ${ passed }) -> mat3x3<f32> {${ wgslFrame }
+	let hit = ${ p }_hit(settings, at);
+	let bent = t * hit.normal.x + b * hit.normal.y + n * hit.normal.z;
+	return mat3x3<f32>(vec3f(select(0.0, 1.0, hit.hit), hit.uv), bent, vec3f(hit.depth, hit.height, 0.0));
+}`,
+			light: `fn ${ p }_light_of_fragment(uv: vec2f, position: vec3f, normal: vec3f, view: vec3f, size: vec2f, place: vec3f, toward: vec3f, ${ passed }) -> f32 {${ wgslFrame }
+	let hit = ${ Hit }(true, place.xy, place.z, 0.0, vec3f(0.0, 0.0, 1.0));
+	return ${ p }_light(settings, at, hit, vec3f(dot(toward, t), dot(toward, b), dot(toward, n)));
+}`,
+		},
+		glsl: {
+			hit: `mat3 ${ p }_of_fragment(vec2 uv, vec3 position, vec3 normal, vec3 view, vec2 size, ${ passedGlsl }) {${ glslFrame }
+	${ Hit } hit = ${ p }_hit(settings, at);
+	vec3 bent = t * hit.normal.x + b * hit.normal.y + n * hit.normal.z;
+	return mat3(vec3(hit.hit ? 1.0 : 0.0, hit.uv), bent, vec3(hit.depth, hit.height, 0.0));
+}`,
+			light: `float ${ p }_light_of_fragment(vec2 uv, vec3 position, vec3 normal, vec3 view, vec2 size, vec3 place, vec3 toward, ${ passedGlsl }) {${ glslFrame }
+	${ Hit } hit = ${ Hit }(true, place.xy, place.z, 0.0, vec3(0.0, 0.0, 1.0));
+	return ${ p }_light(settings, at, hit, vec3(dot(toward, t), dot(toward, b), dot(toward, n)));
+}`,
+		},
+	};
+
+}
+
+/** Puts a relief on a material. The options and the nodes that come back are described in relief.d.ts. */
+export function applyRelief( material, { about, texts }, options ) {
+
+	const { renderer, maps, sun = null, scale = 0.05 } = options;
+	const language = renderer.backend.isWebGPUBackend === true ? 'wgsl' : 'glsl';
+	const text = texts[ language ];
+	if ( text === undefined ) {
+
+		const target = language === 'wgsl' ? '--target wgsl' : '--target glsl --profile es300';
+		throw new Error( `relief: this renderer needs functions in ${ language.toUpperCase() }: write them with ${ target }, too` );
+
+	}
+
+	const ownName = ( name ) => name.slice( about.prefix.length + 1 );
+	const missing = about.bindings.find( ( { name } ) => maps[ ownName( name ) ] === undefined );
+	if ( missing !== undefined ) {
+
+		const how = missing.texture?.bake?.how;
+		throw new Error( `relief: maps.${ ownName( missing.name ) } is missing: ${ missing.holds }${ how ? `, by ${ how }` : '' }` );
+
+	}
+
+	const { width, height } = ( maps.height_map ?? Object.values( maps )[ 0 ] ).image;
+	const values = { scale, bias: - scale, height_size: new Vector2( width, height ), height_levels: 1, light_radius: 0, ...options.settings };
+	const settings = {};
+	for ( const { name, type, value } of about.settings ) {
+
+		const start = values[ name ] ?? value;
+		if ( start === undefined ) throw new Error( `relief: settings.${ name } is missing` );
+		settings[ name ] = uniform( type === 'vec4u' ? new Vector4( ...start ) : start );
+
+	}
+
+	const bound = {};
+	for ( const { name } of about.bindings ) {
+
+		const map = texture( maps[ ownName( name ) ] );
+		bound[ `of_${ name }` ] = language === 'wgsl' ? map.setName( name ) : map.load( ivec2( 0, 0 ) ).setName( name ).x;
+
+	}
+
+	// three.js declares the textures itself.
+	const isOwn = ( line ) => line.startsWith( '@group' ) || /^(layout\(.*\) )?uniform .*sampler2D/.test( line );
+	const functions = code( text.split( '\n' ).filter( ( line ) => ! isOwn( line ) ).join( '\n' ), [], language );
+	const native = language === 'wgsl' ? wgslFn : glslFn;
+	const source = sources( about )[ language ];
+
+	// With parallel rays all look along the view axis: in the picture of a camera, or of a sun's shadow.
+	const isParallel = cameraProjectionMatrix.element( 3 ).element( 3 ).equal( 1 );
+	const point = {
+		uv: uv(),
+		position: positionView,
+		normal: normalViewGeometry,
+		view: select( isParallel, vec3( 0, 0, - 1 ), positionView.normalize() ),
+		size: settings.height_size ?? uniform( new Vector2( width, height ) ),
+	};
+	const seen = native( source.hit, [ functions ] )( { ...point, ...settings, ...bound } ).toVar();
+	const hitUV = seen.element( 0 ).yz;
+	const place = positionView.add( point.view.mul( seen.element( 2 ).x ) );
+
+	const sampled = ( map ) => texture( map, hitUV ).grad( dFdx( uv() ), dFdy( uv() ) );
+	if ( options.map ) material.colorNode = sampled( options.map );
+	if ( options.roughnessMap ) material.roughnessNode = sampled( options.roughnessMap ).g;
+	material.normalNode = seen.element( 1 );
+	material.maskNode = seen.element( 0 ).x.greaterThan( 0.5 );
+	material.depthNode = select(
+		isParallel,
+		viewZToOrthographicDepth( place.z, cameraNear, cameraFar ),
+		viewZToPerspectiveDepth( place.z, cameraNear, cameraFar ),
+	);
+	material.receivedShadowPositionNode = inverse( cameraViewMatrix ).mul( vec4( place, 1 ) ).xyz;
+	// From behind, a point of the mesh has no relief.
+	material.shadowSide = FrontSide;
+	if ( sun !== null && has( about, 'light' ) ) {
+
+		const at = vec3( hitUV, seen.element( 2 ).y );
+		const arrives = native( source.light, [ functions ] )( {
+			...point, place: at, toward: lightTargetDirection( sun ), ...settings, ...bound,
+		} );
+		material.receivedShadowNode = Fn( ( [ shadow ] ) => shadow.mul( arrives ) );
+
+	}
+
+	material.needsUpdate = true;
+	return { settings, uv: hitUV, isHit: material.maskNode, height: seen.element( 2 ).y, depth: seen.element( 2 ).x };
+
+}
