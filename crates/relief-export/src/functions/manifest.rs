@@ -286,8 +286,19 @@ pub fn head(
         let _ = writeln!(text, "// {}: {}, {} ({})", stage.stage, stage.name, stage.summary, stage.published);
     }
     text += "//\n// Functions:\n";
-    for declared in code.lines().filter(|line| declares(line, manifest)) {
-        let _ = writeln!(text, "//   {}", declared.trim_end_matches([' ', '{']));
+    let mut lines = code.lines();
+    while let Some(line) = lines.next() {
+        if declares(line, manifest) {
+            // Some languages have a line for each parameter.
+            let mut declared = line.to_owned();
+            while !declared.contains(')')
+                && let Some(more) = lines.next()
+            {
+                declared += &format!(" {}", more.trim());
+            }
+            let declared = declared.replace("( ", "(").replace(" )", ")");
+            let _ = writeln!(text, "//   {}", declared.trim_end_matches([' ', '{']));
+        }
     }
     text += "//\n// Textures:\n";
     for bound in &manifest.bindings {

@@ -243,12 +243,17 @@ impl Prefix {
                 name.clone_from(other);
             }
         };
-        let in_type = |of: &mut String| *of = in_words(of, &names);
+        let in_type = |of: &mut String| *of = in_words(of, &|word| names.get(word).map(String::as_str));
         let in_quotes = |line: &mut String| {
             // Comments name declarations in backquotes.
             let parts = line.split('`').enumerate();
-            let parts = parts
-                .map(|(number, part)| if number % 2 == 1 { in_words(part, &names) } else { part.to_owned() });
+            let parts = parts.map(|(number, part)| {
+                if number % 2 == 1 {
+                    in_words(part, &|word| names.get(word).map(String::as_str))
+                } else {
+                    part.to_owned()
+                }
+            });
             *line = parts.collect::<Vec<_>>().join("`");
         };
         for item in &mut unit.items {
@@ -289,15 +294,15 @@ impl Prefix {
 }
 
 /// A text with other names for some of its words.
-fn in_words(text: &str, names: &BTreeMap<String, String>) -> String {
+pub fn in_words<'a>(text: &'a str, other: &dyn Fn(&'a str) -> Option<&'a str>) -> String {
     let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let mut renamed = String::new();
+    let mut renamed = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(start) = rest.find(is_part) {
         let (before, from) = rest.split_at(start);
         let (word, after) = from.split_at(from.find(|c| !is_part(c)).unwrap_or(from.len()));
         renamed += before;
-        renamed += names.get(word).map_or(word, String::as_str);
+        renamed += other(word).unwrap_or(word);
         rest = after;
     }
     renamed + rest

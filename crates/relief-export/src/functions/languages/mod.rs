@@ -8,12 +8,13 @@ mod glsl;
 mod hlsl;
 mod msl;
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use relief_shaders::Selection;
 
 use self::comments::Comments;
-use super::names::Prefix;
+use super::names::{Prefix, in_words};
 use super::syntax::ItemKind;
 use super::{Reduced, called};
 use crate::program::Checked;
@@ -45,12 +46,45 @@ pub fn write(
         comments: Comments::of(&reduced.unit),
         textures: variables.map(|of| (of.name.clone(), of.group, of.binding)).collect(),
     };
-    match profile.target() {
+    let text = match profile.target() {
         Target::Glsl => glsl::write(&source, profile),
         Target::Hlsl => hlsl::write(&source, profile),
         Target::Msl => msl::write(&source),
         target @ (Target::Wgsl | Target::Wesl | Target::Spirv) => Err(ExportError::NoFunctionsIn { target }),
+    }?;
+    let lent: Vec<String> = called(selection).into_iter().map(|name| prefix.of(name)).collect();
+    Ok(with_own_parameters(&text, &lent))
+}
+
+/// The parameters of the functions that programs call.
+const PARAMETERS: [&str; 7] = ["settings", "at", "hit", "toward", "position", "normal", "uv"];
+
+/// The text with our names for parameters of the functions that programs call. Writers number names that stand
+/// in several functions.
+fn with_own_parameters(text: &str, lent: &[String]) -> String {
+    let mut own = String::with_capacity(text.len());
+    let mut numbered: BTreeMap<String, &str> = BTreeMap::new();
+    let mut is_head = false;
+    for line in text.lines() {
+        let is_begin = line.starts_with(|c: char| c.is_ascii_alphabetic());
+        is_head |= is_begin && lent.iter().any(|name| line.contains(&format!(" {name}(")));
+        if is_head {
+            let words = line.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+            let parameter = |word: &str| {
+                let base = word.trim_end_matches(|c: char| c.is_ascii_digit()).strip_suffix('_')?;
+                let known = PARAMETERS.into_iter().find(|known| *known == base)?;
+                Some((word.to_owned(), known))
+            };
+            numbered.extend(words.filter_map(parameter));
+            is_head = !line.contains(')');
+        }
+        own += &in_words(line, &|word| numbered.get(word).copied());
+        own.push('\n');
+        if line == "}" {
+            numbered.clear();
+        }
     }
+    own
 }
 
 /// An entry point that calls all that programs call, with all that they give.
