@@ -218,3 +218,31 @@ fn compare(ours: &Shown, theirs: &Shown, side: u32) -> Apart {
         near: near as f64 / off.len().max(1) as f64,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shifted_and_missing_hits_are_seen() {
+        let ours: Shown = (0..100).map(|k| (k % 4 != 0).then(|| [f64::from(k) / 100.0, 0.5])).collect();
+        let same = compare(&ours, &ours, 128);
+        assert_eq!((same.hits, same.median, same.near), (1.0, 0.0, 1.0));
+        let shifted: Shown = ours.iter().map(|hit| hit.map(|[u, v]| [u, v + 0.1 / 128.0])).collect();
+        let apart = compare(&ours, &shifted, 128);
+        assert!((apart.median - 0.1).abs() < 1e-6 && apart.near == 0.0 && !apart.is_as_near_as(&same));
+        let mut fewer = ours.clone();
+        fewer[1] = None;
+        assert!(!compare(&ours, &fewer, 128).is_as_near_as(&same));
+    }
+
+    #[test]
+    fn rows_of_webgl_are_turned_over() {
+        let pixels: Vec<f32> = vec![4.25, 4.5, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
+        let bytes: Vec<u8> = pixels.iter().flat_map(|number| number.to_le_bytes()).collect();
+        let hit = Some([0.25, 0.5]);
+        assert_eq!(shown(&bytes, [1, 2], "webgpu"), Ok(vec![hit, None]));
+        assert_eq!(shown(&bytes, [1, 2], "webgl"), Ok(vec![None, hit]));
+        assert!(shown(b"error", [1, 2], "webgl").is_err());
+    }
+}

@@ -73,3 +73,6 @@ pub fn reduce(unit: &mut Unit, kept: &Kept<'_>) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -328,3 +328,6 @@ impl ItemKind {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
