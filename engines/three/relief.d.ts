@@ -1,4 +1,4 @@
-import type { DirectionalLight, Node, NodeMaterial, Renderer, Texture, UniformNode } from 'three/webgpu';
+import type { DataTexture, DirectionalLight, Node, NodeMaterial, Renderer, Texture, UniformNode } from 'three/webgpu';
 
 /** The functions of a method. */
 export interface Functions {
@@ -18,11 +18,16 @@ export interface Options {
 	maps: Record<string, Texture>;
 	/** The length from the height 0 to the height 1, in the units of the scene. 0.05 unless given. */
 	scale?: number;
+	/** Tiles of the relief along u and v for each of the mesh's own. 1 by 1 unless given. */
+	repeat?: [ number, number ];
 	/** The colours, with the texture coordinates of the relief. */
 	map?: Texture;
 	/** The roughness, in green. */
 	roughnessMap?: Texture;
-	/** The sun that the relief shades itself from, if the functions have a shadow. It must cast shadows. */
+	/**
+	 * The sun that the relief shades itself from, if the functions have a shadow. It must cast shadows, and be
+	 * the only light that does: three.js has one such node for all of them.
+	 */
 	sun?: DirectionalLight | null;
 	/** Other settings, as `bias`, or a parameter of the method. */
 	settings?: Record<string, number | number[]>;
@@ -34,6 +39,8 @@ export interface Made {
 	settings: Record<string, UniformNode<unknown>>;
 	/** Texture coordinates of the hit. */
 	uv: Node;
+	/** A texture at the hit, filtered as on the mesh: for maps that the options do not name. */
+	sampled( map: Texture ): Node;
 	/** Whether there is a hit. */
 	isHit: Node;
 	/** The hit's height, from 0 to 1. */
@@ -47,6 +54,9 @@ export interface Made {
  * Throws where a file cannot be read.
  */
 export function loadRelief( url: string | URL ): Promise<Functions>;
+
+/** Reads a picture as a height map: 8 bits of its red part, as browsers do, from 0 to 1. */
+export function loadHeights( url: string | URL ): Promise<DataTexture>;
 
 /**
  * Puts a relief on a material: its colour, normal, roughness, depth, mask and shadows become the relief's.

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: MIT OR Apache-2.0
 
-import { FrontSide, Vector2, Vector4 } from 'three/webgpu';
+import { DataTexture, FloatType, FrontSide, RedFormat, Vector2, Vector4 } from 'three/webgpu';
 import {
 	cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, dFdx, dFdy, Fn, glslFn, inverse, ivec2,
 	lightTargetDirection, normalViewGeometry, positionView, select, texture, uniform, uv, vec3, vec4,
@@ -35,6 +35,27 @@ export async function loadRelief( url ) {
 	}
 
 	return { about, texts };
+
+}
+
+/**
+ * Reads a picture as a height map: its red part, from 0 to 1. Browsers read 8 bits of it, which shows as terraces
+ * on smooth relief.
+ */
+export async function loadHeights( url ) {
+
+	const answer = await fetch( url );
+	if ( ! answer.ok ) throw new Error( `relief: ${ url } cannot be read (${ answer.status })` );
+	const picture = await createImageBitmap( await answer.blob(), { colorSpaceConversion: 'none' } );
+	const { width, height } = picture;
+	const canvas = new OffscreenCanvas( width, height ).getContext( '2d' );
+	canvas.drawImage( picture, 0, 0 );
+	const { data } = canvas.getImageData( 0, 0, width, height );
+	const heights = new Float32Array( width * height );
+	for ( let place = 0; place < heights.length; place ++ ) heights[ place ] = data[ 4 * place ] / 255;
+	const texture = new DataTexture( heights, width, height, RedFormat, FloatType );
+	texture.needsUpdate = true;
+	return texture;
 
 }
 
@@ -171,7 +192,7 @@ export function applyRelief( material, { about, texts }, options ) {
 	}
 
 	const { width, height } = ( maps.height_map ?? Object.values( maps )[ 0 ] ).image;
-	const values = { scale, bias: - scale, height_size: new Vector2( width, height ), height_levels: 1, light_radius: 0, ...options.settings };
+	const values = { scale, bias: - scale, height_size: new Vector2( width, height ), height_levels: 1, light_radius: 0, wrap: 0, ...options.settings };
 	const settings = {};
 	for ( const { name, type, value } of about.settings ) {
 
@@ -195,10 +216,13 @@ export function applyRelief( material, { about, texts }, options ) {
 	const native = language === 'wgsl' ? wgslFn : glslFn;
 	const source = sources( about )[ language ];
 
+	// Tiles of the relief over the mesh's own.
+	const [ u, v ] = options.repeat ?? [ 1, 1 ];
+	const ownUV = u === 1 && v === 1 ? uv() : uv().mul( uniform( new Vector2( u, v ) ) );
 	// With parallel rays all look along the view axis: in the picture of a camera, or of a sun's shadow.
 	const isParallel = cameraProjectionMatrix.element( 3 ).element( 3 ).equal( 1 );
 	const point = {
-		uv: uv(),
+		uv: ownUV,
 		position: positionView,
 		normal: normalViewGeometry,
 		view: select( isParallel, vec3( 0, 0, - 1 ), positionView.normalize() ),
@@ -208,7 +232,12 @@ export function applyRelief( material, { about, texts }, options ) {
 	const hitUV = seen.element( 0 ).yz;
 	const place = positionView.add( point.view.mul( seen.element( 2 ).x ) );
 
-	const sampled = ( map ) => texture( map, hitUV ).grad( dFdx( uv() ), dFdy( uv() ) );
+	const sampled = ( map ) => {
+
+		if ( map.flipY === true ) console.warn( 'relief: a colour map has flipY: its colours lie on other stones. Set flipY = false.' );
+		return texture( map, hitUV ).grad( dFdx( ownUV ), dFdy( ownUV ) );
+
+	};
 	if ( options.map ) material.colorNode = sampled( options.map );
 	if ( options.roughnessMap ) material.roughnessNode = sampled( options.roughnessMap ).g;
 	material.normalNode = seen.element( 1 );
@@ -223,6 +252,8 @@ export function applyRelief( material, { about, texts }, options ) {
 	material.shadowSide = FrontSide;
 	if ( sun !== null && has( about, 'light' ) ) {
 
+		if ( sun.castShadow !== true ) console.warn( 'relief: the sun casts no shadows, so the relief has none of its own. Set sun.castShadow = true.' );
+
 		const at = vec3( hitUV, seen.element( 2 ).y );
 		const arrives = native( source.light, [ functions ] )( {
 			...point, place: at, toward: lightTargetDirection( sun ), ...settings, ...bound,
@@ -232,6 +263,6 @@ export function applyRelief( material, { about, texts }, options ) {
 	}
 
 	material.needsUpdate = true;
-	return { settings, uv: hitUV, isHit: material.maskNode, height: seen.element( 2 ).y, depth: seen.element( 2 ).x };
+	return { settings, uv: hitUV, sampled, isHit: material.maskNode, height: seen.element( 2 ).y, depth: seen.element( 2 ).x };
 
 }
