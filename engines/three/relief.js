@@ -187,7 +187,7 @@ export function applyRelief( material, { about, texts }, options ) {
 	if ( missing !== undefined ) {
 
 		const how = missing.texture?.bake?.how;
-		throw new Error( `relief: maps.${ ownName( missing.name ) } is missing: ${ missing.holds }${ how ? `, by ${ how }` : '' }` );
+		throw new Error( `relief: maps.${ ownName( missing.name ) } is missing: ${ missing.holds }${ how ? `, by ${ how } --format ktx2` : '' }` );
 
 	}
 
