@@ -6,7 +6,7 @@
 import { DataTexture, FloatType, FrontSide, RedFormat, Vector2, Vector4 } from 'three/webgpu';
 import {
 	cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, dFdx, dFdy, Fn, glslFn, inverse, ivec2,
-	lightTargetDirection, normalViewGeometry, positionView, select, texture, uniform, uv, vec3, vec4,
+	lightTargetDirection, normalViewGeometry, positionView, select, sign, texture, uniform, uv, vec3, vec4,
 	viewZToOrthographicDepth, viewZToPerspectiveDepth, wgslFn,
 } from 'three/tsl';
 
@@ -103,69 +103,63 @@ function sources( about ) {
 		// A texel stands for a texture: three.js gives samplers names there that it does not declare.
 		...about.bindings.map( ( { name } ) => `float of_${ name }` ),
 	].join( ', ' );
-	const members = ( wide ) => [
-		'uv', wide( 'dot(view, t), dot(view, b), dot(view, n)' ), 'tile',
+	const members = [
+		'uv', 'way', 'tile',
 		isIn( 'curvature' ) ? `${ p }_curvature(position, n, uv)` : '',
 		isIn( 'footprint' ) ? 'footprint' : '',
 	].filter( ( member ) => member !== '' ).join( ', ' );
 
-	// The frame of the point in view space, from derivatives: along +u, along +v, and the normal.
-	const wgslFrame = `
+	const wgslPoint = `
 	let settings = ${ Settings }(${ settings( 2 ) });
-	let dx = dpdx(position);
-	let dy = dpdy(position);
-	let du = vec2f(dpdx(uv.x), dpdy(uv.x));
-	let dv = vec2f(dpdx(uv.y), dpdy(uv.y));
-	let turn = sign(du.x * dv.y - du.y * dv.x);
-	let n = normalize(normal);
-	let along_u = (dx * dv.y - dy * dv.x) * turn;
-	let along_v = (dy * du.x - dx * du.y) * turn;
-	let t = normalize(along_u - n * dot(n, along_u));
-	let b = normalize(along_v - n * dot(n, along_v));
 	let tile = ${ p }_tile(position, uv);
-	let texels = uv * size;
-	let footprint = min(length(dpdx(texels)), length(dpdy(texels)));
-	let at = ${ Point }(${ members( ( list ) => `vec3f(${ list })` ) });`;
-	const glslFrame = `
+	let at = ${ Point }(${ members });`;
+	const glslPoint = `
 	${ Settings } settings = ${ Settings }(${ settings( 3 ) });
-	vec3 dx = dFdx(position);
-	vec3 dy = dFdy(position);
-	vec2 du = vec2(dFdx(uv.x), dFdy(uv.x));
-	vec2 dv = vec2(dFdx(uv.y), dFdy(uv.y));
-	float turn = sign(du.x * dv.y - du.y * dv.x);
-	vec3 n = normalize(normal);
-	vec3 along_u = (dx * dv.y - dy * dv.x) * turn;
-	vec3 along_v = (dy * du.x - dx * du.y) * turn;
-	vec3 t = normalize(along_u - n * dot(n, along_u));
-	vec3 b = normalize(along_v - n * dot(n, along_v));
 	vec2 tile = ${ p }_tile(position, uv);
-	vec2 texels = uv * size;
-	float footprint = min(length(dFdx(texels)), length(dFdy(texels)));
-	${ Point } at = ${ Point }(${ members( ( list ) => `vec3(${ list })` ) });`;
+	${ Point } at = ${ Point }(${ members });`;
+	const wgslOfPoint = 'uv: vec2f, position: vec3f, n: vec3f, way: vec3f, footprint: f32';
+	const glslOfPoint = 'vec2 uv, vec3 position, vec3 n, vec3 way, float footprint';
 	return {
 		wgsl: {
-			hit: `fn ${ p }_of_fragment(uv: vec2f, position: vec3f, normal: vec3f, view: vec3f, size: vec2f, ${ passed }) -> mat3x3<f32> {${ wgslFrame }
+			hit: `fn ${ p }_of_fragment(${ wgslOfPoint }, ${ passed }) -> mat3x3<f32> {${ wgslPoint }
 	let hit = ${ p }_hit(settings, at);
-	let bent = t * hit.normal.x + b * hit.normal.y + n * hit.normal.z;
-	return mat3x3<f32>(vec3f(select(0.0, 1.0, hit.hit), hit.uv), bent, vec3f(hit.depth, hit.height, 0.0));
+	return mat3x3<f32>(vec3f(select(0.0, 1.0, hit.hit), hit.uv), hit.normal, vec3f(hit.depth, hit.height, 0.0));
 }`,
-			light: `fn ${ p }_light_of_fragment(uv: vec2f, position: vec3f, normal: vec3f, view: vec3f, size: vec2f, place: vec3f, toward: vec3f, ${ passed }) -> f32 {${ wgslFrame }
+			light: `fn ${ p }_light_of_fragment(${ wgslOfPoint }, place: vec3f, toward: vec3f, ${ passed }) -> f32 {${ wgslPoint }
 	let hit = ${ Hit }(true, place.xy, place.z, 0.0, vec3f(0.0, 0.0, 1.0));
-	return ${ p }_light(settings, at, hit, vec3f(dot(toward, t), dot(toward, b), dot(toward, n)));
+	return ${ p }_light(settings, at, hit, toward);
 }`,
 		},
 		glsl: {
-			hit: `mat3 ${ p }_of_fragment(vec2 uv, vec3 position, vec3 normal, vec3 view, vec2 size, ${ passedGlsl }) {${ glslFrame }
+			hit: `mat3 ${ p }_of_fragment(${ glslOfPoint }, ${ passedGlsl }) {${ glslPoint }
 	${ Hit } hit = ${ p }_hit(settings, at);
-	vec3 bent = t * hit.normal.x + b * hit.normal.y + n * hit.normal.z;
-	return mat3(vec3(hit.hit ? 1.0 : 0.0, hit.uv), bent, vec3(hit.depth, hit.height, 0.0));
+	return mat3(vec3(hit.hit ? 1.0 : 0.0, hit.uv), hit.normal, vec3(hit.depth, hit.height, 0.0));
 }`,
-			light: `float ${ p }_light_of_fragment(vec2 uv, vec3 position, vec3 normal, vec3 view, vec2 size, vec3 place, vec3 toward, ${ passedGlsl }) {${ glslFrame }
+			light: `float ${ p }_light_of_fragment(${ glslOfPoint }, vec3 place, vec3 toward, ${ passedGlsl }) {${ glslPoint }
 	${ Hit } hit = ${ Hit }(true, place.xy, place.z, 0.0, vec3(0.0, 0.0, 1.0));
-	return ${ p }_light(settings, at, hit, vec3(dot(toward, t), dot(toward, b), dot(toward, n)));
+	return ${ p }_light(settings, at, hit, toward);
 }`,
 		},
 	};
+
+}
+
+/** The frame of a fragment in view space, from derivatives: along +u, along +v, and the normal. */
+function frameOf( position, coordinates, normal ) {
+
+	const [ dx, dy ] = [ dFdx( position ), dFdy( position ) ];
+	const [ atX, atY ] = [ dFdx( coordinates ), dFdy( coordinates ) ];
+	const turn = sign( atX.x.mul( atY.y ).sub( atY.x.mul( atX.y ) ) );
+	const n = normal.normalize().toVar();
+	const along = ( changeX, changeY ) => {
+
+		const way = dx.mul( changeY ).sub( dy.mul( changeX ) ).mul( turn );
+		return way.sub( n.mul( n.dot( way ) ) ).normalize().toVar();
+
+	};
+	const t = along( atX.y, atY.y );
+	const b = along( atX.x, atY.x ).negate();
+	return [ t, b, n ];
 
 }
 
@@ -221,16 +215,20 @@ export function applyRelief( material, { about, texts }, options ) {
 	const ownUV = u === 1 && v === 1 ? uv() : uv().mul( uniform( new Vector2( u, v ) ) );
 	// With parallel rays all look along the view axis: in the picture of a camera, or of a sun's shadow.
 	const isParallel = cameraProjectionMatrix.element( 3 ).element( 3 ).equal( 1 );
+	const view = select( isParallel, vec3( 0, 0, - 1 ), positionView.normalize() );
+	const [ t, b, n ] = frameOf( positionView, ownUV, normalViewGeometry );
+	const ofFrame = ( way ) => vec3( way.dot( t ), way.dot( b ), way.dot( n ) );
+	const texels = ownUV.mul( settings.height_size ?? uniform( new Vector2( width, height ) ) );
 	const point = {
 		uv: ownUV,
 		position: positionView,
-		normal: normalViewGeometry,
-		view: select( isParallel, vec3( 0, 0, - 1 ), positionView.normalize() ),
-		size: settings.height_size ?? uniform( new Vector2( width, height ) ),
+		n,
+		way: ofFrame( view ),
+		footprint: dFdx( texels ).length().min( dFdy( texels ).length() ),
 	};
 	const seen = native( source.hit, [ functions ] )( { ...point, ...settings, ...bound } ).toVar();
 	const hitUV = seen.element( 0 ).yz;
-	const place = positionView.add( point.view.mul( seen.element( 2 ).x ) );
+	const place = positionView.add( view.mul( seen.element( 2 ).x ) );
 
 	const sampled = ( map ) => {
 
@@ -240,7 +238,8 @@ export function applyRelief( material, { about, texts }, options ) {
 	};
 	if ( options.map ) material.colorNode = sampled( options.map );
 	if ( options.roughnessMap ) material.roughnessNode = sampled( options.roughnessMap ).g;
-	material.normalNode = seen.element( 1 );
+	const bent = seen.element( 1 );
+	material.normalNode = t.mul( bent.x ).add( b.mul( bent.y ) ).add( n.mul( bent.z ) );
 	material.maskNode = seen.element( 0 ).x.greaterThan( 0.5 );
 	material.depthNode = select(
 		isParallel,
@@ -256,7 +255,7 @@ export function applyRelief( material, { about, texts }, options ) {
 
 		const at = vec3( hitUV, seen.element( 2 ).y );
 		const arrives = native( source.light, [ functions ] )( {
-			...point, place: at, toward: lightTargetDirection( sun ), ...settings, ...bound,
+			...point, place: at, toward: ofFrame( lightTargetDirection( sun ) ), ...settings, ...bound,
 		} );
 		material.receivedShadowNode = Fn( ( [ shadow ] ) => shadow.mul( arrives ) );
 
