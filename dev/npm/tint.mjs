@@ -3,8 +3,8 @@
 //
 //     node tint.mjs PATH/TO/relief
 //
-// Exported are all methods, as shaders and as functions, and every variant of the other stages on the method `relief`, or on `voxels` where it
-// needs a volume, or on `shell-map` where it needs a motif, in both samplings.
+// Exported are all methods, as shaders and as functions, and every variant of the other stages on the method
+// `relief`, or on `voxels` where it needs a volume, or on `shell-map` where it needs a motif, in both samplings.
 
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
@@ -70,7 +70,8 @@ const selections = known.methods.map(({ name }) => [["--method", name]]);
 // The methods as functions, on flat and on bent meshes.
 for (const { name } of known.methods) {
     const functions = ["--method", name, "--entry", "functions"];
-    selections.push([functions], [[...functions, "--shadow", "ray", "--surface", "quadric-vertical", "--wrap", "clamp"]]);
+    const bent = ["--surface", "quadric-vertical", "--shadow", "ray", "--wrap", "clamp"];
+    selections.push([functions], [[...functions, ...bent]]);
 }
 for (const [stage, flag] of Object.entries(STAGES)) {
     for (const { name } of known[stage]) {

@@ -1,5 +1,5 @@
-//! `functions`: methods as functions for other programs. Whether they find the renderer's hits to the bit, over
-//! all pairs and wraps, and how large each method is.
+//! `functions`: methods as functions for other programs. Whether they find the renderer's hits to the
+//! bit, over all pairs and wraps, and how large each method is.
 
 use std::process::ExitCode;
 

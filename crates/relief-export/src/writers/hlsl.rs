@@ -11,12 +11,8 @@ use crate::manifest::{BindingPoint, ShaderFile};
 use crate::program::Program;
 use crate::{ExportError, Profile, Target};
 
-pub fn write(
-    program: &Program,
-    profile: Profile,
-    points: &[BindingPoint],
-    name: &str,
-) -> Result<Text, ExportError> {
+/// The options of a profile, for bindings of these groups and numbers, which were checked to fit.
+pub fn text_options(profile: Profile, bindings: impl Iterator<Item = (u32, u32)>) -> hlsl::Options {
     let mut options = hlsl::Options {
         shader_model: match profile {
             Profile::Hlsl60 => hlsl::ShaderModel::V6_0,
@@ -27,15 +23,24 @@ pub fn write(
         force_loop_bounding: false,
         ..hlsl::Options::default()
     };
-    for binding in &program.parts.bindings {
-        // The numbers were checked to fit.
-        let space = binding.group as u8;
-        let target = hlsl::BindTarget { space, register: binding.number, ..hlsl::BindTarget::default() };
-        let resource = ResourceBinding { group: binding.group, binding: binding.number };
-        options.binding_map.insert(resource, target);
-        let key = hlsl::SamplerIndexBufferKey { group: binding.group };
+    for (group, number) in bindings {
+        let space = group as u8;
+        let target = hlsl::BindTarget { space, register: number, ..hlsl::BindTarget::default() };
+        options.binding_map.insert(ResourceBinding { group, binding: number }, target);
+        let key = hlsl::SamplerIndexBufferKey { group };
         options.sampler_buffer_binding_map.insert(key, hlsl::BindTarget { space, ..Default::default() });
     }
+    options
+}
+
+pub fn write(
+    program: &Program,
+    profile: Profile,
+    points: &[BindingPoint],
+    name: &str,
+) -> Result<Text, ExportError> {
+    let bindings = &program.parts.bindings;
+    let options = text_options(profile, bindings.iter().map(|binding| (binding.group, binding.number)));
     let pipeline = hlsl::PipelineOptions::default();
     let written = |module: &Module, info: &ModuleInfo| {
         let mut text = String::new();
@@ -52,7 +57,7 @@ pub fn write(
     let [vertex, fragment] = names.as_slice() else {
         return Err(ExportError::Invalid(format!("{} entry points", names.len())));
     };
-    let bindings = program.parts.bindings.iter().zip(points);
+    let bindings = bindings.iter().zip(points);
     let file = ShaderFile {
         file: format!("{name}.hlsl"),
         entry_points: entry_points([vertex, fragment]),

@@ -11,8 +11,10 @@ mod msl;
 mod spirv;
 mod wgsl;
 
+pub use hlsl::text_options as hlsl_options;
 pub use hlsl_samplers::with_plain_samplers;
 pub use hlsl_zeros::with_listed_zeros;
+pub use msl::text_options as msl_options;
 use naga::ShaderStage;
 use naga::proc::{BoundsCheckPolicies, BoundsCheckPolicy};
 use relief_shaders::bindings::Binding;

@@ -10,6 +10,18 @@ use crate::manifest::{BindingPoint, ShaderFile, SizesBuffer};
 use crate::program::Program;
 use crate::{ExportError, Options, Target, binding_points};
 
+/// The options for the resources of entry points.
+pub fn text_options(per_entry_point_map: msl::EntryPointResourceMap) -> msl::Options {
+    msl::Options {
+        lang_version: (2, 0),
+        per_entry_point_map,
+        fake_missing_bindings: false,
+        bounds_check_policies: UNCHECKED,
+        force_loop_bounding: false,
+        ..msl::Options::default()
+    }
+}
+
 pub fn write(
     program: &Program,
     points: &[BindingPoint],
@@ -38,14 +50,7 @@ pub fn write(
         resources.resources.insert(resource, target);
     }
     let per_entry_point = program.entry_points.map(|name| (name.to_owned(), resources.clone()));
-    let options = msl::Options {
-        lang_version: (2, 0),
-        per_entry_point_map: per_entry_point.into(),
-        fake_missing_bindings: false,
-        bounds_check_policies: UNCHECKED,
-        force_loop_bounding: false,
-        ..msl::Options::default()
-    };
+    let options = text_options(per_entry_point.into());
     let pipeline = msl::PipelineOptions::default();
     let written = |module: &Module, info: &ModuleInfo| {
         msl::write_string(module, info, &options, &pipeline).map_err(|error| error.to_string())

@@ -54,8 +54,8 @@ const BEYOND: f64 = 4.0;
 /// Hits that are as near as this, in texels, count as the same.
 const NEAR_TEXELS: f64 = 0.02;
 
-/// Rasterisers know places to some hundredths of a pixel (SwiftShader to a sixteenth). How much that moves hits is
-/// seen by the renderer's own picture, moved as far aside.
+/// Rasterisers know places to some hundredths of a pixel (SwiftShader to a sixteenth). How much that
+/// moves hits is seen by the renderer's own picture, moved as far aside.
 const ASIDE_PIXELS: f64 = 1.0 / 32.0;
 
 /// A pixel's hit, in texture coordinates.

@@ -3,12 +3,14 @@ import * as THREE from "three/webgpu";
 import { vec4 } from "three/tsl";
 import { applyRelief } from "./relief.js";
 
-export default async function answer({ backend, width, height, eye, fov, scale, mesh, heights, functions, beyond }) {
+export default async function answer(input) {
+    const { backend, width, height, eye, fov, scale, mesh, heights, functions, beyond } = input;
     const said = [];
     for (const kind of ["warn", "error"]) console[kind] = (...words) => said.push(words.join(" "));
     const renderer = new THREE.WebGPURenderer({ antialias: false, forceWebGL: backend === "webgl" });
     await renderer.init();
-    if ((renderer.backend.isWebGPUBackend === true) !== (backend === "webgpu")) throw new Error(`no ${backend}`);
+    const found = renderer.backend.isWebGPUBackend === true ? "webgpu" : "webgl";
+    if (found !== backend) throw new Error(`no ${backend}`);
 
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(mesh.positions), 3));

@@ -1,5 +1,5 @@
-//! Pages in Chromium that are served from a folder and send their answer back. WebGPU works only in real time,
-//! so a page cannot be read when its own clock has run ahead.
+//! Pages in Chromium that are served from a folder and send their answer back. WebGPU works only in
+//! real time, so a page cannot be read when its own clock has run ahead.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};

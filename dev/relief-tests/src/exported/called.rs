@@ -514,7 +514,8 @@ pub fn paths_of(surface: &JobSurface, rays: &[PixelIn]) -> Vec<Path> {
     rays.iter().filter_map(path).collect()
 }
 
-/// Returns how many hits of functions on the renderer's paths differ in a bit from the renderer's on that device.
+/// Returns how many hits of functions on the renderer's paths differ in a bit from the renderer's own,
+/// on that device.
 ///
 /// # Panics
 ///

@@ -30,8 +30,7 @@ impl Comments {
         comments
     }
 
-    /// Adds comments to a text in a language of the C family. A function or a struct begins at the beginning of
-    /// a line.
+    /// Adds comments to a text in a language of the C family, where functions and structs begin a line.
     pub fn add(&self, text: &str) -> String {
         let mut commented = String::with_capacity(2 * text.len());
         let mut inside: Option<String> = None;

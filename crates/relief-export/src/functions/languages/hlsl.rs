@@ -1,32 +1,13 @@
 //! HLSL.
 
-use naga::ResourceBinding;
 use naga::back::hlsl;
 
 use super::Source;
-use crate::writers::{with_listed_zeros, with_plain_samplers};
+use crate::writers::{hlsl_options, with_listed_zeros, with_plain_samplers};
 use crate::{ExportError, Profile, Target};
 
 pub fn write(source: &Source, profile: Profile) -> Result<String, ExportError> {
-    let mut options = hlsl::Options {
-        shader_model: match profile {
-            Profile::Hlsl60 => hlsl::ShaderModel::V6_0,
-            _ => hlsl::ShaderModel::V5_1,
-        },
-        fake_missing_bindings: false,
-        restrict_indexing: false,
-        force_loop_bounding: false,
-        ..hlsl::Options::default()
-    };
-    for (_, group, number) in &source.textures {
-        // A register space and a register fit: the numbers were checked.
-        let space = *group as u8;
-        let target = hlsl::BindTarget { space, register: *number, ..hlsl::BindTarget::default() };
-        let resource = ResourceBinding { group: *group, binding: *number };
-        options.binding_map.insert(resource, target);
-        let key = hlsl::SamplerIndexBufferKey { group: *group };
-        options.sampler_buffer_binding_map.insert(key, hlsl::BindTarget { space, ..Default::default() });
-    }
+    let options = hlsl_options(profile, source.textures.iter().map(|(_, group, number)| (*group, *number)));
     let pipeline = hlsl::PipelineOptions::default();
     let mut text = String::new();
     let mut writer = hlsl::Writer::new(&mut text, &options, &pipeline);

@@ -59,8 +59,8 @@ pub fn write(
 /// The parameters of the functions that programs call.
 const PARAMETERS: [&str; 7] = ["settings", "at", "hit", "toward", "position", "normal", "uv"];
 
-/// The text with our names for parameters of the functions that programs call. Writers number names that stand
-/// in several functions.
+/// The text with our names for parameters of the functions that programs call. Writers number names
+/// that stand in several functions.
 fn with_own_parameters(text: &str, lent: &[String]) -> String {
     let mut own = String::with_capacity(text.len());
     let mut numbered: BTreeMap<String, &str> = BTreeMap::new();

@@ -4,7 +4,7 @@ use naga::ResourceBinding;
 use naga::back::msl;
 
 use super::Source;
-use crate::writers::UNCHECKED;
+use crate::writers::msl_options;
 use crate::{ExportError, Target};
 
 pub fn write(source: &Source) -> Result<String, ExportError> {
@@ -23,14 +23,7 @@ pub fn write(source: &Source) -> Result<String, ExportError> {
         }
         resources.resources.insert(ResourceBinding { group: *group, binding: *number }, target);
     }
-    let options = msl::Options {
-        lang_version: (2, 0),
-        per_entry_point_map: [(source.entry.clone(), resources)].into(),
-        fake_missing_bindings: false,
-        bounds_check_policies: UNCHECKED,
-        force_loop_bounding: false,
-        ..msl::Options::default()
-    };
+    let options = msl_options([(source.entry.clone(), resources)].into());
     let pipeline = msl::PipelineOptions::default();
     let (module, info) = (&source.checked.module, &source.checked.info);
     let (text, _) = msl::write_string(module, info, &options, &pipeline).map_err(|error| {

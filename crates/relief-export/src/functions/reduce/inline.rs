@@ -8,8 +8,8 @@ use crate::functions::syntax::{
     Expression, Function, StatementKind, Unit, change_expressions, expression, visit_expressions,
 };
 
-/// Inlines functions that return a constant, a parameter, or the call of another function, and short ones that
-/// are called once.
+/// Inlines functions that return a constant, a parameter, or the call of another function, and short
+/// ones that are called once.
 pub fn all(unit: &mut Unit, kept: &Kept<'_>) {
     let values = Values::of(unit);
     let functions = functions_by_name(unit);

@@ -65,7 +65,7 @@ impl Parser {
         is_it
     }
 
-    fn expect(&mut self, text: &str) -> Result<(), String> {
+    fn require(&mut self, text: &str) -> Result<(), String> {
         if self.take(text) { Ok(()) } else { Err(self.unexpected(text)) }
     }
 
@@ -108,9 +108,9 @@ impl Parser {
             ItemKind::Struct(self.structure()?)
         } else if self.take("const") {
             let name = self.word()?;
-            self.expect("=")?;
+            self.require("=")?;
             let value = self.expression(0)?;
-            self.expect(";")?;
+            self.require(";")?;
             ItemKind::Constant(Constant { name, value })
         } else if self.is("@") {
             ItemKind::Variable(self.variable()?)
@@ -124,16 +124,16 @@ impl Parser {
 
     fn structure(&mut self) -> Result<Struct, String> {
         let name = self.word()?;
-        self.expect("{")?;
+        self.require("{")?;
         let mut members = Vec::new();
         while !self.take("}") {
             let comment = self.comment();
             let name = self.word()?;
-            self.expect(":")?;
+            self.require(":")?;
             let of = self.kind()?;
             members.push(Member { comment, name, of });
             if !self.take(",") {
-                self.expect("}")?;
+                self.require("}")?;
                 break;
             }
         }
@@ -143,13 +143,13 @@ impl Parser {
     fn variable(&mut self) -> Result<Variable, String> {
         let mut place = [0, 0];
         for (number, name) in place.iter_mut().zip(["group", "binding"]) {
-            self.expect("@")?;
-            self.expect(name)?;
-            self.expect("(")?;
+            self.require("@")?;
+            self.require(name)?;
+            self.require("(")?;
             *number = self.number()?;
-            self.expect(")")?;
+            self.require(")")?;
         }
-        self.expect("var")?;
+        self.require("var")?;
         let mut space = String::new();
         if self.take("<") {
             while !self.take(">") {
@@ -157,26 +157,26 @@ impl Parser {
             }
         }
         let name = self.word()?;
-        self.expect(":")?;
+        self.require(":")?;
         let of = self.kind()?;
-        self.expect(";")?;
+        self.require(";")?;
         Ok(Variable { name, space, of, group: place[0], binding: place[1] })
     }
 
     fn function(&mut self) -> Result<Function, String> {
         let name = self.word()?;
-        self.expect("(")?;
+        self.require("(")?;
         let mut parameters = Vec::new();
         while !self.take(")") {
             let name = self.word()?;
-            self.expect(":")?;
+            self.require(":")?;
             parameters.push(Parameter { name, of: self.kind()? });
             if !self.take(",") {
-                self.expect(")")?;
+                self.require(")")?;
                 break;
             }
         }
-        self.expect("->")?;
+        self.require("->")?;
         let returns = self.kind()?;
         let body = self.block()?;
         Ok(Function { name, parameters, returns, body })
@@ -197,7 +197,7 @@ impl Parser {
     }
 
     fn block(&mut self) -> Result<Block, String> {
-        self.expect("{")?;
+        self.require("{")?;
         let mut block = Vec::new();
         while !self.take("}") {
             block.push(self.statement()?);
@@ -237,16 +237,16 @@ impl Parser {
             StatementKind::Continue
         } else {
             let to = self.expression(0)?;
-            self.expect("=")?;
+            self.require("=")?;
             StatementKind::Assign(to, self.expression(0)?)
         };
-        self.expect(";")?;
+        self.require(";")?;
         Ok(kind)
     }
 
     fn local(&mut self) -> Result<(String, Expression), String> {
         let name = self.word()?;
-        self.expect("=")?;
+        self.require("=")?;
         Ok((name, self.expression(0)?))
     }
 
@@ -290,7 +290,7 @@ impl Parser {
                 value = Expression::Member(Box::new(value), self.word()?);
             } else if self.take("[") {
                 let index = self.expression(0)?;
-                self.expect("]")?;
+                self.require("]")?;
                 value = Expression::Index(Box::new(value), Box::new(index));
             } else {
                 return Ok(value);
@@ -301,7 +301,7 @@ impl Parser {
     fn primary(&mut self) -> Result<Expression, String> {
         if self.take("(") {
             let inner = self.expression(0)?;
-            self.expect(")")?;
+            self.require(")")?;
             return Ok(Expression::Group(Box::new(inner)));
         }
         if self.peek().kind == TokenKind::Number {
@@ -319,7 +319,7 @@ impl Parser {
         while !self.take(")") {
             arguments.push(self.expression(0)?);
             if !self.take(",") {
-                self.expect(")")?;
+                self.require(")")?;
                 break;
             }
         }
