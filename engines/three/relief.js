@@ -5,9 +5,10 @@
 
 import { DataTexture, FloatType, FrontSide, RedFormat, Vector2, Vector4 } from 'three/webgpu';
 import {
-	cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, dFdx, dFdy, Fn, glslFn, inverse, ivec2,
-	lightTargetDirection, normalViewGeometry, positionView, select, sign, texture, uniform, uv, vec3, vec4,
-	viewZToOrthographicDepth, viewZToPerspectiveDepth, wgslFn,
+	attribute, cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, cross, dFdx, dFdy, Fn, glslFn,
+	inverse, ivec2, lightTargetDirection, modelNormalMatrix, modelViewMatrix, normalGeometry, normalViewGeometry,
+	positionView, select, sign, tangentGeometry, texture, uniform, uv, vec2, vec3, vec4, viewZToOrthographicDepth,
+	viewZToPerspectiveDepth, wgslFn,
 } from 'three/tsl';
 
 /**
@@ -103,24 +104,23 @@ function sources( about ) {
 		// A texel stands for a texture: three.js gives samplers names there that it does not declare.
 		...about.bindings.map( ( { name } ) => `float of_${ name }` ),
 	].join( ', ' );
-	const members = [
-		'uv', 'way', 'tile',
-		isIn( 'curvature' ) ? `${ p }_curvature(position, n, uv)` : '',
-		isIn( 'footprint' ) ? 'footprint' : '',
-	].filter( ( member ) => member !== '' ).join( ', ' );
+	const members = [ 'uv', 'way', 'tile', 'curvature', 'footprint' ].filter(
+		( member ) => member === 'way' || isIn( member ) ).join( ', ' );
 
 	const wgslPoint = `
 	let settings = ${ Settings }(${ settings( 2 ) });
-	let tile = ${ p }_tile(position, uv);
 	let at = ${ Point }(${ members });`;
 	const glslPoint = `
 	${ Settings } settings = ${ Settings }(${ settings( 3 ) });
-	vec2 tile = ${ p }_tile(position, uv);
 	${ Point } at = ${ Point }(${ members });`;
-	const wgslOfPoint = 'uv: vec2f, position: vec3f, n: vec3f, way: vec3f, footprint: f32';
-	const glslOfPoint = 'vec2 uv, vec3 position, vec3 n, vec3 way, float footprint';
+	const wgslOfPoint = 'uv: vec2f, way: vec3f, tile: vec2f, curvature: vec3f, footprint: f32';
+	const glslOfPoint = 'vec2 uv, vec3 way, vec2 tile, vec3 curvature, float footprint';
 	return {
 		wgsl: {
+			tile: `fn ${ p }_tile_of_fragment(position: vec3f, uv: vec2f) -> vec2f { return ${ p }_tile(position, uv); }`,
+			curvature: `fn ${ p }_curvature_of_fragment(position: vec3f, n: vec3f, uv: vec2f) -> vec3f {
+	return ${ p }_curvature(position, n, uv);
+}`,
 			hit: `fn ${ p }_of_fragment(${ wgslOfPoint }, ${ passed }) -> mat3x3<f32> {${ wgslPoint }
 	let hit = ${ p }_hit(settings, at);
 	return mat3x3<f32>(vec3f(select(0.0, 1.0, hit.hit), hit.uv), hit.normal, vec3f(hit.depth, hit.height, 0.0));
@@ -131,6 +131,10 @@ function sources( about ) {
 }`,
 		},
 		glsl: {
+			tile: `vec2 ${ p }_tile_of_fragment(vec3 position, vec2 uv) { return ${ p }_tile(position, uv); }`,
+			curvature: `vec3 ${ p }_curvature_of_fragment(vec3 position, vec3 n, vec2 uv) {
+	return ${ p }_curvature(position, n, uv);
+}`,
 			hit: `mat3 ${ p }_of_fragment(${ glslOfPoint }, ${ passedGlsl }) {${ glslPoint }
 	${ Hit } hit = ${ p }_hit(settings, at);
 	return mat3(vec3(hit.hit ? 1.0 : 0.0, hit.uv), hit.normal, vec3(hit.depth, hit.height, 0.0));
@@ -144,22 +148,54 @@ function sources( about ) {
 
 }
 
-/** The frame of a fragment in view space, from derivatives: along +u, along +v, and the normal. */
+/**
+ * Whether the mesh that is drawn has frames of its own: unit tangents, the lengths of a tile and the curvature at
+ * each vertex, as `relief engine` writes them. three.js does not turn them with instances and bones.
+ */
+function hasFrames( { geometry, object } ) {
+
+	const isPlain = object.isInstancedMesh !== true && object.isBatchedMesh !== true && object.isSkinnedMesh !== true;
+	return isPlain && [ 'tangent', '_tile', '_curvature' ].every( ( name ) => geometry.hasAttribute( name ) );
+
+}
+
+/** A tile along u (0) or along v (1) in view space, up to its sign along v. From the mesh's own frames. */
+function ownTile( axis ) {
+
+	const along = axis === 0 ? tangentGeometry.xyz : cross( normalGeometry, tangentGeometry.xyz );
+	return modelViewMatrix.mul( vec4( along.mul( attribute( '_tile', 'vec2' ).element( axis ) ), 0 ) ).xyz.toVarying();
+
+}
+
+/** The curvature of the mesh. From its own frames; a mesh that is stretched along its normal is bent more. */
+function ownCurvature() {
+
+	return attribute( '_curvature', 'vec3' ).div( modelNormalMatrix.mul( normalGeometry ).length() ).toVarying();
+
+}
+
+/**
+ * The frame of a fragment in view space: along +u, along +v, and the normal. From the mesh's own frames, else from
+ * derivatives.
+ */
 function frameOf( position, coordinates, normal ) {
 
 	const [ dx, dy ] = [ dFdx( position ), dFdy( position ) ];
 	const [ atX, atY ] = [ dFdx( coordinates ), dFdy( coordinates ) ];
-	const turn = sign( atX.x.mul( atY.y ).sub( atY.x.mul( atX.y ) ) );
+	const turn = sign( atX.x.mul( atY.y ).sub( atX.y.mul( atY.x ) ) );
 	const n = normal.normalize().toVar();
-	const along = ( changeX, changeY ) => {
+	const upright = ( way ) => way.sub( n.mul( n.dot( way ) ) ).normalize();
+	const seen = ( changeX, changeY ) => dx.mul( changeY ).sub( dy.mul( changeX ) ).mul( turn );
+	const alongV = seen( atX.x, atY.x ).negate();
+	const t = Fn( ( builder ) => hasFrames( builder ) ? ownTile( 0 ).normalize() : upright( seen( atX.y, atY.y ) ), 'vec3' )();
+	const b = Fn( ( builder ) => {
 
-		const way = dx.mul( changeY ).sub( dy.mul( changeX ) ).mul( turn );
-		return way.sub( n.mul( n.dot( way ) ) ).normalize().toVar();
+		if ( ! hasFrames( builder ) ) return upright( alongV );
+		const own = ownTile( 1 );
+		return own.normalize().mul( sign( own.dot( alongV ) ) );
 
-	};
-	const t = along( atX.y, atY.y );
-	const b = along( atX.x, atY.x ).negate();
-	return [ t, b, n ];
+	}, 'vec3' )();
+	return [ t.toVar(), b.toVar(), n ];
 
 }
 
@@ -211,8 +247,8 @@ export function applyRelief( material, { about, texts }, options ) {
 	const source = sources( about )[ language ];
 
 	// Tiles of the relief over the mesh's own.
-	const [ u, v ] = options.repeat ?? [ 1, 1 ];
-	const ownUV = u === 1 && v === 1 ? uv() : uv().mul( uniform( new Vector2( u, v ) ) );
+	const repeat = uniform( new Vector2( ...( options.repeat ?? [ 1, 1 ] ) ) );
+	const ownUV = uv().mul( repeat );
 	// With parallel rays all look along the view axis: in the picture of a camera, or of a sun's shadow.
 	const isParallel = cameraProjectionMatrix.element( 3 ).element( 3 ).equal( 1 );
 	const view = select( isParallel, vec3( 0, 0, - 1 ), positionView.normalize() );
@@ -221,9 +257,20 @@ export function applyRelief( material, { about, texts }, options ) {
 	const texels = ownUV.mul( settings.height_size ?? uniform( new Vector2( width, height ) ) );
 	const point = {
 		uv: ownUV,
-		position: positionView,
-		n,
 		way: ofFrame( view ),
+		tile: Fn( ( builder ) => {
+
+			if ( ! hasFrames( builder ) ) return native( source.tile, [ functions ] )( { position: positionView, uv: ownUV } );
+			return vec2( ownTile( 0 ).length(), ownTile( 1 ).length() ).div( repeat );
+
+		}, 'vec2' )().toVar(),
+		curvature: Fn( ( builder ) => {
+
+			if ( ! about.point.some( ( { name } ) => name === 'curvature' ) ) return vec3( 0 );
+			if ( ! hasFrames( builder ) ) return native( source.curvature, [ functions ] )( { position: positionView, n, uv: ownUV } );
+			return ownCurvature().div( vec3( repeat.x.mul( repeat.x ), repeat.x.mul( repeat.y ), repeat.y.mul( repeat.y ) ) );
+
+		}, 'vec3' )().toVar(),
 		footprint: dFdx( texels ).length().min( dFdy( texels ).length() ),
 	};
 	const seen = native( source.hit, [ functions ] )( { ...point, ...settings, ...bound } ).toVar();
@@ -262,6 +309,6 @@ export function applyRelief( material, { about, texts }, options ) {
 	}
 
 	material.needsUpdate = true;
-	return { settings, uv: hitUV, sampled, isHit: material.maskNode, height: seen.element( 2 ).y, depth: seen.element( 2 ).x };
+	return { settings, repeat, uv: hitUV, sampled, isHit: material.maskNode, height: seen.element( 2 ).y, depth: seen.element( 2 ).x };
 
 }

@@ -30,9 +30,9 @@ pub fn points(
     options: &Options,
 ) -> Result<Vec<BindingPoint>, ExportError> {
     match target {
-        Target::Wgsl | Target::Wesl | Target::Spirv | Target::Hlsl => {
+        Target::Wgsl | Target::Wesl | Target::Godot | Target::Spirv | Target::Hlsl => {
             let place = |Binding { group, number, kind, .. }: &Binding| match target {
-                Target::Wgsl | Target::Wesl => checked(target, WGSL, [*group, *number])
+                Target::Wgsl | Target::Wesl | Target::Godot => checked(target, WGSL, [*group, *number])
                     .map(|[group, binding]| BindingPoint::Group { group, binding }),
                 Target::Spirv => checked(target, SPIRV, [*group, *number])
                     .map(|[set, binding]| BindingPoint::Set { set, binding }),

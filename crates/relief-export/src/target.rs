@@ -20,6 +20,8 @@ pub enum Target {
     Spirv,
     /// WESL, of Bevy and others: functions alone, as WGSL has them.
     Wesl,
+    /// The shading language of Godot: functions alone.
+    Godot,
 }
 
 impl Target {
@@ -27,8 +29,8 @@ impl Target {
     pub const ALL: [Target; 5] = [Target::Wgsl, Target::Glsl, Target::Hlsl, Target::Msl, Target::Spirv];
 
     /// Every target of functions, in the order in which help lists them.
-    pub const OF_FUNCTIONS: [Target; 5] =
-        [Target::Wgsl, Target::Wesl, Target::Glsl, Target::Hlsl, Target::Msl];
+    pub const OF_FUNCTIONS: [Target; 6] =
+        [Target::Wgsl, Target::Wesl, Target::Glsl, Target::Hlsl, Target::Msl, Target::Godot];
 
     /// Returns the name on the command line and in manifests.
     pub const fn name(self) -> &'static str {
@@ -39,6 +41,7 @@ impl Target {
             Target::Msl => "msl",
             Target::Spirv => "spirv",
             Target::Wesl => "wesl",
+            Target::Godot => "godot",
         }
     }
 
@@ -50,7 +53,7 @@ impl Target {
             Target::Hlsl => &[Profile::Hlsl51, Profile::Hlsl60],
             Target::Msl => &[Profile::Msl20],
             Target::Spirv => &[Profile::Spirv13],
-            Target::Wesl => &[],
+            Target::Wesl | Target::Godot => &[],
         }
     }
 
@@ -59,6 +62,7 @@ impl Target {
         match self {
             Target::Wgsl => &[Profile::Wgsl],
             Target::Wesl => &[Profile::Wesl],
+            Target::Godot => &[Profile::Godot4],
             Target::Glsl => {
                 &[Profile::Core330, Profile::Es300, Profile::Vulkan450, Profile::Core450, Profile::Es310]
             }
@@ -70,7 +74,7 @@ impl Target {
 
     /// Every target.
     fn known() -> impl Iterator<Item = Target> {
-        Self::ALL.into_iter().chain([Target::Wesl])
+        Self::ALL.into_iter().chain([Target::Wesl, Target::Godot])
     }
 }
 
@@ -114,6 +118,8 @@ pub enum Profile {
     Es300,
     /// GLSL 4.50 of Vulkan: functions alone.
     Vulkan450,
+    /// The shading language of Godot 4: functions alone.
+    Godot4,
 }
 
 impl Profile {
@@ -142,6 +148,7 @@ impl Profile {
             Profile::Core330 => "core330",
             Profile::Es300 => "es300",
             Profile::Vulkan450 => "vulkan450",
+            Profile::Godot4 => "godot4",
         }
     }
 
@@ -159,6 +166,7 @@ impl Profile {
             Profile::Core330 => "GLSL 3.30, core profile",
             Profile::Es300 => "GLSL ES 3.00, of WebGL 2",
             Profile::Vulkan450 => "GLSL 4.50 of Vulkan",
+            Profile::Godot4 => "the shading language of Godot 4",
         }
     }
 
@@ -167,6 +175,7 @@ impl Profile {
         match self {
             Profile::Wgsl => Target::Wgsl,
             Profile::Wesl => Target::Wesl,
+            Profile::Godot4 => Target::Godot,
             Profile::Core450 | Profile::Es310 | Profile::Core330 | Profile::Es300 | Profile::Vulkan450 => {
                 Target::Glsl
             }

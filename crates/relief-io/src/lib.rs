@@ -113,7 +113,7 @@ pub use convention::{Detection, Guess, detect, guess_by_name};
 pub use elevation::{CoordinateSystem, Doubt, Elevation, Georeference, GridTransform, UnitOrigin};
 pub use engine::{
     ENGINES, Engine, EnginePlane, EngineSetting, EngineTexture, HeightUse, PlaneTextures, SettingValue,
-    SurfaceChannel, TextureContent, write_engine_plane,
+    SurfaceChannel, TextureContent, VertexFrames, write_engine_plane,
 };
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
 pub use foreign::ForeignFormat;

@@ -121,9 +121,13 @@ pub fn functions(selection: &Selection, options: &FunctionOptions) -> Result<Exp
         let (ending, text) = match profile.target() {
             Target::Wgsl => ("wgsl", reduced.text.clone()),
             Target::Wesl => ("wesl", reduced.text.clone()),
-            target @ (Target::Glsl | Target::Hlsl | Target::Msl) => {
-                let text = languages::write(selection, &reduced, &prefix, *profile)?;
-                let ending = if target == Target::Msl { "metal" } else { target.name() };
+            target @ (Target::Glsl | Target::Hlsl | Target::Msl | Target::Godot) => {
+                let text = languages::write(selection, &reduced, &prefix, *profile, options)?;
+                let ending = match target {
+                    Target::Msl => "metal",
+                    Target::Godot => "gdshaderinc",
+                    _ => target.name(),
+                };
                 (ending, text)
             }
             target @ Target::Spirv => return Err(ExportError::NoFunctionsIn { target }),

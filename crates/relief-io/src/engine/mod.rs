@@ -3,11 +3,13 @@
 //!
 //! `table.rs` has a row for each engine, with the sources of its facts.
 
+mod frames;
 mod plane;
 mod table;
 
 use relief_core::registry::UnknownName;
 
+pub use self::frames::VertexFrames;
 pub use self::plane::{EnginePlane, PlaneTextures, write_engine_plane};
 pub use self::table::ENGINES;
 

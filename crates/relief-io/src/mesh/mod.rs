@@ -23,6 +23,7 @@ pub use self::material::{MeshColors, MeshMaterial};
 pub use self::material_values::{MaterialTextures, MaterialValues, NormalTexture, OcclusionTexture};
 pub use self::referenced::files_of_mesh;
 pub use self::up::Up;
+pub(crate) use self::write::tangent;
 pub use self::write::{
     FileFrame, GlbLayout, GlbLevel, GlbMaterials, GlbNode, MAX_SHELLS, MeshCounts, MeshSink, Quantization,
     Shells, write_glb, write_mesh, write_mesh_in_frame, write_shells,

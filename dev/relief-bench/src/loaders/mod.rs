@@ -10,8 +10,9 @@ use clap::Args;
 use relief_io::ENGINES;
 use serde_json::{Map, Value, json};
 
+use crate::chromium::{self, npm};
+use crate::python;
 use crate::table::table;
-use crate::{python, three};
 
 /// The page and the script, which are run as they are here.
 const PAGE: &str = include_str!("page.js");
@@ -67,8 +68,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         engines.push(written(&arguments.relief, &set, engine.name, &to)?);
     }
     let input = input_of_three(&folder.path().join("three"))?;
-    let answer = three::answer(&arguments.chromium, PAGE, input)?;
-    let answer: Value = serde_json::from_str(&answer).map_err(|error| error.to_string())?;
+    let answer = chromium::with_three(&arguments.chromium, PAGE, None, input)?;
+    let answer: Value = serde_json::from_slice(&answer).map_err(|error| error.to_string())?;
     let job = json!({ "maps": maps, "scale": SCALE_M, "engines": engines, "three": answer });
     let file = folder.path().join("job.json");
     fs::write(&file, job.to_string()).map_err(|error| error.to_string())?;
@@ -134,7 +135,7 @@ fn tell(answer: &Value) -> Result<ExitCode, String> {
     }
     println!(
         "three.js {}, {}. {wrong} of {} read wrongly.\n\n{table}",
-        three::VERSION,
+        npm::THREE,
         answer["versions"],
         rows.len()
     );

@@ -3,6 +3,8 @@
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
+export { REVISION } from "three";
+
 const renderer = new THREE.WebGLRenderer({ antialias: false });
 
 const FRAGMENT = `

@@ -20,8 +20,8 @@ use relief_core::mesh::{Mesh, sphere};
 use relief_io::linear_to_srgb;
 
 use self::differences::{Differences, inside};
+use crate::chromium::npm;
 use crate::table::table;
-use crate::three;
 
 /// Arguments of `look`.
 #[derive(Args)]
@@ -150,7 +150,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         "Relief beside three.js {} in {about}: at least {least} pixels of each picture of {size}x{size}. \
          *Within*: the share of the pixels whose colours differ by at most the bound, of 255; at least {:.0} \
          %. *Not widened*: three.js without the roughness that it adds where normals turn.\n\n{beside}\n",
-        three::VERSION,
+        npm::THREE,
         100.0 * SHARE,
         size = set.size
     );

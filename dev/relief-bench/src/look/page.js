@@ -2,6 +2,8 @@
 // the bytes of red, green, blue and coverage as hexadecimal digits, row by row from the top.
 import * as THREE from "three";
 
+export { REVISION } from "three";
+
 function geometry({ positions, normals, triangles }) {
     const made = new THREE.BufferGeometry();
     made.setAttribute("position", new THREE.BufferAttribute(new Float32Array(positions), 3));

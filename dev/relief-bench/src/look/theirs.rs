@@ -6,7 +6,7 @@ use relief_io::Picture;
 use serde_json::{Value, json};
 
 use super::{BASE, Case, HEIGHT_M, LIGHT, Set, Shown};
-use crate::three;
+use crate::chromium;
 
 /// The page, which is run as it is here.
 const PAGE: &str = include_str!("page.js");
@@ -19,7 +19,8 @@ pub fn pictures(
     around: &[Picture],
     chromium: &Path,
 ) -> Result<(String, [Vec<Shown>; 2]), String> {
-    let answer = three::answer(chromium, PAGE, input(set, cases, around))?;
+    let answer = chromium::with_three(chromium, PAGE, None, input(set, cases, around))?;
+    let answer = String::from_utf8_lossy(&answer);
     let mut lines = answer.lines();
     let about = lines.next().unwrap_or_default().to_owned();
     let shown: Option<Vec<Shown>> = lines.map(shown).collect();

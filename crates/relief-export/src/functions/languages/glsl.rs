@@ -14,7 +14,7 @@ pub fn write(source: &Source, profile: Profile) -> Result<String, ExportError> {
     let options = glsl::Options {
         version: match profile {
             Profile::Core330 => glsl::Version::Desktop(330),
-            Profile::Es300 => glsl::Version::new_gles(300),
+            Profile::Es300 | Profile::Godot4 => glsl::Version::new_gles(300),
             Profile::Es310 => glsl::Version::new_gles(310),
             _ => glsl::Version::Desktop(450),
         },

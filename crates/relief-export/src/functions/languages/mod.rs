@@ -5,6 +5,7 @@
 
 mod comments;
 mod glsl;
+mod godot;
 mod hlsl;
 mod msl;
 
@@ -14,9 +15,10 @@ use std::fmt::Write as _;
 use relief_shaders::Selection;
 
 use self::comments::Comments;
+use self::godot::Uniforms;
 use super::names::{Prefix, in_words};
 use super::syntax::ItemKind;
-use super::{Reduced, called};
+use super::{FunctionOptions, Reduced, called};
 use crate::program::Checked;
 use crate::{ExportError, Profile, Target};
 
@@ -36,6 +38,7 @@ pub fn write(
     reduced: &Reduced,
     prefix: &Prefix,
     profile: Profile,
+    options: &FunctionOptions,
 ) -> Result<String, ExportError> {
     let entry = prefix.of("entry");
     let text = format!("{}\n{}", reduced.text, entry_point(selection, reduced, prefix, &entry));
@@ -50,6 +53,16 @@ pub fn write(
         Target::Glsl => glsl::write(&source, profile),
         Target::Hlsl => hlsl::write(&source, profile),
         Target::Msl => msl::write(&source),
+        Target::Godot => godot::write(
+            &source,
+            &Uniforms {
+                unit: &reduced.unit,
+                settings: &reduced.settings,
+                prefix,
+                sampling: options.sampling,
+                wrap: options.wrap,
+            },
+        ),
         target @ (Target::Wgsl | Target::Wesl | Target::Spirv) => Err(ExportError::NoFunctionsIn { target }),
     }?;
     let lent: Vec<String> = called(selection).into_iter().map(|name| prefix.of(name)).collect();

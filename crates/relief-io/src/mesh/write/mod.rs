@@ -13,6 +13,7 @@ use std::path::Path;
 use glam::{DVec3, Vec3};
 use relief_core::mesh::MeshBlock;
 
+pub(crate) use glb::tangent;
 pub use glb::{GlbLayout, GlbLevel, GlbMaterials, GlbNode, Quantization};
 pub use shells::{MAX_SHELLS, Shells, write_shells};
 

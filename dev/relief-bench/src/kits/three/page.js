@@ -3,6 +3,8 @@ import * as THREE from "three/webgpu";
 import { vec4 } from "three/tsl";
 import { applyRelief } from "./relief.js";
 
+export { REVISION } from "three/webgpu";
+
 export default async function answer(input) {
     const { backend, width, height, eye, fov, scale, mesh, heights, functions, beyond } = input;
     const said = [];
@@ -16,6 +18,12 @@ export default async function answer(input) {
     geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(mesh.positions), 3));
     geometry.setAttribute("normal", new THREE.BufferAttribute(new Float32Array(mesh.normals), 3));
     geometry.setAttribute("uv", new THREE.BufferAttribute(new Float32Array(mesh.uvs), 2));
+    if (mesh.frames !== null) {
+        const { tangents, tiles, curvatures } = mesh.frames;
+        geometry.setAttribute("tangent", new THREE.BufferAttribute(new Float32Array(tangents), 4));
+        geometry.setAttribute("_tile", new THREE.BufferAttribute(new Float32Array(tiles), 2));
+        geometry.setAttribute("_curvature", new THREE.BufferAttribute(new Float32Array(curvatures), 3));
+    }
     geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(mesh.triangles), 1));
     const map = new THREE.DataTexture(
         new Float32Array(heights.texels), heights.width, heights.height, THREE.RedFormat, THREE.FloatType

@@ -1,17 +1,17 @@
-//! Pages in Chromium that are served from a folder and send their answer back. WebGPU works only in
-//! real time, so a page cannot be read when its own clock has run ahead.
+//! Pages in Chromium without a window, on SwiftShader. A page is served from a folder and sends its answer back:
+//! WebGPU works only in real time, so a page cannot be read when its own clock has run ahead.
+
+pub mod npm;
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Sender, channel};
 use std::time::Duration;
 
 use serde_json::Value;
-
-use crate::three;
 
 /// How long a page may work.
 const LONGEST: Duration = Duration::from_secs(300);
@@ -19,34 +19,50 @@ const LONGEST: Duration = Duration::from_secs(300);
 /// Longest body of an answer.
 const LONGEST_ANSWER: usize = 1 << 28;
 
-/// Runs a page's script with three.js and our kit for it, and returns the bytes that it answers.
-pub fn answer(chromium: &Path, script: &str, input: &Value) -> Result<Vec<u8>, String> {
-    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-    let kit = include_str!("../../../../engines/three/relief.js");
+/// The folder of npm's packages, as pages name it.
+const MODULES: &str = "node_modules/";
+
+/// Files that a page reads, by name.
+pub type Files<'a> = &'a [(&'a str, &'a [u8])];
+
+/// Runs a script with three.js: a module that exports by default a function from the input to bytes or a text,
+/// or to a promise of them. Returns what it answers.
+pub fn with_three(
+    chromium: &Path,
+    script: &str,
+    kit: Option<&str>,
+    mut input: Value,
+) -> Result<Vec<u8>, String> {
+    input["revision"] = npm::REVISION.into();
     let input = input.to_string();
-    let files = [
-        ("page.html", include_str!("page.html")),
-        ("page.js", script),
-        ("relief.js", kit),
-        ("input.json", &input),
-    ];
-    for (name, text) in files {
-        fs::write(folder.path().join(name), text).map_err(|error| format!("{name}: {error}"))?;
+    let page = include_str!("page.html");
+    let files = [("page.html", page), ("page.js", script), ("input.json", &input)];
+    let kit = kit.map(|text| ("relief.js", text));
+    let files: Vec<(&str, &[u8])> =
+        files.into_iter().chain(kit).map(|(name, text)| (name, text.as_bytes())).collect();
+    answer(chromium, &files).map_err(|error| format!("three.js: {error}"))
+}
+
+/// Opens `page.html` of these files, and returns the bytes that it posts. A text after `error: ` is an error.
+pub fn answer(chromium: &Path, files: Files) -> Result<Vec<u8>, String> {
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    for (name, bytes) in files {
+        fs::write(folder.path().join(name), bytes).map_err(|error| format!("{name}: {error}"))?;
     }
-    three::install(folder.path())?;
+    let folders = Folders { page: folder.path().to_path_buf(), modules: npm::modules()? };
     let listener = TcpListener::bind("127.0.0.1:0").map_err(|error| error.to_string())?;
     let port = listener.local_addr().map_err(|error| error.to_string())?.port();
     let (told, answers) = channel();
-    let served = folder.path().to_path_buf();
     std::thread::spawn(move || {
         for stream in listener.incoming().flatten() {
-            let (served, told) = (served.clone(), told.clone());
-            std::thread::spawn(move || serve(stream, &served, &told));
+            let (folders, told) = (folders.clone(), told.clone());
+            std::thread::spawn(move || serve(stream, &folders, &told));
         }
     });
     let browser = Command::new(chromium)
         .args(["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"])
-        .args(["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"])
+        .args(["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--no-first-run"])
+        .args(["--disable-background-networking", "--disable-component-update", "--disable-sync"])
         .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
         .arg(format!("http://127.0.0.1:{port}/page.html"))
         .stdout(Stdio::null())
@@ -57,9 +73,16 @@ pub fn answer(chromium: &Path, script: &str, input: &Value) -> Result<Vec<u8>, S
     let _browser = Running(browser.map_err(unstarted)?);
     let answer = answers.recv_timeout(LONGEST).map_err(|_| "the page has no answer".to_owned())?;
     match answer.strip_prefix(b"error: ") {
-        Some(error) => Err(format!("three.js: {}", String::from_utf8_lossy(error))),
+        Some(error) => Err(String::from_utf8_lossy(error).into_owned()),
         None => Ok(answer),
     }
+}
+
+/// Folders that are served.
+#[derive(Clone)]
+struct Folders {
+    page: PathBuf,
+    modules: PathBuf,
 }
 
 /// A browser that ends with this.
@@ -74,7 +97,7 @@ impl Drop for Running {
 }
 
 /// Answers one request. A browser that goes away is no fault.
-fn serve(mut stream: TcpStream, folder: &Path, told: &Sender<Vec<u8>>) -> Option<()> {
+fn serve(mut stream: TcpStream, folders: &Folders, told: &Sender<Vec<u8>>) -> Option<()> {
     let mut reader = BufReader::new(stream.try_clone().ok()?);
     let mut line = String::new();
     reader.read_line(&mut line).ok()?;
@@ -97,7 +120,11 @@ fn serve(mut stream: TcpStream, folder: &Path, told: &Sender<Vec<u8>>) -> Option
     }
     let name = path.trim_start_matches('/');
     let is_inside = name.split('/').all(|part| part != "..");
-    match fs::read(folder.join(name)).ok().filter(|_| is_inside) {
+    let file = match name.strip_prefix(MODULES) {
+        Some(name) => folders.modules.join(name),
+        None => folders.page.join(name),
+    };
+    match fs::read(file).ok().filter(|_| is_inside) {
         Some(bytes) => reply(&mut stream, "200 OK", kind(name), &bytes),
         None => reply(&mut stream, "404 Not Found", "text/plain", &[]),
     }
@@ -108,7 +135,9 @@ fn kind(name: &str) -> &'static str {
     match name.rsplit('.').next() {
         Some("html") => "text/html",
         Some("js") => "text/javascript",
-        _ => "application/json",
+        Some("json") => "application/json",
+        Some("wasm") => "application/wasm",
+        _ => "application/octet-stream",
     }
 }
 

@@ -1,0 +1,127 @@
+//! Godot's shading language: GLSL of OpenGL ES, with uniforms that its inspector shows.
+
+use std::fmt::Write as _;
+
+use relief_core::Wrap;
+use relief_shaders::wgsl::Sampling;
+
+use super::{Source, glsl};
+use crate::functions::names::Prefix;
+use crate::functions::settings::{STRUCT, Setting};
+use crate::functions::syntax::Unit;
+use crate::{ExportError, Profile};
+
+/// The scale that a new material has: 5 cm in Godot's metres.
+const SCALE: &str = "0.05";
+
+/// What Godot must know of a text beside its functions.
+pub struct Uniforms<'a> {
+    pub unit: &'a Unit,
+    pub settings: &'a [Setting],
+    pub prefix: &'a Prefix,
+    pub sampling: Sampling,
+    pub wrap: Option<Wrap>,
+}
+
+pub fn write(source: &Source, uniforms: &Uniforms) -> Result<String, ExportError> {
+    let text = glsl::write(source, Profile::Godot4)?;
+    let hints = texture_hints(uniforms);
+    let mut own = String::with_capacity(text.len());
+    for line in text.lines() {
+        match line.strip_prefix("uniform highp ").and_then(|rest| rest.strip_suffix(';')) {
+            Some(texture) => {
+                let _ = writeln!(own, "uniform {texture} : {hints};");
+            }
+            None => {
+                own += line;
+                own.push('\n');
+            }
+        }
+    }
+    Ok(macros(uniforms) + &own + "\n" + &settings(uniforms))
+}
+
+/// What the text has, for the preprocessor: shaders that include it ask for it.
+fn macros(uniforms: &Uniforms) -> String {
+    let light = uniforms.prefix.of("relief_light");
+    let point = uniforms.prefix.of("ReliefPoint");
+    let point = uniforms.unit.structs().find(|structure| structure.name == point);
+    let takes = |name: &str| {
+        point.is_some_and(|structure| structure.members.iter().any(|member| member.name == name))
+    };
+    let mut text = String::new();
+    for (name, has) in [
+        ("HAS_LIGHT", uniforms.unit.functions().any(|function| function.name == light)),
+        ("HAS_CURVATURE", takes("curvature")),
+        ("HAS_FOOTPRINT", takes("footprint")),
+    ] {
+        if has {
+            let _ = writeln!(text, "#define {}", uniforms.prefix.of(name));
+        }
+    }
+    text
+}
+
+/// Texels that are loaded one by one need no filter; `fast` reads through one.
+fn texture_hints(uniforms: &Uniforms) -> String {
+    let filter = match uniforms.sampling {
+        Sampling::Exact => "filter_nearest",
+        Sampling::Fast => "filter_linear_mipmap",
+    };
+    let repeat = match uniforms.wrap {
+        Some(Wrap::Clamp) => "repeat_disable",
+        _ => "repeat_enable",
+    };
+    format!("{filter}, {repeat}")
+}
+
+/// A uniform for each setting that a material must give, and a function that gathers all.
+fn settings(uniforms: &Uniforms) -> String {
+    let Uniforms { settings, prefix, .. } = uniforms;
+    let of = |name: &str| prefix.of(name);
+    let group = of("relief_scale").trim_end_matches("_scale").to_owned();
+    let mut declared = format!("group_uniforms {group};\n");
+    let mut members = Vec::new();
+    for setting in *settings {
+        let name = of(&format!("relief_{}", setting.name));
+        match setting.name.as_str() {
+            // A material that changes one alone would lift the relief above the mesh, where it is cut.
+            "bias" => members.push(format!("-{}", of("relief_scale"))),
+            "height_size" => {
+                members.push(format!("uvec2(textureSize({}, 0))", of("relief_height_map")));
+            }
+            "scale" => {
+                let _ = writeln!(declared, "/** {} */", setting.holds);
+                let _ = writeln!(declared, "uniform float {name} : hint_range(0.0, 1.0, 0.0005) = {SCALE};");
+                members.push(name);
+            }
+            _ => {
+                let (kind, value) = member(setting, &name);
+                let range = setting.param.map_or(String::new(), |(param, start)| {
+                    format!(" : hint_range({:?}, {:?}) = {start:?}", param.min, param.max)
+                });
+                let _ = writeln!(declared, "/** {} */\nuniform {kind} {name}{range};", setting.holds);
+                members.push(value);
+            }
+        }
+    }
+    declared += "group_uniforms;\n\n";
+    let structure = of(STRUCT);
+    let gathered = of("relief_settings");
+    declared
+        + &format!(
+            "// The settings of this material.\n{structure} {gathered}() {{\n    return {structure}({});\n}}\n",
+            members.join(", ")
+        )
+}
+
+/// The type of a setting's uniform, and the member that is made of it.
+fn member(setting: &Setting, name: &str) -> (&'static str, String) {
+    match setting.of.as_str() {
+        "u32" => ("int", format!("uint({name})")),
+        "vec2u" => ("ivec2", format!("uvec2({name})")),
+        "vec4u" => ("ivec4", format!("uvec4({name})")),
+        "vec2f" => ("vec2", name.to_owned()),
+        _ => ("float", name.to_owned()),
+    }
+}
