@@ -108,6 +108,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         }
     }
     println!("{rows}");
+    if arguments.engine.iter().any(|engine| engine == "godot") {
+        println!("Godot takes {} texts of methods", godot::texts::read_all(&arguments.chromium)?);
+    }
     Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 

@@ -7,8 +7,11 @@ use relief_shaders::wgsl::Sampling;
 
 use super::{Source, glsl};
 use crate::functions::names::Prefix;
+use crate::functions::reduce::Types;
 use crate::functions::settings::{STRUCT, Setting};
-use crate::functions::syntax::Unit;
+use crate::functions::syntax::{
+    Expression, Function, Item, ItemKind, Parameter, Statement, StatementKind, Unit, change_expressions,
+};
 use crate::{ExportError, Profile};
 
 /// The scale that a new material has: 5 cm in Godot's metres.
@@ -26,6 +29,7 @@ pub struct Uniforms<'a> {
 pub fn write(source: &Source, uniforms: &Uniforms) -> Result<String, ExportError> {
     let text = glsl::write(source, Profile::Godot4)?;
     let hints = texture_hints(uniforms);
+    let text = int_counts(&text, uniforms.prefix);
     let mut own = String::with_capacity(text.len());
     for line in text.lines() {
         match line.strip_prefix("uniform highp ").and_then(|rest| rest.strip_suffix(';')) {
@@ -39,6 +43,57 @@ pub fn write(source: &Source, uniforms: &Uniforms) -> Result<String, ExportError
         }
     }
     Ok(macros(uniforms) + &own + "\n" + &settings(uniforms))
+}
+
+/// The function through which counts of bits go; its name in the sources.
+const COUNT: &str = "relief_count";
+
+/// The functions, with a call around each number of bits by which an `i32` is shifted. Godot takes an
+/// `int` there, WGSL a `u32`: so the call gets another type in the text that is written.
+pub fn with_counts(unit: &Unit, prefix: &Prefix) -> Unit {
+    let mut unit = unit.clone();
+    let types = Types::of(&unit);
+    let name = prefix.of(COUNT);
+    let mut has_some = false;
+    for function in unit.functions_mut() {
+        let locals = types.locals(function);
+        change_expressions(&mut function.body, &mut |part| {
+            if let Expression::Binary("<<" | ">>", left, right) = part
+                && types.type_of(left, &locals).as_deref() == Some("i32")
+            {
+                has_some = true;
+                **right = Expression::Call(name.clone(), vec![(**right).clone()]);
+            }
+        });
+    }
+    if has_some {
+        let by = || "by".to_owned();
+        let body = vec![Statement::plain(StatementKind::Return(Expression::Name(by())))];
+        let parameters = vec![Parameter { name: by(), of: "u32".to_owned() }];
+        let function = Function { name, parameters, returns: "u32".to_owned(), body };
+        let comment = vec!["A number of bits to shift by.".to_owned()];
+        unit.items.push(Item { comment, kind: ItemKind::Function(function) });
+    }
+    unit
+}
+
+/// Makes `int` of the counts of bits.
+fn int_counts(text: &str, prefix: &Prefix) -> String {
+    let called = format!("{}(", prefix.of(COUNT));
+    let mut is_inside = false;
+    let mut own = String::with_capacity(text.len());
+    for line in text.lines() {
+        let is_call = line.contains(&called);
+        let is_head = is_call && line.starts_with("uint ");
+        own += &match line.strip_prefix("    return ").and_then(|rest| rest.strip_suffix(';')) {
+            Some(by) if is_inside => format!("    return int({by});"),
+            _ if is_call => line.replacen("uint ", "int ", 1),
+            _ => line.to_owned(),
+        };
+        own.push('\n');
+        is_inside = is_head || (is_inside && line != "}");
+    }
+    own
 }
 
 /// What the text has, for the preprocessor: shaders that include it ask for it.

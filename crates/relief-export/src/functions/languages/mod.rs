@@ -17,7 +17,7 @@ use relief_shaders::Selection;
 use self::comments::Comments;
 use self::godot::Uniforms;
 use super::names::{Prefix, in_words};
-use super::syntax::ItemKind;
+use super::syntax::{ItemKind, print};
 use super::{FunctionOptions, Reduced, called};
 use crate::program::Checked;
 use crate::{ExportError, Profile, Target};
@@ -41,7 +41,11 @@ pub fn write(
     options: &FunctionOptions,
 ) -> Result<String, ExportError> {
     let entry = prefix.of("entry");
-    let text = format!("{}\n{}", reduced.text, entry_point(selection, reduced, prefix, &entry));
+    let functions = match profile.target() {
+        Target::Godot => print(&godot::with_counts(&reduced.unit, prefix)),
+        _ => reduced.text.clone(),
+    };
+    let text = format!("{functions}\n{}", entry_point(selection, reduced, prefix, &entry));
     let variables = reduced.unit.variables();
     let source = Source {
         checked: Checked::read(&text)?,

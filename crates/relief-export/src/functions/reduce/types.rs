@@ -96,6 +96,10 @@ impl Types {
                     return Some("bool".to_owned());
                 }
                 let left = self.type_of(left, locals)?;
+                // The right side of a shift counts bits.
+                if ["<<", ">>"].contains(operator) {
+                    return Some(left);
+                }
                 if left.starts_with("vec") { Some(left) } else { self.type_of(right, locals) }
             }
             Expression::Literal(text) => Some(

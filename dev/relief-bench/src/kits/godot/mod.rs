@@ -1,6 +1,7 @@
 //! The kit of Godot, in Godot 4.6's Compatibility renderer, built for the web.
 
 mod pack;
+pub mod texts;
 
 use std::path::Path;
 
@@ -9,8 +10,12 @@ use relief_export::{FunctionOptions, Profile, functions};
 use super::{BEYOND, Job, Shown};
 use crate::chromium;
 
-/// The kit, as it is shipped.
-const KIT: &str = include_str!("../../../../../engines/godot/relief_fragment.gdshaderinc");
+const PAGE: &[u8] = include_bytes!("page.html");
+const SCENE: &[u8] = include_bytes!("main.tscn");
+const PROJECT: &[u8] = include_bytes!("project.godot");
+
+/// The part of the kit that finds hits, as it is shipped.
+const FRAGMENT: &str = include_str!("../../../../../engines/godot/relief_fragment.gdshaderinc");
 
 /// The greatest code of six digits.
 const MOST: f64 = 16_777_215.0;
@@ -32,13 +37,13 @@ pub fn shown(chromium: &Path, job: &Job) -> Result<Shown, String> {
     let game = pack::pack(&[
         ("input.json", input.as_bytes()),
         ("main.gd", include_bytes!("main.gd")),
-        ("main.tscn", include_bytes!("main.tscn")),
-        ("project.godot", include_bytes!("project.godot")),
+        ("main.tscn", SCENE),
+        ("project.godot", PROJECT),
         ("relief.gdshaderinc", &exported.files[0].bytes),
-        ("relief_fragment.gdshaderinc", KIT.as_bytes()),
+        ("relief_fragment.gdshaderinc", FRAGMENT.as_bytes()),
         ("shown.gdshader", include_bytes!("shown.gdshader")),
     ]);
-    let page = [("page.html", include_bytes!("page.html").as_slice()), ("game.pck", &game)];
+    let page = [("page.html", PAGE), ("game.pck", &game)];
     let answer = chromium::answer(chromium, &page).map_err(|error| format!("Godot: {error}"))?;
     decode(&answer, job.size)
 }
