@@ -111,6 +111,8 @@ enum Command {
     /// Export a method as a shader for other programs (WGSL, GLSL, HLSL, MSL or SPIR-V), and its
     /// bindings
     Shader(Box<commands::shader::Arguments>),
+    /// Write all that an engine needs to show a relief: shader, maps, mesh, material and a page or scene
+    Engine(Box<commands::engine::Arguments>),
     /// List every method, search and refinement with its settings and guarantees
     Methods(commands::methods::Arguments),
     /// Print a shell's completions, or write the completions of all shells into files
@@ -172,6 +174,7 @@ impl Command {
             Command::Compare(arguments) => arguments.files(),
             Command::Explain(arguments) => arguments.files(),
             Command::Bench(arguments) => arguments.files(),
+            Command::Engine(arguments) => arguments.files(),
             Command::Shader(_) | Command::Methods(_) | Command::Completions(_) | Command::Man(_) => {
                 Files::default()
             }
@@ -194,6 +197,7 @@ impl Command {
             Command::Explain(arguments) => arguments.json,
             Command::Bench(arguments) => arguments.json,
             Command::Shader(arguments) => arguments.json,
+            Command::Engine(arguments) => arguments.json,
             Command::Methods(arguments) => arguments.json,
             Command::Scene(_) | Command::Completions(_) | Command::Man(_) => false,
         }
@@ -215,6 +219,7 @@ impl Command {
             Command::Explain(arguments) => commands::explain::run(arguments),
             Command::Bench(arguments) => commands::bench::run(arguments),
             Command::Shader(arguments) => commands::shader::run(arguments),
+            Command::Engine(arguments) => commands::engine::run(arguments),
             Command::Methods(arguments) => commands::methods::run(arguments),
             Command::Completions(arguments) => commands::completions::run(arguments, &command()),
             Command::Man(arguments) => commands::man::run(arguments, &command()),

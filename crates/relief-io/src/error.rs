@@ -330,7 +330,8 @@ pub enum WriteProblem {
 }
 
 impl WriteProblem {
-    pub(crate) fn at(self, path: &Path) -> WriteError {
+    /// Names the file that cannot be written.
+    pub fn at(self, path: &Path) -> WriteError {
         WriteError { path: path.to_owned(), problem: self }
     }
 }

@@ -112,8 +112,9 @@ pub use color_table::{
 pub use convention::{Detection, Guess, detect, guess_by_name};
 pub use elevation::{CoordinateSystem, Doubt, Elevation, Georeference, GridTransform, UnitOrigin};
 pub use engine::{
-    ENGINES, Engine, EnginePlane, EngineSetting, EngineTexture, HeightUse, PlaneTextures, SettingValue,
-    SurfaceChannel, TextureContent, VertexFrames, write_engine_plane,
+    ENGINES, Engine, EngineModel, EngineSetting, EngineShape, EngineTexture, HeightUse, ModelTextures,
+    SettingValue, SurfaceChannel, TextureContent, VertexFrames, godot_mesh, percent_encoded,
+    write_engine_model,
 };
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
 pub use foreign::ForeignFormat;
@@ -144,8 +145,8 @@ pub use raw_layout::{BadRawLayout, ByteOrder, RawLayout};
 pub use source::Source;
 pub use text::decode_text;
 pub use texture::{
-    LineSink, Metadata, PngTexture, Row, RowSource, read_metadata, write_exr_lines, write_exr_rows,
-    write_png_colours, write_png_rows,
+    LineSink, Metadata, PngTexture, Row, RowSource, read_metadata, write_dds, write_exr_lines,
+    write_exr_rows, write_png_colours, write_png_rows,
 };
 pub use texture_set::{
     FoundTexture, LeftReason, TextureRole, TextureSet, TextureSetError, find_textures, material_name,

@@ -4,9 +4,9 @@
 //! files. When all files of all kinds are whole, they take their names, with a manifest that lists
 //! them. A bake that fails or is cancelled changes nothing.
 
-mod early;
+pub mod early;
 mod files;
-mod for_engine;
+pub mod for_engine;
 pub mod identity;
 mod outputs;
 mod report;
@@ -30,7 +30,7 @@ use relief_core::{ByteSize, HeightMap, Metric, Watch, Wrap};
 use relief_io::file_set::is_same_file;
 
 use self::files::{FilesError, Plan};
-use self::for_engine::EngineArguments;
+use self::for_engine::{EngineArguments, FolderArguments};
 use self::identity::Identity;
 use self::outputs::{EarlierBakes, Outputs};
 use self::report::BakedKind;
@@ -106,6 +106,42 @@ pub struct Arguments {
     max_memory: Option<ByteSize>,
     #[command(flatten)]
     reading: HeightArguments,
+}
+
+/// What the textures of a material are written from, and how.
+pub struct MaterialJob {
+    pub height: PathBuf,
+    pub folder: FolderArguments,
+    pub output: PathBuf,
+    pub scale: Option<f64>,
+    pub tile_size: Option<[f64; 2]>,
+    pub force: bool,
+    pub json: bool,
+    pub max_memory: Option<ByteSize>,
+    pub reading: HeightArguments,
+}
+
+impl From<MaterialJob> for Arguments {
+    fn from(job: MaterialJob) -> Self {
+        let MaterialJob { height, folder, output, scale, tile_size, force, json, max_memory, reading } = job;
+        Self {
+            height,
+            kind: Vec::new(),
+            engine: EngineArguments { name: None, folder },
+            output,
+            format: None,
+            set: Vec::new(),
+            scale,
+            tile_size,
+            texels: TexelChoice::Auto,
+            zstd: false,
+            lossy_heights: false,
+            force,
+            json,
+            max_memory,
+            reading,
+        }
+    }
 }
 
 /// Examples, and the names of all kinds.
@@ -225,10 +261,10 @@ impl Arguments {
                  with --for"
             )));
         }
-        if self.engine.udim.is_some() || self.engine.green.is_some() {
+        if self.engine.folder.udim.is_some() || self.engine.folder.green.is_some() {
             return Err(Failure::usage("--udim and --green are for folders of textures: add --for"));
         }
-        if let Some(flag) = self.engine.maps.first() {
+        if let Some(flag) = self.engine.folder.maps.first() {
             return Err(Failure::Usage(format!("{flag} names a map of a material for an engine: add --for")));
         }
         Ok(())

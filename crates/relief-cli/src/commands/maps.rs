@@ -17,7 +17,7 @@ use super::lengths;
 use crate::{advice, units, values};
 
 /// Flags for reading a height map's file.
-#[derive(Args)]
+#[derive(Args, Clone)]
 #[command(next_help_heading = "Reading the height map")]
 pub struct FileArguments {
     /// Channel that holds the height: r, g, b, a, y, or the name of an EXR channel [default: the
@@ -49,7 +49,7 @@ pub struct FileArguments {
 }
 
 /// Flags for turning a file's values into heights.
-#[derive(Args)]
+#[derive(Args, Clone)]
 #[command(next_help_heading = "Reading the height map")]
 pub struct HeightArguments {
     /// Flags for reading the file.

@@ -5,6 +5,7 @@ pub mod bench;
 pub mod capture;
 pub mod compare;
 pub mod completions;
+pub mod engine;
 pub mod explain;
 pub mod height;
 pub mod inputs;

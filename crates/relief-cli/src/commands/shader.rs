@@ -300,13 +300,13 @@ impl Arguments {
     }
 }
 
-fn choose(selection: &mut Selection, stage: usize, name: &str) -> Result<(), Failure> {
+pub fn choose(selection: &mut Selection, stage: usize, name: &str) -> Result<(), Failure> {
     let key = STAGES[stage].key;
     selection.choose(key, name).map_err(|error| Failure::Usage(format!("--{key}: {error}")))
 }
 
 /// Returns the command line that bakes a map.
-fn bake_line(need: &MapNeed) -> String {
+pub fn bake_line(need: &MapNeed) -> String {
     let kind = need.input.kind;
     let params = KINDS.iter().find(|known| known.name == kind).map_or(&[][..], |known| known.params);
     let is_default =
@@ -333,7 +333,7 @@ fn bake_line(need: &MapNeed) -> String {
 }
 
 /// Turns an error of the export into a failure, with the flag that helps.
-fn of_export(error: ExportError) -> Failure {
+pub fn of_export(error: ExportError) -> Failure {
     let at_odds = match &error {
         ExportError::Selection(error) => error.keys(),
         _ => Vec::new(),

@@ -4,13 +4,15 @@
 //! `table.rs` has a row for each engine, with the sources of its facts.
 
 mod frames;
-mod plane;
+mod godot_mesh;
+mod model;
 mod table;
 
 use relief_core::registry::UnknownName;
 
 pub use self::frames::VertexFrames;
-pub use self::plane::{EnginePlane, PlaneTextures, write_engine_plane};
+pub use self::godot_mesh::godot_mesh;
+pub use self::model::{EngineModel, EngineShape, ModelTextures, percent_encoded, write_engine_model};
 pub use self::table::ENGINES;
 
 use crate::{Convention, Format, GreenSign};

@@ -1,9 +1,10 @@
-//! Writers of textures of named float channels to PNG and EXR files, row by row, with metadata
+//! Writers of textures of named float channels to PNG, EXR and DDS files, row by row, with metadata
 //! inside the file. KTX2 is in [`ktx2`](crate::ktx2).
 //!
 //! Writers *request* rows in the order of the file. A caller with texels on disk can therefore
 //! write a texture larger than memory: a writer holds a few rows, or a band of 16 in EXR files.
 
+mod dds;
 mod exr;
 mod metadata;
 mod png;
@@ -11,6 +12,7 @@ mod read_metadata;
 
 use std::io;
 
+pub use self::dds::write_dds;
 pub(crate) use self::exr::write_exr_lines_of;
 pub use self::exr::{write_exr_lines, write_exr_rows};
 pub use self::metadata::Metadata;

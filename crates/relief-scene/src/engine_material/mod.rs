@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 
 use relief_core::{Cancelled, HeightMap, Metric};
 use relief_io::{
-    Engine, EnginePlane, EngineTexture, FoundTexture, GreenSign, PlaneTextures, ReadError, SurfaceChannel,
-    TextureContent, TextureRole, TextureSet, WriteError,
+    Engine, EngineModel, EngineShape, EngineTexture, FoundTexture, GreenSign, ModelTextures, ReadError,
+    SurfaceChannel, TextureContent, TextureRole, TextureSet, WriteError,
 };
 
 use crate::material_maps::{MaterialMap, MaterialMapError};
@@ -177,13 +177,18 @@ impl<'a> EngineMaterial<'a> {
     }
 
     /// Returns a plane with this material, if the engine takes materials from a glTF.
-    pub fn plane(&self, facts: &WrittenFacts) -> Option<EnginePlane> {
+    pub fn plane(&self, facts: &WrittenFacts) -> Option<EngineModel> {
         let cells = self.engine.plane_cells?;
-        let mut textures = PlaneTextures {
+        Some(self.model(facts, EngineShape::Plane { tile_m: self.metric.tile_m, cells }))
+    }
+
+    /// Returns a mesh with this material.
+    pub fn model(&self, facts: &WrittenFacts, shape: EngineShape) -> EngineModel {
+        let mut textures = ModelTextures {
             has_opacity: facts.has_opacity,
             has_occlusion: self.has(SurfaceChannel::Occlusion),
             emission_strength: facts.emission_strength,
-            ..PlaneTextures::default()
+            ..ModelTextures::default()
         };
         for texture in self.textures() {
             let slot = match texture.content {
@@ -195,15 +200,14 @@ impl<'a> EngineMaterial<'a> {
             };
             *slot = Some(self.file_name(texture));
         }
-        Some(EnginePlane {
+        EngineModel {
             name: self.name.to_owned(),
-            tile_m: self.metric.tile_m,
+            shape,
             scale_m: self.heights.scale_m(),
             bias_m: self.heights.bias_m(),
-            cells,
             wrap: self.heights.wrap(),
             textures,
-        })
+        }
     }
 }
 

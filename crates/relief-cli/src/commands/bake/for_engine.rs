@@ -15,7 +15,7 @@ use relief_bake::{BakeError, Collected, Settings, kind};
 use relief_core::{HeightMap, Metric, Watch};
 use relief_io::{
     ENGINES, Engine, EngineTexture, GreenSign, HeightNote, Metadata, TextureContent, WriteError,
-    write_atomically, write_engine_plane,
+    write_atomically, write_engine_model,
 };
 use relief_scene::engine_material::{EngineMaterial, EngineMaterialError, WrittenFacts};
 
@@ -23,7 +23,7 @@ use self::given_maps::GivenMaps;
 use self::source::MaterialSource;
 use super::Arguments;
 use super::identity::KEY;
-use super::outputs::Outputs;
+pub use super::outputs::Outputs;
 use crate::commands::maps::Note;
 use crate::failure::Failure;
 use crate::interrupt::{self, cancelled};
@@ -32,7 +32,10 @@ use crate::say;
 use crate::streams::tell_written;
 
 /// Share of the progress bar that baking normals takes.
-const NORMALS_PART: f32 = 0.5;
+const NORMALS_PART: f32 = 0.3;
+
+/// Share after which textures are written, and a kit is left.
+const TEXTURES_PART: f32 = 0.6;
 
 /// Flags for textures of an engine.
 #[derive(Args)]
@@ -41,10 +44,17 @@ pub struct EngineArguments {
     /// godot, three, bevy or gltf
     #[arg(id = "engine", long = "for", value_name = "ENGINE")]
     pub name: Option<String>,
-    /// With --for, UDIM tile whose textures are taken, as in 1001 [default: the only one]
+    #[command(flatten)]
+    pub folder: FolderArguments,
+}
+
+/// Flags for a folder of textures.
+#[derive(Args, Clone)]
+pub struct FolderArguments {
+    /// UDIM tile whose textures are taken from a folder, as in 1001 [default: the only one]
     #[arg(long, value_name = "N", hide_short_help = true)]
     pub udim: Option<u32>,
-    /// With --for, direction of green in the folder's normal map: +y (up) or -y (down) [default: as
+    /// Direction of green in the folder's normal map: +y (up) or -y (down) [default: as
     /// its name says, else +y]
     #[arg(long, value_name = "SIGN", allow_hyphen_values = true, hide_short_help = true)]
     pub green: Option<GreenSign>,
@@ -66,8 +76,52 @@ pub fn long_help() -> String {
     )
 }
 
+/// What an engine gets beside the textures of a material.
+pub trait Kit {
+    /// The name in the manifest.
+    fn part(&self) -> String;
+    /// The names of its files.
+    fn names(&self) -> Vec<String>;
+    /// Hash of everything that decides the bytes of its files, beside the material.
+    fn key(&self) -> String;
+    /// Writes its files to places that get their names later.
+    fn write(
+        &self,
+        input: &KitInput,
+        outputs: &mut Outputs,
+        watch: &Watch,
+    ) -> Result<Vec<(String, PathBuf)>, Failure>;
+    /// What the user does next.
+    fn next(&self) -> String;
+}
+
+/// What a kit is written from, once the textures are.
+pub struct KitInput<'a> {
+    pub material: &'a EngineMaterial<'a>,
+    pub facts: &'a WrittenFacts,
+    pub map: &'a HeightMap,
+    pub metric: Metric,
+}
+
+/// A material whose heights have been read.
+pub struct ReadMaterial<'a> {
+    /// Name of the material.
+    pub name: &'a str,
+    pub map: &'a HeightMap,
+    pub metric: Metric,
+}
+
 /// Reads and writes.
 pub fn run(arguments: &Arguments, name: &str) -> Result<(), Failure> {
+    run_with(arguments, name, |_| Ok(None))
+}
+
+/// Reads and writes, with a kit in place of the plane.
+pub fn run_with(
+    arguments: &Arguments,
+    name: &str,
+    kit: impl FnOnce(&ReadMaterial) -> Result<Option<Box<dyn Kit>>, Failure>,
+) -> Result<(), Failure> {
     let engine = Engine::named(name).map_err(Failure::usage)?;
     let source = MaterialSource::find(arguments)?;
     let (map, metric, notes) = source.heights(arguments)?;
@@ -78,7 +132,12 @@ pub fn run(arguments: &Arguments, name: &str) -> Result<(), Failure> {
     if let Some(set) = &source.set {
         material = material.with_textures(set, source.green(arguments));
     }
-    let job = EngineJob::new(arguments, &source, material, &map, metric, notes)?;
+    let kit = kit(&ReadMaterial { name: &source.name, map: &map, metric })?;
+    let mut job = EngineJob::new(arguments, &source, material, &map, metric, notes)?;
+    if let Some(kit) = &kit {
+        job.key = format!("{} {}", job.key, kit.key());
+    }
+    job.kit = kit;
     // Until here nothing exists that an interrupted program would leave behind.
     let cancel = interrupt::catch()?;
     tell_written(arguments.json, |out| job.run(cancel, out))
@@ -97,6 +156,7 @@ struct EngineJob<'a> {
     notes: BTreeSet<Note>,
     /// Notes that are not about reading a file.
     said: Vec<String>,
+    kit: Option<Box<dyn Kit>>,
 }
 
 /// Endings of the plane's files.
@@ -124,11 +184,11 @@ impl<'a> EngineJob<'a> {
             said.push("normals are baked from the heights".to_owned());
         }
         let key = source::key(&material, source, arguments, map, metric)?;
-        Ok(Self { arguments, material, map, metric, name: &source.name, key, notes, said })
+        Ok(Self { arguments, material, map, metric, name: &source.name, key, notes, said, kit: None })
     }
 
     fn part(&self) -> String {
-        part_of(self.material.engine())
+        self.kit.as_ref().map_or_else(|| part_of(self.material.engine()), |kit| kit.part())
     }
 
     fn text_name(&self) -> String {
@@ -138,9 +198,10 @@ impl<'a> EngineJob<'a> {
     /// Returns the names of all files: textures, the plane's, and the text.
     fn names(&self) -> Vec<String> {
         let textures = self.material.textures().into_iter().map(|texture| self.material.file_name(texture));
-        let has_plane = self.material.engine().plane_cells.is_some();
+        let has_plane = self.kit.is_none() && self.material.engine().plane_cells.is_some();
         let plane = PLANE.iter().filter(|_| has_plane).map(|ending| format!("{}.{ending}", self.name));
-        textures.chain(plane).chain([self.text_name()]).collect()
+        let of_kit = self.kit.iter().flat_map(|kit| kit.names());
+        textures.chain(plane).chain(of_kit).chain([self.text_name()]).collect()
     }
 
     fn run(&self, cancel: &AtomicBool, out: &mut dyn Write) -> Result<(), Failure> {
@@ -204,7 +265,8 @@ impl<'a> EngineJob<'a> {
         let start = if baked.is_some() { NORMALS_PART } else { 0.0 };
         let normals = baked.as_ref().and_then(planes);
         let textures = self.material.textures();
-        let part = |done: usize| start + (1.0 - start) * done as f32 / textures.len() as f32;
+        let end = if self.kit.is_some() { TEXTURES_PART } else { 1.0 };
+        let part = |done: usize| start + (end - start) * done as f32 / textures.len() as f32;
         for (number, texture) in textures.iter().enumerate() {
             let name = self.material.file_name(texture);
             let place = outputs.place(&name)?;
@@ -214,10 +276,14 @@ impl<'a> EngineJob<'a> {
             written.map_err(|error| self.of_material(error, &name))?;
             files.push((name, place));
         }
-        if let Some(plane) = self.material.plane(&facts) {
+        if let Some(kit) = &self.kit {
+            let Self { material, map, metric, .. } = self;
+            let input = KitInput { material, facts: &facts, map, metric: *metric };
+            files.extend(kit.write(&input, outputs, &watch.piece(end, 1.0))?);
+        } else if let Some(plane) = self.material.plane(&facts) {
             let names = PLANE.map(|ending| format!("{}.{ending}", self.name));
             let places = [outputs.place(&names[0])?, outputs.place(&names[1])?];
-            let written = write_engine_plane(&plane, &places[0], &places[1], &names[1]);
+            let written = write_engine_model(&plane, &places[0], &places[1], &names[1]);
             written.map_err(|error| self.of_write(&error, &names[0]))?;
             files.extend(names.into_iter().zip(places));
         }

@@ -7,8 +7,8 @@ use relief_io::{TextureRole, TextureSet};
 use relief_scene::NO_MAP;
 
 /// Files of maps.
-#[derive(Args)]
-#[command(next_help_heading = "Maps of a material, with --for")]
+#[derive(Args, Clone)]
+#[command(next_help_heading = "Maps of a material for an engine")]
 pub struct GivenMaps {
     /// Height map, in place of the folder's
     #[arg(id = "height-map", long = "height", value_name = "FILE", hide_short_help = true)]

@@ -42,8 +42,14 @@ impl EngineJob<'_> {
             return Ok(());
         }
         writeln!(out, "{}: {paths} in {seconds:.2} s", engine.name)?;
-        for (name, value) in self.material.settings() {
-            writeln!(out, "  {name}: {value}")?;
+        match &self.kit {
+            // Its own files hold the scale.
+            Some(kit) => writeln!(out, "{}", kit.next())?,
+            None => {
+                for (name, value) in self.material.settings() {
+                    writeln!(out, "  {name}: {value}")?;
+                }
+            }
         }
         Ok(())
     }

@@ -36,9 +36,10 @@ impl MaterialSource {
     /// Finds what the command line names, and checks that it can be written to the output.
     pub fn find(arguments: &Arguments) -> Result<Self, Failure> {
         let Arguments { height: path, output, engine, .. } = arguments;
+        let folder = &engine.folder;
         if arguments.file().is_some() {
             let name = output.display();
-            let what = "--for writes several files: give the name of a folder";
+            let what = "an engine gets several files: give the name of a folder";
             return Err(Failure::Usage(format!("--output {name}: {what}")));
         }
         if output.exists() && !output.is_dir() {
@@ -46,18 +47,18 @@ impl MaterialSource {
             return Err(Failure::Work(format!("{folder}: this is not a folder: give another --output")));
         }
         if !path.is_dir() {
-            if engine.udim.is_some() || (engine.green.is_some() && engine.maps.first().is_none()) {
+            if folder.udim.is_some() || (folder.green.is_some() && folder.maps.first().is_none()) {
                 let what = "--udim and --green are for folders of textures: leave them out";
                 return Err(Failure::usage(what));
             }
             let name = material_name(path);
             let is_depth = arguments.reading.depth;
-            if engine.maps.height().is_some() {
+            if folder.maps.height().is_some() {
                 let what = "--height: the height map is named already: leave one out";
                 return Err(Failure::usage(what));
             }
             let named = TextureSet { name: name.clone(), textures: Vec::new(), left: Vec::new() };
-            let set = engine.maps.first().map(|_| engine.maps.over(named));
+            let set = folder.maps.first().map(|_| folder.maps.over(named));
             return Ok(Self { name, set, height: path.clone(), is_depth });
         }
         if FileKind::of(path)? == FileKind::Object {
@@ -73,9 +74,9 @@ impl MaterialSource {
             let what = "the files would be taken for textures of the set: give another --output";
             return Err(Failure::Usage(format!("{folder}: {what}")));
         }
-        let set = find_textures(path, engine.udim)
+        let set = find_textures(path, folder.udim)
             .map_err(|error| Failure::Work(advice::with_flag(&error, advice::of_textures(&error))))?;
-        let set = engine.maps.over(set);
+        let set = folder.maps.over(set);
         let found = set.height();
         let found =
             found.map_err(|error| Failure::Work(advice::with_flag(&error, advice::of_textures(&error))))?;
@@ -103,7 +104,7 @@ impl MaterialSource {
     pub fn green(&self, arguments: &Arguments) -> GreenSign {
         let texture = self.set.as_ref().and_then(|set| set.texture(TextureRole::Normal));
         let of_name = texture.and_then(|texture| texture.green);
-        arguments.engine.green.or(of_name).unwrap_or_default()
+        arguments.engine.folder.green.or(of_name).unwrap_or_default()
     }
 }
 
@@ -138,7 +139,7 @@ pub fn other_green(
     map: &HeightMap,
 ) -> Result<Option<Note>, Failure> {
     let unclear = set.texture(TextureRole::Normal).filter(|texture| texture.green.is_none());
-    let (Some(texture), None) = (unclear, arguments.engine.green) else { return Ok(None) };
+    let (Some(texture), None) = (unclear, arguments.engine.folder.green) else { return Ok(None) };
     let max_bytes = arguments.max_memory.map_or(relief_io::DEFAULT_MAX_BYTES, |size| size.0);
     let normals = read_normal_map(&texture.path, GreenSign::PlusY, max_bytes).map_err(Failure::of_picture)?;
     Ok(green_remark(map, &normals).map(|remark| By::Flags.note(&remark.of(&texture.path))))

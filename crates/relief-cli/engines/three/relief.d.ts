@@ -21,9 +21,15 @@ export interface Options {
 	/** Tiles of the relief along u and v for each of the mesh's own. 1 by 1 unless given. */
 	repeat?: [ number, number ];
 	/** The colours, with the texture coordinates of the relief. */
-	map?: Texture;
-	/** The roughness, in green. */
-	roughnessMap?: Texture;
+	map?: Texture | null;
+	/** The roughness, in green, as in glTF. */
+	roughnessMap?: Texture | null;
+	/** The metalness, in blue. */
+	metalnessMap?: Texture | null;
+	/** Ambient occlusion, in red. */
+	aoMap?: Texture | null;
+	/** The colour of the light that the surface emits. */
+	emissiveMap?: Texture | null;
 	/**
 	 * The sun that the relief shades itself from, if the functions have a shadow. It must cast shadows, and be
 	 * the only light that does: three.js has one such node for all of them.
@@ -37,6 +43,8 @@ export interface Options {
 export interface Made {
 	/** The settings, whose `value` may be changed at any time. */
 	settings: Record<string, UniformNode<unknown>>;
+	/** Tiles of the relief for each of the mesh's own, whose `value` may be changed. */
+	repeat: UniformNode<unknown>;
 	/** Texture coordinates of the hit. */
 	uv: Node;
 	/** A texture at the hit, filtered as on the mesh: for maps that the options do not name. */

@@ -6,7 +6,7 @@
 import { DataTexture, FloatType, FrontSide, RedFormat, Vector2, Vector4 } from 'three/webgpu';
 import {
 	attribute, cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, cross, dFdx, dFdy, Fn, glslFn,
-	inverse, ivec2, lightTargetDirection, modelNormalMatrix, modelViewMatrix, normalGeometry, normalViewGeometry,
+	inverse, ivec2, lightTargetDirection, materialReference, modelNormalMatrix, modelViewMatrix, normalGeometry, normalViewGeometry,
 	positionView, select, sign, tangentGeometry, texture, uniform, uv, vec2, vec3, vec4, viewZToOrthographicDepth,
 	viewZToPerspectiveDepth, wgslFn,
 } from 'three/tsl';
@@ -283,8 +283,12 @@ export function applyRelief( material, { about, texts }, options ) {
 		return texture( map, hitUV ).grad( dFdx( ownUV ), dFdy( ownUV ) );
 
 	};
-	if ( options.map ) material.colorNode = sampled( options.map );
-	if ( options.roughnessMap ) material.roughnessNode = sampled( options.roughnessMap ).g;
+	const factor = ( name, kind ) => materialReference( name, kind, material );
+	if ( options.map ) material.colorNode = factor( 'color', 'color' ).mul( sampled( options.map ) );
+	if ( options.roughnessMap ) material.roughnessNode = factor( 'roughness', 'float' ).mul( sampled( options.roughnessMap ).g );
+	if ( options.metalnessMap ) material.metalnessNode = factor( 'metalness', 'float' ).mul( sampled( options.metalnessMap ).b );
+	if ( options.aoMap ) material.aoNode = sampled( options.aoMap ).r;
+	if ( options.emissiveMap ) material.emissiveNode = factor( 'emissive', 'color' ).mul( sampled( options.emissiveMap ).rgb );
 	const bent = seen.element( 1 );
 	material.normalNode = t.mul( bent.x ).add( b.mul( bent.y ) ).add( n.mul( bent.z ) );
 	material.maskNode = seen.element( 0 ).x.greaterThan( 0.5 );
