@@ -7,6 +7,7 @@ mod any_file;
 mod bad_input;
 mod command_line;
 mod contract;
+mod engine;
 mod examples;
 mod explain;
 mod inspect;

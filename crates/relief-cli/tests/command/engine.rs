@@ -1,0 +1,130 @@
+//! `relief engine`: what an engine needs, read back.
+
+use std::collections::BTreeSet;
+
+use relief_io::{MeshOptions, read_mesh};
+use serde_json::Value;
+
+use crate::common::command::{Folder, json_of};
+use crate::common::maps::Map;
+
+fn folder() -> Folder {
+    let folder = Folder::new();
+    let map = Map::new(48, 32, |x, y| (((x * 5) ^ (y * 3)) % 64 * 1000) as u16);
+    folder.write("stones.png", map.png());
+    folder
+}
+
+fn files(answer: &Value) -> Vec<String> {
+    let list = answer["files"].as_array().expect("a list");
+    list.iter().map(|file| file.as_str().expect("a name").to_owned()).collect()
+}
+
+fn text(folder: &Folder, name: &str) -> String {
+    std::fs::read_to_string(folder.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// The facts in a page of three.js.
+fn facts(folder: &Folder, out: &str) -> Value {
+    let page = text(folder, &format!("{out}/index.html"));
+    let (_, rest) = page.split_once("id=\"relief\">").expect("a place for facts");
+    serde_json::from_str(rest.split('<').next().expect("its end")).expect("JSON")
+}
+
+/// Words between quotation marks after `path=` in Godot's texts.
+fn paths(text: &str) -> BTreeSet<String> {
+    text.split("path=\"").skip(1).filter_map(|rest| rest.split('"').next()).map(str::to_owned).collect()
+}
+
+#[test]
+fn a_page_of_three_js_names_files_that_are_there() {
+    let folder = folder();
+    let asked = "engine three stones.png --mesh torus --tile 4,2 --method cone --scale 3cm -o page --json";
+    let answer = json_of(&folder.relief(asked).fine());
+    for file in files(&answer) {
+        assert!(folder.path(&format!("page/{file}")).is_file(), "{file}");
+    }
+    let facts = facts(&folder, "page");
+    assert_eq!(facts["scale"], 0.03);
+    let named =
+        facts["maps"].as_object().expect("maps").values().chain([&facts["functions"], &facts["mesh"]]);
+    for name in named {
+        assert!(folder.path(&format!("page/{}", name.as_str().expect("a name"))).is_file(), "{name}");
+    }
+    // The maps are those that the functions bind.
+    let about: Value = serde_json::from_str(&text(&folder, "page/relief.json")).expect("JSON");
+    let bound: BTreeSet<String> = about["bindings"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|bound| bound["name"].as_str().expect("a name").trim_start_matches("relief_").to_owned())
+        .collect();
+    let given: BTreeSet<String> = facts["maps"].as_object().expect("maps").keys().cloned().collect();
+    assert_eq!(given, bound);
+    assert_eq!(given.len(), 2);
+    let mesh = read_mesh(&folder.path("page/stones.gltf"), &MeshOptions::default()).expect("a mesh").mesh;
+    let greatest = mesh.vertices().iter().map(|vertex| vertex.uv.x).fold(0.0, f32::max);
+    assert!(mesh.triangles().len() > 1000 && (greatest - 4.0).abs() < 1e-4, "{greatest}");
+
+    let again = json_of(&folder.relief(asked).fine());
+    assert_eq!(again["up_to_date"], true);
+    let other = json_of(&folder.relief(&asked.replace("--tile 4,2", "--tile 4,3")).fine());
+    assert_eq!(other["up_to_date"], false);
+}
+
+#[test]
+fn a_scene_of_godot_names_files_that_are_there() {
+    let folder = folder();
+    let answer = json_of(&folder.relief("engine godot stones.png --mesh sphere -o scene --json").fine());
+    let written: BTreeSet<String> = files(&answer).into_iter().collect();
+    let named =
+        ["stones.tscn", "stones_material.tres"].map(|name| paths(&text(&folder, &format!("scene/{name}"))));
+    let named: BTreeSet<String> = named.into_iter().flatten().collect();
+    assert!(named.is_subset(&written) && named.len() == 4, "{named:?}");
+    let shader = text(&folder, "scene/relief.gdshader");
+    let included = shader.split("#include \"").skip(1).filter_map(|rest| rest.split('"').next());
+    assert!(included.map(str::to_owned).collect::<BTreeSet<_>>().is_subset(&written));
+    // A texture of floats: its head, and four bytes a texel.
+    let heights = std::fs::read(folder.path("scene/stones_height_map.dds")).expect("a file");
+    assert_eq!((&heights[..4], heights.len()), (b"DDS ".as_slice(), 148 + 4 * 48 * 32));
+    // A flat mesh needs no curvature.
+    folder.relief("engine godot stones.png -o flat -q").fine();
+    let has_curvature =
+        |out: &str| text(&folder, &format!("{out}/relief.gdshaderinc")).contains("HAS_CURVATURE");
+    assert!(has_curvature("scene") && !has_curvature("flat"));
+}
+
+#[test]
+fn what_has_no_kit_says_what_goes() {
+    let folder = folder();
+    for (asked, words) in [
+        ("engine thre stones.png -o out", "did you mean 'three'"),
+        ("engine unreal stones.png -o out", "bake --for unreal"),
+        ("engine three stones.png --method view-dependent -o out", "--method"),
+        ("engine three stones.png --method voxels -o out", "--method"),
+        ("engine godot stones.png --surface prism -o out", "--surface"),
+        ("engine godot stones.png --mesh sphere --project box -o out", "--project"),
+        ("engine godot stones.png --shadow map -o out", "--shadow"),
+    ] {
+        let refused = folder.relief(asked);
+        assert!(refused.code == Some(2) && refused.stderr.contains(words), "{refused:?}");
+        assert!(!folder.path("out").exists(), "{asked}");
+    }
+    folder.write("broken.png", b"no picture".to_vec());
+    assert_eq!(folder.relief("engine three broken.png -o out").code, Some(1));
+    assert!(!folder.path("out").exists());
+}
+
+#[test]
+fn files_of_others_stay() {
+    let folder = folder();
+    folder.write("page/index.html", b"mine".to_vec());
+    let failed = folder.relief("engine three stones.png -o page");
+    let says = |word: &str| failed.stderr.contains(word);
+    assert!(failed.code == Some(1) && says("index.html") && says("--force"), "{failed:?}");
+    assert_eq!(text(&folder, "page/index.html"), "mine");
+    let left: Vec<_> = std::fs::read_dir(folder.path("page")).expect("a folder").collect();
+    assert_eq!(left.len(), 1, "{left:?}");
+    folder.relief("engine three stones.png -o page --force -q").fine();
+    assert!(text(&folder, "page/index.html").contains("applyRelief"));
+}
