@@ -14,7 +14,7 @@ use std::time::Duration;
 use serde_json::Value;
 
 /// How long a page may work.
-const LONGEST: Duration = Duration::from_secs(300);
+const LONGEST: Duration = Duration::from_secs(120);
 
 /// Longest body of an answer.
 const LONGEST_ANSWER: usize = 1 << 28;
@@ -118,7 +118,7 @@ fn serve(mut stream: TcpStream, folders: &Folders, told: &Sender<Vec<u8>>) -> Op
         reply(&mut stream, "200 OK", "text/plain", &[]);
         return told.send(body).ok();
     }
-    let name = path.trim_start_matches('/');
+    let name = path.split('?').next().unwrap_or_default().trim_start_matches('/');
     let is_inside = name.split('/').all(|part| part != "..");
     let file = match name.strip_prefix(MODULES) {
         Some(name) => folders.modules.join(name),

@@ -2,6 +2,7 @@
 //! (SwiftShader); each pixel's hit is held to the renderer's.
 
 mod godot;
+mod pages;
 mod three;
 
 use std::path::{Path, PathBuf};
@@ -38,6 +39,9 @@ pub struct Arguments {
     /// Methods
     #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',', default_value = "relief,exact")]
     method: Vec<String>,
+    /// The command, for the pages that it writes
+    #[arg(long, value_name = "PROGRAM", default_value = "target/release/relief")]
+    relief: PathBuf,
     /// Width of the pictures; they are three quarters as high
     #[arg(long, default_value_t = 512)]
     width: u32,
@@ -111,6 +115,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     if arguments.engine.iter().any(|engine| engine == "godot") {
         println!("Godot takes {} texts of methods", godot::texts::read_all(&arguments.chromium)?);
     }
+    let [three, godot] = pages::open(&arguments.relief, &arguments.chromium)?;
+    println!(
+        "what `relief engine` writes is shown: mean steps of {three:.1} in three.js, {godot:.1} in Godot"
+    );
     Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 

@@ -71,7 +71,7 @@ pub fn long_help() -> String {
          occlusion, roughness and metalness, heights and emission with the names, channels, green and bits of \
          an engine: {}. Normals are baked where the folder has none. A text file says where each file and the \
          scale go; for three, bevy and gltf there is a glTF of a plane, too. `relief render DIR` shows the \
-         result.",
+         result. `relief engine` writes the same with shaders of a method, a mesh, and a page or scene.",
         names.join(", ")
     )
 }

@@ -31,7 +31,7 @@ pub const KIT: EngineKit = EngineKit {
 
 /// Directions to the camera and to the sun.
 const CAMERA: Vec3 = Vec3::new(0.6, 0.7, 1.0);
-const SUN: Vec3 = Vec3::new(-1.0, 0.8, 0.3);
+const SUN: Vec3 = Vec3::new(-0.8, 0.9, 0.7);
 
 fn make(sheet: &Sheet, places: &[PathBuf]) -> Result<(), WriteError> {
     let [mesh, material, scene] = places else { return Ok(()) };
@@ -81,7 +81,7 @@ fn of_material(sheet: &Sheet) -> String {
 fn of_scene(sheet: &Sheet) -> String {
     let around = Around::of(sheet.mesh);
     let [camera, sun] =
-        [(CAMERA, 2.6), (SUN, 4.0)].map(|(from, radii)| transform(around.seen_from(from, radii)));
+        [(CAMERA, 3.2), (SUN, 4.0)].map(|(from, radii)| transform(around.seen_from(from, radii)));
     let name = sheet.name;
     let (mesh, material) = (quoted(&format!("{name}_mesh.tres")), quoted(&format!("{name}_material.tres")));
     let radius = around.radius;

@@ -10,12 +10,9 @@ use relief_export::{FunctionOptions, Profile, functions};
 use super::{BEYOND, Job, Shown};
 use crate::chromium;
 
-const PAGE: &[u8] = include_bytes!("page.html");
-const SCENE: &[u8] = include_bytes!("main.tscn");
-const PROJECT: &[u8] = include_bytes!("project.godot");
-
 /// The part of the kit that finds hits, as it is shipped.
-const FRAGMENT: &str = include_str!("../../../../../engines/godot/relief_fragment.gdshaderinc");
+const FRAGMENT: &str =
+    include_str!("../../../../../crates/relief-cli/engines/godot/relief_fragment.gdshaderinc");
 
 /// The greatest code of six digits.
 const MOST: f64 = 16_777_215.0;
@@ -34,18 +31,26 @@ pub fn shown(chromium: &Path, job: &Job) -> Result<Shown, String> {
     };
     let exported = functions(job.selection, &options).map_err(|error| error.to_string())?;
     let input = job.json().to_string();
-    let game = pack::pack(&[
+    let files = [
         ("input.json", input.as_bytes()),
         ("main.gd", include_bytes!("main.gd")),
-        ("main.tscn", SCENE),
-        ("project.godot", PROJECT),
         ("relief.gdshaderinc", &exported.files[0].bytes),
         ("relief_fragment.gdshaderinc", FRAGMENT.as_bytes()),
         ("shown.gdshader", include_bytes!("shown.gdshader")),
-    ]);
-    let page = [("page.html", PAGE), ("game.pck", &game)];
-    let answer = chromium::answer(chromium, &page).map_err(|error| format!("Godot: {error}"))?;
+    ];
+    let answer = run(chromium, files.map(|(name, bytes)| (name.to_owned(), bytes.to_vec())).into())?;
     decode(&answer, job.size)
+}
+
+/// Runs a game of these files, whose `main.gd` tells the page something. Returns that.
+pub fn run(chromium: &Path, mut files: Vec<(String, Vec<u8>)>) -> Result<Vec<u8>, String> {
+    files.push(("main.tscn".to_owned(), include_bytes!("main.tscn").to_vec()));
+    files.push(("project.godot".to_owned(), include_bytes!("project.godot").to_vec()));
+    let files: Vec<(&str, &[u8])> =
+        files.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())).collect();
+    let game = pack::pack(&files);
+    let page = [("page.html", include_bytes!("page.html").as_slice()), ("game.pck", &game)];
+    chromium::answer(chromium, &page).map_err(|error| format!("Godot: {error}"))
 }
 
 /// The hits of five pictures: where there are any, the upper and lower digits of u, and those of v.

@@ -5,11 +5,9 @@ use std::path::Path;
 use relief_export::{FunctionOptions, Profile, functions};
 use relief_shaders::{METHODS, Selection};
 
-use super::pack::pack;
-use super::{FRAGMENT, PAGE, PROJECT, SCENE};
-use crate::chromium;
+use super::FRAGMENT;
 
-const SHADER: &str = include_str!("../../../../../engines/godot/relief.gdshader");
+const SHADER: &str = include_str!("../../../../../crates/relief-cli/engines/godot/relief.gdshader");
 
 /// Surfaces and shadows that methods are written with.
 const WITH: [(&str, &str); 4] =
@@ -33,15 +31,9 @@ pub fn read_all(chromium: &Path) -> Result<usize, String> {
     files.extend([
         ("list.txt".to_owned(), names.join("\n").into_bytes()),
         ("main.gd".to_owned(), include_bytes!("texts.gd").to_vec()),
-        ("main.tscn".to_owned(), SCENE.to_vec()),
-        ("project.godot".to_owned(), PROJECT.to_vec()),
         ("relief_fragment.gdshaderinc".to_owned(), FRAGMENT.as_bytes().to_vec()),
     ]);
-    let files: Vec<(&str, &[u8])> =
-        files.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())).collect();
-    let game = pack(&files);
-    let page = [("page.html", PAGE), ("game.pck", game.as_slice())];
-    chromium::answer(chromium, &page).map_err(|error| format!("Godot: {error}"))?;
+    super::run(chromium, files)?;
     Ok(count)
 }
 
