@@ -180,3 +180,51 @@ fn member(setting: &Setting, name: &str) -> (&'static str, String) {
         _ => ("float", name.to_owned()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use relief_shaders::Selection;
+
+    use crate::{FunctionOptions, Profile, functions};
+
+    fn text(method: &str, surface: &str) -> String {
+        let mut selection = Selection::method(method).expect("a method");
+        selection.choose("surface", surface).expect("a surface");
+        selection.choose("shadow", "none").expect("a shadow");
+        let options = FunctionOptions {
+            prefix: "rock".to_owned(),
+            profiles: vec![Profile::Godot4],
+            ..FunctionOptions::default()
+        };
+        let exported = functions(&selection, &options).expect("functions");
+        assert!(exported.files[0].name.ends_with(".gdshaderinc"));
+        String::from_utf8(exported.files[0].bytes.clone()).expect("text")
+    }
+
+    #[test]
+    fn every_setting_is_a_uniform_or_follows_from_one() {
+        let text = text("relief", "quadric-vertical");
+        assert!(text.contains("#define ROCK_HAS_CURVATURE\n") && !text.contains("ROCK_HAS_LIGHT"));
+        let (_, settings) = text.split_once("group_uniforms rock;").expect("a group");
+        for declared in
+            ["uniform float rock_scale :", "uniform float rock_search_steps :", "uniform int rock_wrap"]
+        {
+            assert!(settings.contains(declared), "{declared}: {settings}");
+        }
+        let gathered = "RockSettings(rock_scale, -rock_scale, uvec2(textureSize(rock_height_map, 0))";
+        assert!(settings.contains(gathered), "{settings}");
+    }
+
+    #[test]
+    fn integers_are_shifted_by_integers() {
+        let text = text("pyramidal", "plane");
+        assert!(text.contains("int rock_count(uint by) {\n    return int(by);"), "{text}");
+        let counts = text.lines().filter(|line| line.contains(" = rock_count("));
+        let mut count = 0;
+        for line in counts {
+            assert!(line.trim_start().starts_with("int "), "{line}");
+            count += 1;
+        }
+        assert!(count > 0);
+    }
+}
