@@ -35,6 +35,7 @@ mod materials;
 mod memory;
 mod mesh;
 mod object_slices;
+mod parallax;
 mod probe;
 mod pyramid;
 mod python;
@@ -113,6 +114,8 @@ enum Command {
     Materials(materials::Arguments),
     /// Triangles a second that height maps become, in memory and in files
     Mesh(mesh::Arguments),
+    /// Godot's own parallax beside Relief's methods in its shaders: errors of hits and times
+    Parallax(parallax::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
     Probe(probe::Arguments),
     /// A pyramid of changed heights built on the GPU, beside one that is baked and uploaded
@@ -174,6 +177,7 @@ fn main() -> ExitCode {
         Command::Looks(arguments) => looks::run(&arguments),
         Command::Materials(arguments) => materials::run(&arguments),
         Command::Mesh(arguments) => mesh::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Parallax(arguments) => parallax::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Quadrics(arguments) => quadrics::run(&arguments).map(|()| ExitCode::SUCCESS),

@@ -77,10 +77,10 @@ fn a_scene_of_godot_names_files_that_are_there() {
     let folder = folder();
     let answer = json_of(&folder.relief("engine godot stones.png --mesh sphere -o scene --json").fine());
     let written: BTreeSet<String> = files(&answer).into_iter().collect();
-    let named =
-        ["stones.tscn", "stones_material.tres"].map(|name| paths(&text(&folder, &format!("scene/{name}"))));
+    let texts = ["stones.tscn", "stones_demo.tscn", "stones_material.tres", "stones_mesh.tres"];
+    let named = texts.map(|name| paths(&text(&folder, &format!("scene/{name}"))));
     let named: BTreeSet<String> = named.into_iter().flatten().collect();
-    assert!(named.is_subset(&written) && named.len() == 4, "{named:?}");
+    assert!(named.is_subset(&written) && named.len() == 5, "{named:?}");
     let shader = text(&folder, "scene/relief.gdshader");
     let included = shader.split("#include \"").skip(1).filter_map(|rest| rest.split('"').next());
     assert!(included.map(str::to_owned).collect::<BTreeSet<_>>().is_subset(&written));
@@ -113,6 +113,19 @@ fn what_has_no_kit_says_what_goes() {
     folder.write("broken.png", b"no picture".to_vec());
     assert_eq!(folder.relief("engine three broken.png -o out").code, Some(1));
     assert!(!folder.path("out").exists());
+}
+
+#[test]
+fn files_that_somebody_changed_stay() {
+    let folder = folder();
+    folder.relief("engine godot stones.png -o scene -q").fine();
+    let mine = text(&folder, "scene/relief.gdshader") + "// mine\n";
+    folder.write("scene/relief.gdshader", &mine);
+    let failed = folder.relief("engine godot stones.png --scale 4cm -o scene");
+    assert!(failed.code == Some(1) && failed.stderr.contains("relief.gdshader"), "{failed:?}");
+    assert_eq!(text(&folder, "scene/relief.gdshader"), mine);
+    folder.relief("engine godot stones.png --scale 4cm -o scene --force -q").fine();
+    assert!(!text(&folder, "scene/relief.gdshader").contains("// mine"));
 }
 
 #[test]

@@ -19,7 +19,7 @@ const MOST_OF_16_BITS: usize = 1 << 16;
 
 /// Returns the text of an `ArrayMesh`, for a file that ends in `.tres`. `CUSTOM0` holds the length of a tile
 /// along `u` and `v` and the first two numbers of the curvature, `CUSTOM1` the third and 0
-/// ([`VertexFrames`]).
+/// ([`VertexFrames`]). `material` is the file of its material, beside the mesh's own.
 ///
 /// # Errors
 ///
@@ -27,11 +27,11 @@ const MOST_OF_16_BITS: usize = 1 << 16;
 ///
 /// ```
 /// let mesh = relief_core::mesh::square(1)?;
-/// let text = relief_io::godot_mesh(&mesh)?;
-/// assert!(text.starts_with("[gd_resource type=\"ArrayMesh\" format=4]"));
+/// let text = relief_io::godot_mesh(&mesh, None)?;
+/// assert!(text.starts_with("[gd_resource type=\"ArrayMesh\""));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn godot_mesh(mesh: &Mesh) -> Result<String, WriteProblem> {
+pub fn godot_mesh(mesh: &Mesh, material: Option<&str>) -> Result<String, WriteProblem> {
     let (vertices, corners) = (mesh.vertices(), mesh.triangles().as_flattened());
     if corners.is_empty() || i32::try_from(corners.len().max(vertices.len())).is_err() {
         let what = format!("Godot's meshes have 1 to 2^31 - 1 corners, not {}", corners.len());
@@ -62,13 +62,21 @@ pub fn godot_mesh(mesh: &Mesh) -> Result<String, WriteProblem> {
     let numbers = [least, size].map(|of| of.to_array()).concat();
     let numbers: Vec<String> = numbers.iter().map(|number| format!("{number:?}")).collect();
     let bytes = |bytes: &[u8]| format!("PackedByteArray(\"{}\")", BASE64_STANDARD.encode(bytes));
-    let mut text = "[gd_resource type=\"ArrayMesh\" format=4]\n\n[resource]\n_surfaces = [{\n".to_owned();
+    let mut text = "[gd_resource type=\"ArrayMesh\" format=4]\n\n".to_owned();
+    if let Some(material) = material {
+        let path = material.replace('\\', "\\\\").replace('"', "\\\"");
+        let _ = writeln!(text, "[ext_resource type=\"Material\" path=\"{path}\" id=\"material\"]\n");
+    }
+    text += "[resource]\n_surfaces = [{\n";
     let mut member = |name: &str, value: String, end: &str| _ = writeln!(text, "\"{name}\": {value}{end}");
     member("aabb", format!("AABB({})", numbers.join(", ")), ",");
     member("attribute_data", bytes(&attributes), ",");
     member("format", FORMAT.to_string(), ",");
     member("index_count", corners.len().to_string(), ",");
     member("index_data", bytes(&indices), ",");
+    if material.is_some() {
+        member("material", "ExtResource(\"material\")".to_owned(), ",");
+    }
     member("primitive", "3".to_owned(), ",");
     member("uv_scale", "Vector4(0, 0, 0, 0)".to_owned(), ",");
     member("vertex_count", vertices.len().to_string(), ",");
@@ -121,7 +129,8 @@ mod tests {
     #[test]
     fn lists_have_the_lengths_of_the_format() -> Result<(), Box<dyn std::error::Error>> {
         let mesh = relief_core::mesh::sphere(16, 8)?;
-        let text = godot_mesh(&mesh)?;
+        let text = godot_mesh(&mesh, Some("stone.tres"))?;
+        assert!(text.contains("path=\"stone.tres\"") && text.contains("\"material\": ExtResource"));
         let bytes = |name: &str| -> Vec<u8> {
             let (_, rest) = text.split_once(&format!("\"{name}\": PackedByteArray(\"")).expect("a list");
             BASE64_STANDARD.decode(rest.split('"').next().expect("its end")).expect("base 64")
@@ -132,7 +141,7 @@ mod tests {
         assert_eq!(bytes("index_data").len(), mesh.triangles().len() * 6);
         assert_eq!(FORMAT, 34_360_127_703);
         let empty = Mesh::new(Vec::new(), Vec::new())?;
-        assert!(godot_mesh(&empty).is_err());
+        assert!(godot_mesh(&empty, None).is_err());
         Ok(())
     }
 }

@@ -1,7 +1,7 @@
 //! `kits`: kits for engines beside Relief. Engines draw meshes with them in Chromium without a window
 //! (SwiftShader); each pixel's hit is held to the renderer's.
 
-mod godot;
+pub mod godot;
 mod pages;
 mod three;
 

@@ -82,6 +82,8 @@ pub trait Kit {
     fn part(&self) -> String;
     /// The names of its files.
     fn names(&self) -> Vec<String>;
+    /// Whether it takes that texture of a material.
+    fn takes(&self, content: TextureContent) -> bool;
     /// Hash of everything that decides the bytes of its files, beside the material.
     fn key(&self) -> String;
     /// Writes its files to places that get their names later.
@@ -133,11 +135,7 @@ pub fn run_with(
         material = material.with_textures(set, source.green(arguments));
     }
     let kit = kit(&ReadMaterial { name: &source.name, map: &map, metric })?;
-    let mut job = EngineJob::new(arguments, &source, material, &map, metric, notes)?;
-    if let Some(kit) = &kit {
-        job.key = format!("{} {}", job.key, kit.key());
-    }
-    job.kit = kit;
+    let job = EngineJob::new(arguments, &source, material, &map, metric, notes, kit)?;
     // Until here nothing exists that an interrupted program would leave behind.
     let cancel = interrupt::catch()?;
     tell_written(arguments.json, |out| job.run(cancel, out))
@@ -170,6 +168,7 @@ impl<'a> EngineJob<'a> {
         map: &'a HeightMap,
         metric: Metric,
         mut notes: BTreeSet<Note>,
+        kit: Option<Box<dyn Kit>>,
     ) -> Result<Self, Failure> {
         let mut said = Vec::new();
         if let Some(set) = &source.set {
@@ -180,15 +179,28 @@ impl<'a> EngineJob<'a> {
                 said.push(format!("the textures {} have no map of: {}", set.name, missing.join(", ")));
             }
         }
-        if source.set.is_some() && material.normal_map().is_none() {
+        if source.set.is_some() && material.normal_map().is_none() && kit.is_none() {
             said.push("normals are baked from the heights".to_owned());
         }
-        let key = source::key(&material, source, arguments, map, metric)?;
-        Ok(Self { arguments, material, map, metric, name: &source.name, key, notes, said, kit: None })
+        let mut key = source::key(&material, source, arguments, map, metric)?;
+        if let Some(kit) = &kit {
+            key += &format!(" {}", kit.key());
+        }
+        Ok(Self { arguments, material, map, metric, name: &source.name, key, notes, said, kit })
     }
 
     fn part(&self) -> String {
         self.kit.as_ref().map_or_else(|| part_of(self.material.engine()), |kit| kit.part())
+    }
+
+    /// The textures that are written.
+    fn textures(&self) -> Vec<&'static EngineTexture> {
+        let is_taken = |texture: &&EngineTexture| self.takes(texture.content);
+        self.material.textures().into_iter().filter(is_taken).collect()
+    }
+
+    fn takes(&self, content: TextureContent) -> bool {
+        self.kit.as_ref().is_none_or(|kit| kit.takes(content))
     }
 
     fn text_name(&self) -> String {
@@ -197,11 +209,12 @@ impl<'a> EngineJob<'a> {
 
     /// Returns the names of all files: textures, the plane's, and the text.
     fn names(&self) -> Vec<String> {
-        let textures = self.material.textures().into_iter().map(|texture| self.material.file_name(texture));
+        let textures = self.textures().into_iter().map(|texture| self.material.file_name(texture));
         let has_plane = self.kit.is_none() && self.material.engine().plane_cells.is_some();
         let plane = PLANE.iter().filter(|_| has_plane).map(|ending| format!("{}.{ending}", self.name));
         let of_kit = self.kit.iter().flat_map(|kit| kit.names());
-        textures.chain(plane).chain(of_kit).chain([self.text_name()]).collect()
+        let text = self.kit.is_none().then(|| self.text_name());
+        textures.chain(plane).chain(of_kit).chain(text).collect()
     }
 
     fn run(&self, cancel: &AtomicBool, out: &mut dyn Write) -> Result<(), Failure> {
@@ -228,6 +241,9 @@ impl<'a> EngineJob<'a> {
         let manifest = outputs.earlier().name().to_owned();
         for name in self.names().iter().chain([&manifest]) {
             outputs.check(name)?;
+        }
+        for name in self.kit.iter().flat_map(|kit| kit.names()) {
+            outputs.check_unchanged(&name)?;
         }
         let bar = Progress::bar(self.material.engine().name, *json);
         let tell = |_: &str, part: f32| bar.show(part);
@@ -260,11 +276,12 @@ impl<'a> EngineJob<'a> {
         let mut files = Vec::new();
         let baked = match self.material.normal_map() {
             Some(_) => None,
+            None if !self.takes(TextureContent::Normal) => None,
             None => Some(self.baked_normals(&watch.piece(0.0, NORMALS_PART))?),
         };
         let start = if baked.is_some() { NORMALS_PART } else { 0.0 };
         let normals = baked.as_ref().and_then(planes);
-        let textures = self.material.textures();
+        let textures = self.textures();
         let end = if self.kit.is_some() { TEXTURES_PART } else { 1.0 };
         let part = |done: usize| start + (end - start) * done as f32 / textures.len() as f32;
         for (number, texture) in textures.iter().enumerate() {
@@ -287,11 +304,14 @@ impl<'a> EngineJob<'a> {
             written.map_err(|error| self.of_write(&error, &names[0]))?;
             files.extend(names.into_iter().zip(places));
         }
-        let (name, text) = (self.text_name(), self.material.note(&facts));
-        let place = outputs.place(&name)?;
-        let written = write_atomically(&place, |out| out.write_all(text.as_bytes()));
-        written.map_err(|error| self.of_write(&error, &name))?;
-        files.push((name, place));
+        // What a kit writes says itself where things go.
+        if self.kit.is_none() {
+            let (name, text) = (self.text_name(), self.material.note(&facts));
+            let place = outputs.place(&name)?;
+            let written = write_atomically(&place, |out| out.write_all(text.as_bytes()));
+            written.map_err(|error| self.of_write(&error, &name))?;
+            files.push((name, place));
+        }
         Ok((files, facts))
     }
 

@@ -128,6 +128,23 @@ impl<'a> Outputs<'a> {
         )))
     }
 
+    /// Checks that a file that an earlier run wrote has not been changed since, unless all is replaced.
+    pub fn check_unchanged(&self, name: &str) -> Result<(), Failure> {
+        let mut files = self.earlier.manifest.parts().iter().flat_map(|part| &part.files);
+        let listed = files.find(|file| file.name == name);
+        let path = self.earlier.folder.join(name);
+        match listed {
+            Some(file) if !self.force && path.exists() && !file.is_in(self.earlier.folder) => {
+                Err(Failure::Work(format!(
+                    "{}: has been changed since relief wrote it: move it away, give another --output, or replace it \
+                     with --force",
+                    path.display()
+                )))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Returns where to write a file of that name.
     pub fn place(&mut self, name: &str) -> Result<PathBuf, Failure> {
         // It may have come since the first check.

@@ -15,17 +15,21 @@ pub const KIT: EngineKit = EngineKit {
     title: "Godot 4",
     profiles: &[Profile::Godot4],
     has_manifest: false,
+    // Heights and normals come from the map of floats.
+    takes: |content| !matches!(content, TextureContent::Height(_) | TextureContent::Normal),
     map_ending: "dds",
     write_map: write_dds,
     files: &[
         ("relief.gdshader", include_str!("../../../engines/godot/relief.gdshader")),
         ("relief_fragment.gdshaderinc", include_str!("../../../engines/godot/relief_fragment.gdshaderinc")),
     ],
-    made: |name| vec![format!("{name}_mesh.tres"), format!("{name}_material.tres"), format!("{name}.tscn")],
+    made: |name| {
+        ["_mesh.tres", "_material.tres", ".tscn", "_demo.tscn"].map(|end| format!("{name}{end}")).into()
+    },
     make,
     next: |name, folder| {
         let folder = folder.display();
-        format!("  show it: {folder} within a project of Godot 4, then open {name}.tscn there")
+        format!("  show it: {folder} within a project of Godot 4, then run {name}_demo.tscn there")
     },
 };
 
@@ -34,9 +38,11 @@ const CAMERA: Vec3 = Vec3::new(0.6, 0.7, 1.0);
 const SUN: Vec3 = Vec3::new(-0.8, 0.9, 0.7);
 
 fn make(sheet: &Sheet, places: &[PathBuf]) -> Result<(), WriteError> {
-    let [mesh, material, scene] = places else { return Ok(()) };
-    let text = godot_mesh(sheet.mesh).map_err(|problem| problem.at(mesh))?;
-    let texts = [(mesh, text), (material, of_material(sheet)), (scene, of_scene(sheet))];
+    let [mesh, material, scene, demo] = places else { return Ok(()) };
+    let named = format!("{}_material.tres", sheet.name);
+    let text = godot_mesh(sheet.mesh, Some(&named)).map_err(|problem| problem.at(mesh))?;
+    let texts =
+        [(mesh, text), (material, of_material(sheet)), (scene, of_scene(sheet)), (demo, of_demo(sheet))];
     for (place, text) in texts {
         write_atomically(place, |out| out.write_all(text.as_bytes()))?;
     }
@@ -65,7 +71,8 @@ fn of_material(sheet: &Sheet) -> String {
     let mut set = |name: &str, value: String| _ = writeln!(text, "shader_parameter/{name} = {value}");
     set("relief_scale", format!("{:?}", sheet.scale_m));
     if color.is_none() {
-        set("albedo", "Color(0.4, 0.4, 0.4, 1)".to_owned());
+        // 0.4 in sRGB, as Godot's colours are.
+        set("albedo", "Color(0.665, 0.665, 0.665, 1)".to_owned());
     }
     match surface {
         Some(_) => set("metallic", "1.0".to_owned()),
@@ -77,33 +84,65 @@ fn of_material(sheet: &Sheet) -> String {
     text
 }
 
-/// A scene of the mesh, a sun and a camera.
+/// The mesh alone, for scenes of others.
 fn of_scene(sheet: &Sheet) -> String {
+    let name = sheet.name;
+    format!(
+        "[gd_scene load_steps=2 format=3]\n\n\
+         [ext_resource type=\"ArrayMesh\" path={} id=\"mesh\"]\n\n\
+         [node name={} type=\"MeshInstance3D\"]\nmesh = ExtResource(\"mesh\")\n",
+        quoted(&format!("{name}_mesh.tres")),
+        quoted(&node_name(name)),
+    )
+}
+
+/// A scene with the other one, a sun, a sky and a camera.
+fn of_demo(sheet: &Sheet) -> String {
     let around = Around::of(sheet.mesh);
     let [camera, sun] =
         [(CAMERA, 3.2), (SUN, 4.0)].map(|(from, radii)| transform(around.seen_from(from, radii)));
     let name = sheet.name;
-    let (mesh, material) = (quoted(&format!("{name}_mesh.tres")), quoted(&format!("{name}_material.tres")));
+    let (scene, node) = (quoted(&format!("{name}.tscn")), quoted(&node_name(name)));
     let radius = around.radius;
     let [near, far, shadows] = [0.01 * radius, 100.0 * radius, 10.0 * radius];
+    // A floor for the shadow of what stands on it.
+    let [left, least, back] = around.center.to_array();
+    let floor_y = least - around.height / 2.0;
+    let floor = if around.height > 0.1 * radius {
+        let side = 6.0 * radius;
+        format!(
+            "[node name=\"Floor\" type=\"MeshInstance3D\" parent=\".\"]\n\
+             transform = Transform3D({side:?}, 0, 0, 0, 1, 0, 0, 0, {side:?}, {left:?}, {floor_y:?}, {back:?})\n\
+             mesh = SubResource(\"floor\")\n\n"
+        )
+    } else {
+        String::new()
+    };
     format!(
         "[gd_scene load_steps=6 format=3]\n\n\
-         [ext_resource type=\"ArrayMesh\" path={mesh} id=\"mesh\"]\n\
-         [ext_resource type=\"Material\" path={material} id=\"material\"]\n\n\
-         [sub_resource type=\"ProceduralSkyMaterial\" id=\"sky_material\"]\n\n\
+         [ext_resource type=\"PackedScene\" path={scene} id=\"scene\"]\n\n\
+         [sub_resource type=\"ProceduralSkyMaterial\" id=\"sky_material\"]\n\
+         ground_bottom_color = Color(0.45, 0.45, 0.45, 1)\nground_horizon_color = Color(0.65, 0.66, 0.67, 1)\n\n\
+         [sub_resource type=\"PlaneMesh\" id=\"floor\"]\nsize = Vector2(1, 1)\n\n\
          [sub_resource type=\"Sky\" id=\"sky\"]\nsky_material = SubResource(\"sky_material\")\n\n\
          [sub_resource type=\"Environment\" id=\"environment\"]\n\
          background_mode = 2\nsky = SubResource(\"sky\")\n\n\
-         [node name=\"Relief\" type=\"Node3D\"]\n\n\
-         [node name=\"Mesh\" type=\"MeshInstance3D\" parent=\".\"]\n\
-         mesh = ExtResource(\"mesh\")\nmaterial_override = ExtResource(\"material\")\n\n\
-         [node name=\"Sun\" type=\"DirectionalLight3D\" parent=\".\"]\ntransform = {sun}\n\
-         shadow_enabled = true\ndirectional_shadow_max_distance = {shadows:?}\n\n\
-         [node name=\"Camera\" type=\"Camera3D\" parent=\".\"]\ntransform = {camera}\n\
+         [node name=\"Demo\" type=\"Node3D\"]\n\n\
+         [node name={node} parent=\".\" instance=ExtResource(\"scene\")]\n\n\
+         {floor}\
+         [node name=\"DirectionalLight3D\" type=\"DirectionalLight3D\" parent=\".\"]\ntransform = {sun}\n\
+         shadow_enabled = true\ndirectional_shadow_mode = 0\n\
+         directional_shadow_max_distance = {shadows:?}\n\n\
+         [node name=\"Camera3D\" type=\"Camera3D\" parent=\".\"]\ntransform = {camera}\n\
          current = true\nfov = 40.0\nnear = {near:?}\nfar = {far:?}\n\n\
-         [node name=\"Surroundings\" type=\"WorldEnvironment\" parent=\".\"]\n\
+         [node name=\"WorldEnvironment\" type=\"WorldEnvironment\" parent=\".\"]\n\
          environment = SubResource(\"environment\")\n"
     )
+}
+
+/// A name without the characters that Godot's nodes may not have.
+fn node_name(name: &str) -> String {
+    name.chars().map(|letter| if ".:@/\"%".contains(letter) { '_' } else { letter }).collect()
 }
 
 /// A frame, as Godot writes it: the rows of the basis, and the origin.

@@ -37,6 +37,8 @@ pub struct EngineKit {
     pub profiles: &'static [Profile],
     /// Whether the functions' description is written, too.
     pub has_manifest: bool,
+    /// The textures of a material that it takes.
+    pub takes: fn(TextureContent) -> bool,
     /// The ending of maps, in a format that keeps floats, and how they are written.
     pub map_ending: &'static str,
     pub write_map: WriteMap,
@@ -153,6 +155,10 @@ const HEIGHTS: &str = "height_map";
 impl Kit for KitJob {
     fn part(&self) -> String {
         format!("engine.{}", self.kit.engine)
+    }
+
+    fn takes(&self, content: TextureContent) -> bool {
+        (self.kit.takes)(content)
     }
 
     fn names(&self) -> Vec<String> {

@@ -32,7 +32,8 @@ const EXAMPLES: &str = "Examples:\n  relief engine three bricks.png -o page     
     relief engine godot Bricks090 --mesh sphere --tile 4,2 -o project/bricks\n  \
     relief engine three rock.png --mesh statue.glb --method cone --scale 2cm -o statue\n\n\
     The textures are those of `relief bake --for ENGINE`, which writes them alone. `relief shader --entry \
-    functions` writes the functions alone, for other engines and for shaders of your own.";
+    functions` writes the functions alone, for other engines and for shaders of your own. Give each relief a \
+    folder of its own.";
 
 /// Arguments of `relief engine`.
 #[derive(Args)]
@@ -149,7 +150,14 @@ impl Arguments {
         let usual = if self.is_flat() { "plane" } else { "quadric-vertical" };
         choose(&mut selection, SURFACE, self.surface.as_deref().unwrap_or(usual))?;
         choose(&mut selection, SHADOW, &self.shadow)?;
-        Ok(selection)
+        match selection.check() {
+            // The surface came with the mesh.
+            Err(error) if self.surface.is_none() && !self.is_flat() => Err(Failure::Usage(format!(
+                "--method {}: {error}: add --surface plane, which has no silhouettes",
+                self.method
+            ))),
+            _ => Ok(selection),
+        }
     }
 
     /// The mesh, with its tiles.

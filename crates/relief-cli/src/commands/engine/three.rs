@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use relief_export::Profile;
 use relief_io::{
-    EngineShape, Ktx2Texture, Metadata, RowSource, TexelFormat, WriteError, write_atomically,
+    EngineShape, Ktx2Texture, Metadata, RowSource, TexelFormat, TextureContent, WriteError, write_atomically,
     write_engine_model, write_ktx2,
 };
 use serde_json::{Map, Value, json};
@@ -16,6 +16,8 @@ pub const KIT: EngineKit = EngineKit {
     title: "three.js",
     profiles: &[Profile::Wgsl, Profile::Es300],
     has_manifest: true,
+    // Other programs show the glTF with normals; heights they have no slot for.
+    takes: |content| !matches!(content, TextureContent::Height(_)),
     map_ending: "ktx2",
     write_map,
     files: &[

@@ -8,6 +8,8 @@ use relief_core::mesh::Mesh;
 pub struct Around {
     pub center: Vec3,
     pub radius: f32,
+    /// From the lowest to the highest vertex.
+    pub height: f32,
 }
 
 impl Around {
@@ -17,7 +19,7 @@ impl Around {
         let greatest = positions().fold(Vec3::NEG_INFINITY, Vec3::max);
         let center = 0.5 * (least + greatest);
         let radius = positions().map(|at| at.distance(center)).fold(1e-6, f32::max);
-        Self { center, radius }
+        Self { center, radius, height: greatest.y - least.y }
     }
 
     /// The columns of a frame that looks from a direction to the middle along its negative third

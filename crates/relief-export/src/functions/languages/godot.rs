@@ -17,6 +17,9 @@ use crate::{ExportError, Profile};
 /// The scale that a new material has: 5 cm in Godot's metres.
 const SCALE: &str = "0.05";
 
+/// The widest range of a slider.
+const WIDEST: f32 = 10_000.0;
+
 /// What Godot must know of a text beside its functions.
 pub struct Uniforms<'a> {
     pub unit: &'a Unit,
@@ -147,13 +150,19 @@ fn settings(uniforms: &Uniforms) -> String {
             }
             "scale" => {
                 let _ = writeln!(declared, "/** {} */", setting.holds);
-                let _ = writeln!(declared, "uniform float {name} : hint_range(0.0, 1.0, 0.0005) = {SCALE};");
+                let _ = writeln!(declared, "uniform float {name} = {SCALE};");
                 members.push(name);
             }
             _ => {
                 let (kind, value) = member(setting, &name);
                 let range = setting.param.map_or(String::new(), |(param, start)| {
-                    format!(" : hint_range({:?}, {:?}) = {start:?}", param.min, param.max)
+                    let step = if param.integer { ", 1.0" } else { "" };
+                    // A slider over millions sets nothing.
+                    let hint = match param.max - param.min <= WIDEST {
+                        true => format!(" : hint_range({:?}, {:?}{step})", param.min, param.max),
+                        false => String::new(),
+                    };
+                    format!("{hint} = {start:?}")
                 });
                 let _ = writeln!(declared, "/** {} */\nuniform {kind} {name}{range};", setting.holds);
                 members.push(value);
@@ -207,7 +216,7 @@ mod tests {
         assert!(text.contains("#define ROCK_HAS_CURVATURE\n") && !text.contains("ROCK_HAS_LIGHT"));
         let (_, settings) = text.split_once("group_uniforms rock;").expect("a group");
         for declared in
-            ["uniform float rock_scale :", "uniform float rock_search_steps :", "uniform int rock_wrap"]
+            ["uniform float rock_scale = ", "uniform float rock_search_steps :", "uniform int rock_wrap"]
         {
             assert!(settings.contains(declared), "{declared}: {settings}");
         }

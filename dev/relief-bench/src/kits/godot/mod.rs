@@ -11,7 +11,7 @@ use super::{BEYOND, Job, Shown};
 use crate::chromium;
 
 /// The part of the kit that finds hits, as it is shipped.
-const FRAGMENT: &str =
+pub const FRAGMENT: &str =
     include_str!("../../../../../crates/relief-cli/engines/godot/relief_fragment.gdshaderinc");
 
 /// The greatest code of six digits.
@@ -22,7 +22,7 @@ const DARKEST: u8 = 70;
 const STEP: u8 = 12;
 
 /// Draws with Godot.
-pub fn shown(chromium: &Path, job: &Job) -> Result<Shown, String> {
+pub(super) fn shown(chromium: &Path, job: &Job) -> Result<Shown, String> {
     let options = FunctionOptions {
         name: Some("relief".to_owned()),
         wrap: Some(job.heights.wrap()),

@@ -4,7 +4,7 @@ extends Node3D
 
 func _ready() -> void:
 	get_window().size = Vector2i(400, 300)
-	add_child(load("res://stones/cobbles.tscn").instantiate())
+	add_child(load("res://stones/cobbles_demo.tscn").instantiate())
 	for frame in 3:
 		await RenderingServer.frame_post_draw
 	var picture := get_viewport().get_texture().get_image()

@@ -62,7 +62,7 @@ impl EngineJob<'_> {
                 "bits": texture.bits, "srgb": texture.is_srgb(), "slot": texture.slot, "import": texture.import,
             })
         };
-        let textures: Vec<Value> = self.material.textures().into_iter().map(texture).collect();
+        let textures: Vec<Value> = self.textures().into_iter().map(texture).collect();
         let settings = self.material.settings().into_iter();
         let settings: Map<String, Value> =
             settings.map(|(name, value)| (name.to_owned(), json!(value))).collect();

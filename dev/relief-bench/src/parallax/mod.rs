@@ -1,0 +1,281 @@
+//! `parallax`: Godot's own deep parallax beside Relief's methods in its shaders, in one run: how far hits are off the
+//! exact ones, and how long a frame takes. An unlit texture whose colours are its coordinates shows each.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use clap::Args;
+use glam::DVec3;
+use relief_bake::{Collected, kind};
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::{Mesh, square};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
+use relief_export::{FunctionOptions, Profile, functions};
+use relief_io::{HeightOptions, VertexFrames, read_height_file};
+use relief_maps::Maps;
+use relief_render::Renderer;
+use relief_scene::{Look, Scene, Surface};
+use relief_shaders::Selection;
+use serde_json::{Value, json};
+
+use crate::kits::godot::{FRAGMENT, run as run_godot};
+use crate::table::table;
+
+/// Arguments of `parallax`.
+#[derive(Args)]
+pub struct Arguments {
+    /// Chromium or Chrome, which runs Godot
+    #[arg(long, value_name = "PROGRAM", default_value = "chromium")]
+    chromium: PathBuf,
+    /// Width of the pictures; they are three quarters as high
+    #[arg(long, default_value_t = 320)]
+    width: u32,
+}
+
+/// Sample maps.
+const MAPS: [&str; 3] = ["cobbles.png", "bricks.png", "noise.png"];
+
+/// Angles between the normal and the ray to the middle.
+const ANGLES: [f64; 3] = [30.0, 60.0, 80.0];
+
+/// Numbers of layers of Godot's parallax.
+const LAYERS: [u32; 4] = [8, 16, 32, 64];
+
+const METHODS: [&str; 5] = ["relief", "occlusion", "cone", "frustum", "exact"];
+
+const SCALE_M: f64 = 0.05;
+const DISTANCE_M: f64 = 1.6;
+const FOV_DEGREES: f64 = 30.0;
+
+/// The byte of 0 in the pictures, and from there to that of 1.
+const DARKEST: f64 = 70.0;
+const RANGE: f64 = 180.0;
+
+/// Rises and falls of the fine part of a coordinate over a tile.
+const FINE: f64 = 32.0;
+
+/// How far coordinates that are shown may be off, in tiles.
+const SHOWN_WITHIN: f64 = 1.0 / 2000.0;
+
+type Seen = Vec<Option<[f64; 2]>>;
+
+/// Prints a table for each map. Fails where pictures do not show coordinates.
+pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
+    let size = [arguments.width, arguments.width * 3 / 4];
+    for name in MAPS {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name);
+        let file = read_height_file(&path, &HeightOptions::default()).map_err(|error| error.to_string())?;
+        // Godot reads heights of 8 bits, so all do.
+        let heights = rounded(&file.map)?;
+        println!("{name}:\n\n{}\n", of_map(arguments, &heights, size)?);
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The heights, rounded to 8 bits.
+fn rounded(heights: &HeightMap) -> Result<HeightMap, String> {
+    let texels: Vec<f32> = heights.texels().iter().map(|height| f32::from(byte(*height)) / 255.0).collect();
+    let map = HeightMap::new(heights.width(), heights.height(), texels, Wrap::Repeat);
+    map.and_then(|map| map.with_displacement(SCALE_M, -SCALE_M)).map_err(|error| error.to_string())
+}
+
+fn byte(height: f32) -> u8 {
+    (height * 255.0).round() as u8
+}
+
+fn of_map(arguments: &Arguments, heights: &HeightMap, size: [u32; 2]) -> Result<String, String> {
+    let mesh = Arc::new(square(1).map_err(|error| error.to_string())?);
+    let eyes = ANGLES.map(|angle| {
+        let angle = angle.to_radians();
+        DVec3::new(0.0, angle.cos(), angle.sin()) * DISTANCE_M
+    });
+    let mut ways = vec![json!({ "name": "flat", "layers": 0 })];
+    ways.extend(LAYERS.map(|layers| json!({ "name": format!("Godot, {layers} layers"), "layers": layers })));
+    let mut files = vec![
+        ("main.gd".to_owned(), include_bytes!("main.gd").to_vec()),
+        ("relief_fragment.gdshaderinc".to_owned(), FRAGMENT.as_bytes().to_vec()),
+    ];
+    for method in METHODS {
+        let (text, map) = functions_of(method, heights)?;
+        let shader =
+            include_str!("shown.gdshader").replace("relief.gdshaderinc", &format!("{method}.gdshaderinc"));
+        files.push((format!("{method}.gdshaderinc"), text));
+        files.push((format!("{method}.gdshader"), shader.into_bytes()));
+        let mut way = json!({ "name": format!("Relief, {method}"), "shader": format!("{method}.gdshader") });
+        if let Some(map) = map {
+            way["map"] = map;
+        }
+        ways.push(way);
+    }
+    let input = json!({
+        "width": size[0], "height": size[1], "fov": FOV_DEGREES, "scale": SCALE_M,
+        "eyes": eyes.map(|eye| eye.to_array()),
+        "ways": ways,
+        "mesh": of_mesh(&mesh),
+        "heights": of_texels(heights, &json!(heights.texels())),
+        "heights8": of_texels(heights, &json!(heights.texels().iter().map(|at| byte(*at)).collect::<Vec<u8>>())),
+    });
+    files.push(("input.json".to_owned(), input.to_string().into_bytes()));
+    let answer = run_godot(&arguments.chromium, files)?;
+
+    let pixels = (size[0] * size[1]) as usize;
+    let pictures = 2 * ways.len() * eyes.len();
+    let (shown, seconds) = answer.split_at_checked(3 * pixels * pictures).ok_or("Godot's answer is short")?;
+    let seconds: Vec<f64> = serde_json::from_slice(seconds).map_err(|error| error.to_string())?;
+    let mut rows = table(&["way", "p99 at 30°", "60°", "80°", "ms over flat at 30°", "60°", "80°"]);
+    let mut cells: Vec<Vec<String>> = ways.iter().map(|_| Vec::new()).collect();
+    let mut costs = cells.clone();
+    for (number, eye) in eyes.iter().enumerate() {
+        let exact = ours("exact", &mesh, heights, *eye, size)?;
+        let base = ours("bump", &mesh, heights, *eye, size)?;
+        for (at, (cells, costs)) in cells.iter_mut().zip(&mut costs).enumerate() {
+            let first = 2 * (number * ways.len() + at) * 3 * pixels;
+            let seen = decode(&shown[first..first + 6 * pixels], pixels);
+            if at == 0 && p99(&base, &seen) > SHOWN_WITHIN {
+                return Err(format!("the plane's coordinates are shown {} tiles off", p99(&base, &seen)));
+            }
+            let texels = f64::from(heights.width());
+            cells.push(format!("{:.2}", texels * p99(&exact, &seen)));
+            let flat = seconds[number * ways.len()];
+            costs.push(format!("{:.1}", 1e3 * (seconds[number * ways.len() + at] - flat)));
+        }
+    }
+    for ((way, cells), costs) in ways.iter().zip(cells).zip(costs) {
+        let name = way["name"].as_str().unwrap_or_default().to_owned();
+        rows.add_row([vec![name], cells, costs].concat());
+    }
+    Ok(rows.to_string())
+}
+
+/// A method's functions for Godot, and the texels of its map.
+fn functions_of(method: &str, heights: &HeightMap) -> Result<(Vec<u8>, Option<Value>), String> {
+    let text = |error: &dyn std::fmt::Display| error.to_string();
+    let mut selection = Selection::method(method).map_err(|error| text(&error))?;
+    selection.choose("shadow", "none").map_err(|error| text(&error))?;
+    let options = FunctionOptions {
+        wrap: Some(Wrap::Repeat),
+        profiles: vec![Profile::Godot4],
+        ..FunctionOptions::default()
+    };
+    let mut exported = functions(&selection, &options).map_err(|error| text(&error))?;
+    let bake = exported.manifest.bindings.iter().find_map(|bound| bound.texture.as_ref()?.bake.as_ref());
+    let map = match bake {
+        None => None,
+        Some(bake) => {
+            let kind = kind(bake.kind).map_err(|error| text(&error))?;
+            let mut settings = kind.defaults();
+            for (name, value) in &bake.settings {
+                settings.set(name, f64::from(*value)).map_err(|error| text(&error))?;
+            }
+            let unit = heights.clone().with_displacement(1.0, -1.0).map_err(|error| text(&error))?;
+            let mut baked = Collected::default();
+            relief_bake::bake(kind, &unit, Metric::UNIT, &settings, &Watch::none(), &mut baked)
+                .map_err(|error| text(&error))?;
+            let found = baked.textures.into_iter().find(|texture| texture.texture.name == bake.texture);
+            let planes =
+                found.and_then(|texture| texture.levels.into_iter().next()).ok_or("no such texture")?;
+            let texel = |at: usize| (0..4).map(move |channel| (channel, at));
+            let texels: Vec<f32> = (0..heights.texels().len())
+                .flat_map(texel)
+                .map(|(channel, at)| planes.get(channel).map_or(0.0, |plane| plane[at]))
+                .collect();
+            Some(of_texels(heights, &json!(texels)))
+        }
+    };
+    Ok((exported.files.swap_remove(0).bytes, map))
+}
+
+fn of_texels(heights: &HeightMap, texels: &Value) -> Value {
+    json!({ "width": heights.width(), "height": heights.height(), "texels": texels })
+}
+
+fn of_mesh(mesh: &Mesh) -> Value {
+    let flat = |part: fn(&relief_core::mesh::Vertex) -> Vec<f32>| -> Vec<f32> {
+        mesh.vertices().iter().flat_map(part).collect()
+    };
+    json!({
+        "positions": flat(|vertex| vertex.position.to_array().to_vec()),
+        "normals": flat(|vertex| vertex.normal.to_array().to_vec()),
+        "tangents": VertexFrames::of(mesh).tangents.as_flattened(),
+        "uvs": flat(|vertex| vertex.uv.to_array().to_vec()),
+        "triangles": mesh.triangles().as_flattened(),
+    })
+}
+
+/// The coordinates that the renderer shows, each within a tile.
+fn ours(
+    method: &str,
+    mesh: &Arc<Mesh>,
+    heights: &HeightMap,
+    eye: DVec3,
+    size: [u32; 2],
+) -> Result<Seen, String> {
+    let text = |error: &dyn std::fmt::Display| error.to_string();
+    let camera = Camera::with(eye, DVec3::ZERO, Projection::Perspective { fov_degrees: FOV_DEGREES });
+    let mut selection = Selection::method(method).map_err(|error| text(&error))?;
+    selection.choose("shadow", "none").map_err(|error| text(&error))?;
+    let surface = Surface::new(Arc::clone(mesh), heights.clone()).with_selection(selection);
+    let scene = Scene::builder(surface)
+        .look(Look::Plain)
+        .camera(camera.map_err(|error| text(&error))?)
+        .size(size[0], size[1])
+        .samples(1)
+        .build()
+        .map_err(|error| text(&error))?;
+    let rendered = Renderer::on_cpu().render(&scene, &mut Maps::in_memory(), &Watch::none());
+    let pixels = rendered.map_err(|error| text(&error))?.rendering.pixels;
+    let seen = |pixel: &relief_shaders::cpu::PixelOut| {
+        (pixel.hit == 1).then(|| [f64::from(pixel.uv.x), f64::from(pixel.uv.y)])
+    };
+    Ok(pixels.iter().map(seen).collect())
+}
+
+/// The coordinates of two pictures, u and v.
+fn decode(bytes: &[u8], pixels: usize) -> Seen {
+    let texels = bytes.as_chunks::<3>().0;
+    let value = |[coarse, fine, _]: [u8; 3]| {
+        let part = |byte: u8| (f64::from(byte) - DARKEST) / RANGE;
+        let coarse = part(coarse);
+        // The point of the fine rise or fall that is nearest to the coarse value.
+        let near = (0..FINE as u32).map(|rise| {
+            let within = if rise % 2 == 0 { part(fine) } else { 1.0 - part(fine) };
+            (f64::from(rise) + within) / FINE
+        });
+        near.min_by(|a, b| (a - coarse).abs().total_cmp(&(b - coarse).abs())).unwrap_or(coarse)
+    };
+    let seen = |at: usize| (texels[at][0] > 0).then(|| [value(texels[at]), value(texels[pixels + at])]);
+    (0..pixels).map(seen).collect()
+}
+
+/// The 99th percentile of the distance, in tiles, where both show something.
+fn p99(truth: &Seen, seen: &Seen) -> f64 {
+    // Tiles are all the same.
+    let off = |a: f64, b: f64| (a - b) - (a - b).round();
+    let both = truth.iter().zip(seen).filter_map(|(a, b)| a.zip(*b));
+    let mut off: Vec<f64> = both.map(|(a, b)| off(a[0], b[0]).hypot(off(a[1], b[1]))).collect();
+    off.sort_by(f64::total_cmp);
+    off.get(off.len() * 99 / 100).copied().unwrap_or(f64::INFINITY)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(at: f64) -> [u8; 3] {
+        let fine = 1.0 - ((FINE * at).rem_euclid(2.0) - 1.0).abs();
+        [at, fine, 0.0].map(|part| (DARKEST + RANGE * part).round() as u8)
+    }
+
+    #[test]
+    fn coordinates_are_read_back_and_differences_seen() {
+        let values: Vec<f64> = (0..1000).map(|at| (f64::from(at) + 0.5) / 1000.0).collect();
+        let picture = |values: &[f64]| values.iter().flat_map(|at| shown(*at)).collect::<Vec<u8>>();
+        let seen = decode(&[picture(&values), picture(&values)].concat(), 1000);
+        let truth: Seen = values.iter().map(|at| Some([*at + 3.0, *at - 1.0])).collect();
+        assert!(p99(&truth, &seen) < SHOWN_WITHIN, "{}", p99(&truth, &seen));
+        let moved: Seen = values.iter().map(|at| Some([*at, *at + 0.01])).collect();
+        assert!((p99(&moved, &seen) - 0.01).abs() < SHOWN_WITHIN);
+        assert_eq!(p99(&vec![None; 1000], &seen), f64::INFINITY);
+    }
+}
