@@ -1,5 +1,6 @@
 # Draws a plane with Godot's own deep parallax and with our kit, and tells the page its colours and times.
-# Colours are coordinates: red rises over the tile, green rises and falls 16 times. So filters may mix texels.
+# Colours are coordinates: red rises over the tile, green and blue rise and fall 16 times,
+# blue half a rise ahead. So filters may mix texels.
 extends Node3D
 
 const TIMED := 7
@@ -7,6 +8,7 @@ const TIMED := 7
 var input: Dictionary
 var viewport: SubViewport
 var drawn: MeshInstance3D
+var seconds_of_frame: float
 
 
 func _ready() -> void:
@@ -14,7 +16,7 @@ func _ready() -> void:
 	viewport = SubViewport.new()
 	viewport.size = Vector2i(int(input.width), int(input.height))
 	viewport.own_world_3d = true
-	viewport.render_target_update_mode = SubViewport.UPDATE_DISABLED
+	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	add_child(viewport)
 	RenderingServer.set_default_clear_color(Color.BLACK)
 	var camera := Camera3D.new()
@@ -25,6 +27,7 @@ func _ready() -> void:
 	drawn.mesh = mesh(input.mesh)
 	viewport.add_child(drawn)
 
+	await RenderingServer.frame_post_draw
 	var heights := texture(input.heights, Image.FORMAT_RF)
 	var materials := []
 	for way in input.ways:
@@ -45,9 +48,7 @@ func _ready() -> void:
 			for at in materials.size():
 				materials[at].call(0)
 				await picture()
-				var begin := Time.get_ticks_usec()
-				await picture()
-				times[at].append((Time.get_ticks_usec() - begin) / 1e6)
+				times[at].append(seconds_of_frame)
 		for of_one in times:
 			of_one.sort()
 			seconds.append(of_one[TIMED / 2])
@@ -55,11 +56,13 @@ func _ready() -> void:
 	JavaScriptBridge.eval("globalThis.tell('%s')" % Marshalls.raw_to_base64(bytes))
 
 
-# Draws now, and waits until the pixels are there.
+# Waits for a frame until its pixels are there, and takes its time.
 func picture() -> PackedByteArray:
-	viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
-	RenderingServer.force_draw(false)
+	await RenderingServer.frame_pre_draw
+	var begin := Time.get_ticks_usec()
+	await RenderingServer.frame_post_draw
 	var image := viewport.get_texture().get_image()
+	seconds_of_frame = (Time.get_ticks_usec() - begin) / 1e6
 	image.convert(Image.FORMAT_RGB8)
 	return image.get_data()
 
@@ -101,8 +104,9 @@ func coordinates(axis: int) -> ImageTexture:
 	var bytes := PackedByteArray()
 	for at in count:
 		var along := (at + 0.5) / count
-		var fine := 1.0 - absf(fposmod(32.0 * along, 2.0) - 1.0)
-		for part in [along, fine, 0.0]:
+		var fine := [0.0, 0.5].map(func(ahead: float) -> float:
+			return 1.0 - absf(fposmod(32.0 * along + ahead, 2.0) - 1.0))
+		for part in [along] + fine:
 			bytes.append(roundi(70.0 + 180.0 * part))
 	var image := Image.create_from_data(count if axis == 0 else 1, 1 if axis == 0 else count, false, Image.FORMAT_RGB8, bytes)
 	return ImageTexture.create_from_image(image)

@@ -55,8 +55,11 @@ const RANGE: f64 = 180.0;
 /// Rises and falls of the fine part of a coordinate over a tile.
 const FINE: f64 = 32.0;
 
-/// How far coordinates that are shown may be off, in tiles.
-const SHOWN_WITHIN: f64 = 1.0 / 2000.0;
+/// How far the second fine part is ahead, in rises.
+const AHEAD: f64 = 0.5;
+
+/// How far coordinates that are shown may be off, in tiles: a sixteenth of a pixel, at the flattest angle.
+const SHOWN_WITHIN: f64 = 1.0 / 600.0;
 
 type Seen = Vec<Option<[f64; 2]>>;
 
@@ -234,13 +237,15 @@ fn ours(
 /// The coordinates of two pictures, u and v.
 fn decode(bytes: &[u8], pixels: usize) -> Seen {
     let texels = bytes.as_chunks::<3>().0;
-    let value = |[coarse, fine, _]: [u8; 3]| {
-        let part = |byte: u8| (f64::from(byte) - DARKEST) / RANGE;
-        let coarse = part(coarse);
-        // The point of the fine rise or fall that is nearest to the coarse value.
-        let near = (0..FINE as u32).map(|rise| {
-            let within = if rise % 2 == 0 { part(fine) } else { 1.0 - part(fine) };
-            (f64::from(rise) + within) / FINE
+    let part = |byte: u8| (f64::from(byte) - DARKEST) / RANGE;
+    let value = |[coarse, fine, ahead]: [u8; 3]| {
+        let (coarse, fine, ahead) = (part(coarse), part(fine), part(ahead));
+        // Where one wave turns round, the other is half way up.
+        let (fine, by) = if (fine - 0.5).abs() < 0.25 { (fine, 0.0) } else { (ahead, AHEAD) };
+        // The point of a rise or fall that is nearest to the coarse value.
+        let near = (0..=FINE as u32).map(|rise| {
+            let within = if rise % 2 == 0 { fine } else { 1.0 - fine };
+            (f64::from(rise) + within - by) / FINE
         });
         near.min_by(|a, b| (a - coarse).abs().total_cmp(&(b - coarse).abs())).unwrap_or(coarse)
     };
@@ -263,8 +268,8 @@ mod tests {
     use super::*;
 
     fn shown(at: f64) -> [u8; 3] {
-        let fine = 1.0 - ((FINE * at).rem_euclid(2.0) - 1.0).abs();
-        [at, fine, 0.0].map(|part| (DARKEST + RANGE * part).round() as u8)
+        let fine = |ahead: f64| 1.0 - ((FINE * at + ahead).rem_euclid(2.0) - 1.0).abs();
+        [at, fine(0.0), fine(AHEAD)].map(|part| (DARKEST + RANGE * part).round() as u8)
     }
 
     #[test]

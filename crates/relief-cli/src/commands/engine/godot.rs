@@ -131,7 +131,7 @@ fn of_demo(sheet: &Sheet) -> String {
          [node name={node} parent=\".\" instance=ExtResource(\"scene\")]\n\n\
          {floor}\
          [node name=\"DirectionalLight3D\" type=\"DirectionalLight3D\" parent=\".\"]\ntransform = {sun}\n\
-         shadow_enabled = true\ndirectional_shadow_mode = 0\n\
+         light_energy = 0.5\nshadow_enabled = true\ndirectional_shadow_mode = 0\n\
          directional_shadow_max_distance = {shadows:?}\n\n\
          [node name=\"Camera3D\" type=\"Camera3D\" parent=\".\"]\ntransform = {camera}\n\
          current = true\nfov = 40.0\nnear = {near:?}\nfar = {far:?}\n\n\

@@ -78,9 +78,7 @@ pub struct Arguments {
     /// georeferenced file's, else square texels and 1 m for the longer side]
     #[arg(long, value_name = "U,V", value_parser = units::two_lengths)]
     tile_size: Option<[f64; 2]>,
-    #[command(flatten)]
-    folder: FolderArguments,
-    /// Write again even if the files are up to date, and replace files of other programs
+    /// Write again even if the files are up to date, and replace files of other programs or that you changed
     #[arg(long)]
     force: bool,
     /// Print the result as one JSON object
@@ -89,6 +87,8 @@ pub struct Arguments {
     /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB to read the map]
     #[arg(long, value_name = "SIZE", hide_short_help = true)]
     max_memory: Option<ByteSize>,
+    #[command(flatten)]
+    folder: FolderArguments,
     #[command(flatten)]
     reading: HeightArguments,
 }
