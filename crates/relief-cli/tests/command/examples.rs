@@ -15,7 +15,7 @@ use image::{ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
 use relief_core::mesh::{sphere, square, torus};
 
 /// Commands with examples, as help is asked for.
-const COMMANDS: [&str; 25] = [
+const COMMANDS: [&str; 26] = [
     "render",
     "scene",
     "inspect",
@@ -38,6 +38,7 @@ const COMMANDS: [&str; 25] = [
     "explain",
     "bench",
     "shader",
+    "engine",
     "methods",
     "completions",
     "man",
@@ -336,7 +337,7 @@ fn examples_of_maps_and_heights_run() {
 
 #[test]
 fn examples_of_objects_and_shaders_run() {
-    run(|line| begins(line, &["capture", "shader", "methods", "completions", "man"]));
+    run(|line| begins(line, &["capture", "shader", "engine", "methods", "completions", "man"]));
 }
 
 #[test]
@@ -359,6 +360,7 @@ fn every_example_belongs_to_one_of_these() {
         "inspect",
         "capture",
         "shader",
+        "engine",
         "methods",
         "completions",
         "man",

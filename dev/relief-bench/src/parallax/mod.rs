@@ -48,7 +48,7 @@ const SCALE_M: f64 = 0.05;
 const DISTANCE_M: f64 = 1.6;
 const FOV_DEGREES: f64 = 30.0;
 
-/// The byte of 0 in the pictures, and from there to that of 1.
+/// The byte of 0 in the pictures, and how far the byte of 1 is above it.
 const DARKEST: f64 = 70.0;
 const RANGE: f64 = 180.0;
 

@@ -1,5 +1,5 @@
-//! `relief engine`: all that an engine needs to show a relief. The textures are those of `relief bake
-//! --for`; functions, maps that methods read, a mesh, and a page or a scene are added.
+//! `relief engine`: all that an engine needs to show a relief. To the textures of `relief bake --for` it adds
+//! functions, the maps that they read, a mesh, and a page or a scene.
 
 mod godot;
 mod kit;
@@ -30,8 +30,8 @@ const KITS: [&EngineKit; 2] = [&three::KIT, &godot::KIT];
 
 const EXAMPLES: &str = "Examples:\n  relief engine three bricks.png -o page          # a page to open\n  \
     relief engine godot Bricks090 --mesh sphere --tile 4,2 -o project/bricks\n  \
-    relief engine three rock.png --mesh statue.glb --method cone --scale 2cm -o statue\n\n\
-    The textures are those of `relief bake --for ENGINE`, which writes them alone. `relief shader --entry \
+    relief engine three rock.png --mesh lamp.glb --method cone --scale 2cm -o lamp\n\n\
+    `relief bake --for ENGINE` writes the textures alone. `relief shader --entry \
     functions` writes the functions alone, for other engines and for shaders of your own. Give each relief a \
     folder of its own.";
 

@@ -23,7 +23,7 @@ impl Around {
     }
 
     /// The columns of a frame that looks from a direction to the middle along its negative third
-    /// axis, and its origin, so many radii away.
+    /// axis, and its origin, at a distance in radii.
     pub fn seen_from(&self, direction: Vec3, radii: f32) -> [Vec3; 4] {
         let back = direction.normalize();
         let right = Vec3::Y.cross(back).normalize();

@@ -53,7 +53,7 @@ pub fn run(chromium: &Path, mut files: Vec<(String, Vec<u8>)>) -> Result<Vec<u8>
     chromium::answer(chromium, &page).map_err(|error| format!("Godot: {error}"))
 }
 
-/// The hits of five pictures: where there are any, the upper and lower digits of u, and those of v.
+/// The hits of five pictures: where there are any, the upper and lower digits of u, and the same of v.
 fn decode(answer: &[u8], [width, height]: [u32; 2]) -> Result<Shown, String> {
     let pixels = (width * height) as usize;
     let (texels, rest) = answer.as_chunks::<3>();
