@@ -42,14 +42,14 @@ fn a_page_of_three_js_names_files_that_are_there() {
     let asked = "engine three stones.png --mesh torus --tile 4,2 --method cone --scale 3cm -o page --json";
     let answer = json_of(&folder.relief(asked).fine());
     for file in files(&answer) {
-        assert!(folder.path(&format!("page/{file}")).is_file(), "{file}");
+        assert!(folder.path(format!("page/{file}")).is_file(), "{file}");
     }
     let facts = facts(&folder, "page");
     assert_eq!(facts["scale"], 0.03);
     let named =
         facts["maps"].as_object().expect("maps").values().chain([&facts["functions"], &facts["mesh"]]);
     for name in named {
-        assert!(folder.path(&format!("page/{}", name.as_str().expect("a name"))).is_file(), "{name}");
+        assert!(folder.path(format!("page/{}", name.as_str().expect("a name"))).is_file(), "{name}");
     }
     // The maps are those that the functions bind.
     let about: Value = serde_json::from_str(&text(&folder, "page/relief.json")).expect("JSON");
@@ -110,7 +110,7 @@ fn what_has_no_kit_says_what_goes() {
         assert!(refused.code == Some(2) && refused.stderr.contains(words), "{refused:?}");
         assert!(!folder.path("out").exists(), "{asked}");
     }
-    folder.write("broken.png", b"no picture".to_vec());
+    folder.write("broken.png", b"no picture");
     assert_eq!(folder.relief("engine three broken.png -o out").code, Some(1));
     assert!(!folder.path("out").exists());
 }
@@ -131,7 +131,7 @@ fn files_that_somebody_changed_stay() {
 #[test]
 fn files_of_others_stay() {
     let folder = folder();
-    folder.write("page/index.html", b"mine".to_vec());
+    folder.write("page/index.html", b"mine");
     let failed = folder.relief("engine three stones.png -o page");
     let says = |word: &str| failed.stderr.contains(word);
     assert!(failed.code == Some(1) && says("index.html") && says("--force"), "{failed:?}");
