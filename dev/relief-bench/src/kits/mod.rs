@@ -61,6 +61,9 @@ const SCALE_M: f64 = 0.03;
 /// A summand that makes texture coordinates positive, since they are drawn as colours.
 const BEYOND: f64 = 4.0;
 
+/// Part of the pixels by which a kit may be behind: rasterisers differ from machine to machine.
+const SLACK: f64 = 0.002;
+
 /// Hits that are as near as this, in texels, count as the same.
 const NEAR_TEXELS: f64 = 0.02;
 
@@ -253,7 +256,7 @@ struct Apart {
 impl Apart {
     /// Whether a kit is as near as the renderer is to its own picture, moved aside.
     fn is_as_near_as(&self, itself: &Self) -> bool {
-        self.hits >= itself.hits - 0.002 && self.near >= itself.near
+        self.hits >= itself.hits - SLACK && self.near >= itself.near - SLACK
     }
 }
 
