@@ -16,7 +16,7 @@ pub fn modules() -> Result<PathBuf, String> {
         .zip(changed("package-lock.json"))
         .is_some_and(|(installed, listed)| installed >= listed);
     if !is_there {
-        let arguments = ["ci", "--no-audit", "--no-fund", "--prefix"];
+        let arguments = ["ci", "--no-audit", "--no-fund", "--ignore-scripts", "--prefix"];
         let output = Command::new("npm").args(arguments).arg(&npm).output();
         let output =
             output.map_err(|error| format!("npm cannot be run ({error}): install Node.js with npm"))?;
