@@ -6,9 +6,9 @@
 import { DataTexture, FloatType, FrontSide, RedFormat, Vector2, Vector4 } from 'three/webgpu';
 import {
 	attribute, cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, cross, dFdx, dFdy, Fn, glslFn,
-	inverse, ivec2, lightTargetDirection, materialReference, modelNormalMatrix, modelViewMatrix, normalGeometry, normalViewGeometry,
-	positionView, select, sign, tangentGeometry, texture, uniform, uv, vec2, vec3, vec4, viewZToOrthographicDepth,
-	viewZToPerspectiveDepth, wgslFn,
+	inverse, ivec2, lightTargetDirection, materialReference, modelNormalMatrix, modelViewMatrix, normalGeometry,
+	normalViewGeometry, positionView, select, sign, tangentGeometry, texture, uniform, uv, vec2, vec3, vec4,
+	viewZToOrthographicDepth, viewZToPerspectiveDepth, wgslFn,
 } from 'three/tsl';
 
 /**
@@ -187,7 +187,11 @@ function frameOf( position, coordinates, normal ) {
 	const upright = ( way ) => way.sub( n.mul( n.dot( way ) ) ).normalize();
 	const seen = ( changeX, changeY ) => dx.mul( changeY ).sub( dy.mul( changeX ) ).mul( turn );
 	const alongV = seen( atX.x, atY.x ).negate();
-	const t = Fn( ( builder ) => hasFrames( builder ) ? ownTile( 0 ).normalize() : upright( seen( atX.y, atY.y ) ), 'vec3' )();
+	const t = Fn( ( builder ) => {
+
+		return hasFrames( builder ) ? ownTile( 0 ).normalize() : upright( seen( atX.y, atY.y ) );
+
+	}, 'vec3' )();
 	const b = Fn( ( builder ) => {
 
 		if ( ! hasFrames( builder ) ) return upright( alongV );

@@ -205,7 +205,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// The parameter that adds mip levels.
-const MIPS: &str = "mips";
+pub const MIPS: &str = "mips";
 
 /// Returns the kinds of the given names, with their settings.
 fn choose<'k>(

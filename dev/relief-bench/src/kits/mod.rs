@@ -3,6 +3,7 @@
 
 pub mod godot;
 mod pages;
+pub mod rendered;
 mod three;
 
 use std::path::{Path, PathBuf};
@@ -13,15 +14,12 @@ use clap::Args;
 use glam::{DVec3, Vec2};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{Builtin, Mesh};
-use relief_core::{HeightMap, Watch, Wrap};
-use relief_io::VertexFrames;
-use relief_maps::Maps;
-use relief_render::Renderer;
-use relief_scene::{Look, Scene, Surface};
+use relief_core::{HeightMap, Wrap};
 use relief_shaders::Selection;
 use relief_testing::maps;
 use serde_json::{Value, json};
 
+use self::rendered::{Shown, mesh_json};
 use crate::table::table;
 
 /// Arguments of `kits`.
@@ -73,9 +71,6 @@ const LEAST_FROM_DERIVATIVES: f64 = 0.995;
 /// Rasterisers know places to some hundredths of a pixel (SwiftShader to a sixteenth). How much that
 /// moves hits is seen by the renderer's own picture, moved as far aside.
 const ASIDE_PIXELS: f64 = 1.0 / 32.0;
-
-/// A pixel's hit, in texture coordinates.
-type Shown = Vec<Option<[f64; 2]>>;
 
 /// Prints the table. Fails where a picture misses a bound.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
@@ -176,27 +171,13 @@ fn ours(
     mesh: &Arc<Mesh>,
     heights: &HeightMap,
     selection: &Selection,
-    [width, height]: [u32; 2],
+    size: [u32; 2],
     aside_pixels: f64,
 ) -> Result<Shown, String> {
-    let text = |error: &dyn std::fmt::Display| error.to_string();
-    let pixel_m = 2.0 * EYE_M.length() * (FOV_DEGREES.to_radians() / 2.0).tan() / f64::from(height);
+    let pixel_m = 2.0 * EYE_M.length() * (FOV_DEGREES.to_radians() / 2.0).tan() / f64::from(size[1]);
     let target = DVec3::Y.cross(EYE_M).normalize() * (pixel_m * aside_pixels);
     let camera = Camera::with(EYE_M, target, Projection::Perspective { fov_degrees: FOV_DEGREES });
-    let surface = Surface::new(Arc::clone(mesh), heights.clone()).with_selection(*selection);
-    let scene = Scene::builder(surface)
-        .look(Look::Plain)
-        .camera(camera.map_err(|error| text(&error))?)
-        .size(width, height)
-        .samples(1)
-        .build()
-        .map_err(|error| text(&error))?;
-    let rendered = Renderer::on_cpu().render(&scene, &mut Maps::in_memory(), &Watch::none());
-    let rendering = rendered.map_err(|error| text(&error))?.rendering;
-    let hit = |pixel: &relief_shaders::cpu::PixelOut| {
-        (pixel.hit == 1).then(|| [f64::from(pixel.uv.x), f64::from(pixel.uv.y)])
-    };
-    Ok(rendering.pixels.iter().map(hit).collect())
+    rendered::shown(mesh, heights, selection, camera.map_err(|error| error.to_string())?, size)
 }
 
 /// A picture that an engine's kit draws.
@@ -214,9 +195,6 @@ impl Job<'_> {
     /// The job in words of a page.
     fn json(&self) -> Value {
         let Self { mesh, heights, size: [width, height], .. } = *self;
-        let flat = |part: fn(&relief_core::mesh::Vertex) -> Vec<f32>| -> Vec<f32> {
-            mesh.vertices().iter().flat_map(part).collect()
-        };
         json!({
             "width": width,
             "height": height,
@@ -224,20 +202,7 @@ impl Job<'_> {
             "fov": FOV_DEGREES,
             "scale": SCALE_M,
             "beyond": BEYOND,
-            "mesh": {
-                "positions": flat(|vertex| vertex.position.to_array().to_vec()),
-                "normals": flat(|vertex| vertex.normal.to_array().to_vec()),
-                "uvs": flat(|vertex| vertex.uv.to_array().to_vec()),
-                "triangles": mesh.triangles().as_flattened(),
-                "frames": self.frames.then(|| {
-                    let VertexFrames { tangents, tiles_m, curvatures } = VertexFrames::of(mesh);
-                    json!({
-                        "tangents": tangents.as_flattened(),
-                        "tiles": tiles_m.as_flattened(),
-                        "curvatures": curvatures.as_flattened(),
-                    })
-                }),
-            },
+            "mesh": mesh_json(mesh, self.frames),
             "heights": {
                 "width": heights.width(), "height": heights.height(), "texels": heights.texels(),
             },

@@ -3,6 +3,7 @@
 # blue half a rise ahead. So filters may mix texels.
 extends Node3D
 
+const Made := preload("res://made.gd")
 const TIMED := 7
 
 var input: Dictionary
@@ -24,7 +25,7 @@ func _ready() -> void:
 	camera.near = 0.01
 	viewport.add_child(camera)
 	drawn = MeshInstance3D.new()
-	drawn.mesh = mesh(input.mesh)
+	drawn.mesh = Made.mesh(input.mesh)
 	viewport.add_child(drawn)
 
 	await RenderingServer.frame_post_draw
@@ -117,28 +118,3 @@ func texture(from: Dictionary, format: Image.Format) -> ImageTexture:
 			else PackedFloat32Array(from.texels).to_byte_array()
 	var image := Image.create_from_data(int(from.width), int(from.height), false, format, bytes)
 	return ImageTexture.create_from_image(image)
-
-
-func mesh(from: Dictionary) -> ArrayMesh:
-	var arrays := []
-	arrays.resize(Mesh.ARRAY_MAX)
-	arrays[Mesh.ARRAY_VERTEX] = points(from.positions)
-	arrays[Mesh.ARRAY_NORMAL] = points(from.normals)
-	arrays[Mesh.ARRAY_TANGENT] = PackedFloat32Array(from.tangents)
-	var uvs := PackedVector2Array()
-	for at in range(0, from.uvs.size(), 2):
-		uvs.append(Vector2(from.uvs[at], from.uvs[at + 1]))
-	arrays[Mesh.ARRAY_TEX_UV] = uvs
-	var corners := PackedInt32Array(from.triangles)
-	corners.reverse()
-	arrays[Mesh.ARRAY_INDEX] = corners
-	var made := ArrayMesh.new()
-	made.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
-	return made
-
-
-func points(from: Array) -> PackedVector3Array:
-	var made := PackedVector3Array()
-	for at in range(0, from.size(), 3):
-		made.append(Vector3(from[at], from[at + 1], from[at + 2]))
-	return made

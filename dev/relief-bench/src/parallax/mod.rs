@@ -12,14 +12,12 @@ use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{Mesh, square};
 use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_export::{FunctionOptions, Profile, functions};
-use relief_io::{HeightOptions, VertexFrames, read_height_file};
-use relief_maps::Maps;
-use relief_render::Renderer;
-use relief_scene::{Look, Scene, Surface};
+use relief_io::{HeightOptions, read_height_file};
 use relief_shaders::Selection;
 use serde_json::{Value, json};
 
 use crate::kits::godot::{FRAGMENT, run as run_godot};
+use crate::kits::rendered::{self, Shown, mesh_json};
 use crate::table::table;
 
 /// Arguments of `parallax`.
@@ -60,8 +58,6 @@ const AHEAD: f64 = 0.5;
 
 /// How far coordinates that are shown may be off, in tiles: a sixteenth of a pixel, at the flattest angle.
 const SHOWN_WITHIN: f64 = 1.0 / 600.0;
-
-type Seen = Vec<Option<[f64; 2]>>;
 
 /// Prints a table for each map. Fails where pictures do not show coordinates.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
@@ -115,7 +111,7 @@ fn of_map(arguments: &Arguments, heights: &HeightMap, size: [u32; 2]) -> Result<
         "width": size[0], "height": size[1], "fov": FOV_DEGREES, "scale": SCALE_M,
         "eyes": eyes.map(|eye| eye.to_array()),
         "ways": ways,
-        "mesh": of_mesh(&mesh),
+        "mesh": mesh_json(&mesh, true),
         "heights": of_texels(heights, &json!(heights.texels())),
         "heights8": of_texels(heights, &json!(heights.texels().iter().map(|at| byte(*at)).collect::<Vec<u8>>())),
     });
@@ -193,19 +189,6 @@ fn of_texels(heights: &HeightMap, texels: &Value) -> Value {
     json!({ "width": heights.width(), "height": heights.height(), "texels": texels })
 }
 
-fn of_mesh(mesh: &Mesh) -> Value {
-    let flat = |part: fn(&relief_core::mesh::Vertex) -> Vec<f32>| -> Vec<f32> {
-        mesh.vertices().iter().flat_map(part).collect()
-    };
-    json!({
-        "positions": flat(|vertex| vertex.position.to_array().to_vec()),
-        "normals": flat(|vertex| vertex.normal.to_array().to_vec()),
-        "tangents": VertexFrames::of(mesh).tangents.as_flattened(),
-        "uvs": flat(|vertex| vertex.uv.to_array().to_vec()),
-        "triangles": mesh.triangles().as_flattened(),
-    })
-}
-
 /// The coordinates that the renderer shows, each within a tile.
 fn ours(
     method: &str,
@@ -213,29 +196,15 @@ fn ours(
     heights: &HeightMap,
     eye: DVec3,
     size: [u32; 2],
-) -> Result<Seen, String> {
-    let text = |error: &dyn std::fmt::Display| error.to_string();
+) -> Result<Shown, String> {
     let camera = Camera::with(eye, DVec3::ZERO, Projection::Perspective { fov_degrees: FOV_DEGREES });
-    let mut selection = Selection::method(method).map_err(|error| text(&error))?;
-    selection.choose("shadow", "none").map_err(|error| text(&error))?;
-    let surface = Surface::new(Arc::clone(mesh), heights.clone()).with_selection(selection);
-    let scene = Scene::builder(surface)
-        .look(Look::Plain)
-        .camera(camera.map_err(|error| text(&error))?)
-        .size(size[0], size[1])
-        .samples(1)
-        .build()
-        .map_err(|error| text(&error))?;
-    let rendered = Renderer::on_cpu().render(&scene, &mut Maps::in_memory(), &Watch::none());
-    let pixels = rendered.map_err(|error| text(&error))?.rendering.pixels;
-    let seen = |pixel: &relief_shaders::cpu::PixelOut| {
-        (pixel.hit == 1).then(|| [f64::from(pixel.uv.x), f64::from(pixel.uv.y)])
-    };
-    Ok(pixels.iter().map(seen).collect())
+    let mut selection = Selection::method(method).map_err(|error| error.to_string())?;
+    selection.choose("shadow", "none").map_err(|error| error.to_string())?;
+    rendered::shown(mesh, heights, &selection, camera.map_err(|error| error.to_string())?, size)
 }
 
 /// The coordinates of two pictures, u and v.
-fn decode(bytes: &[u8], pixels: usize) -> Seen {
+fn decode(bytes: &[u8], pixels: usize) -> Shown {
     let texels = bytes.as_chunks::<3>().0;
     let part = |byte: u8| (f64::from(byte) - DARKEST) / RANGE;
     let value = |[coarse, fine, ahead]: [u8; 3]| {
@@ -254,7 +223,7 @@ fn decode(bytes: &[u8], pixels: usize) -> Seen {
 }
 
 /// The 99th percentile of the distance, in tiles, where both show something.
-fn p99(truth: &Seen, seen: &Seen) -> f64 {
+fn p99(truth: &Shown, seen: &Shown) -> f64 {
     // Tiles are all the same.
     let off = |a: f64, b: f64| (a - b) - (a - b).round();
     let both = truth.iter().zip(seen).filter_map(|(a, b)| a.zip(*b));
@@ -277,9 +246,9 @@ mod tests {
         let values: Vec<f64> = (0..1000).map(|at| (f64::from(at) + 0.5) / 1000.0).collect();
         let picture = |values: &[f64]| values.iter().flat_map(|at| shown(*at)).collect::<Vec<u8>>();
         let seen = decode(&[picture(&values), picture(&values)].concat(), 1000);
-        let truth: Seen = values.iter().map(|at| Some([*at + 3.0, *at - 1.0])).collect();
+        let truth: Shown = values.iter().map(|at| Some([*at + 3.0, *at - 1.0])).collect();
         assert!(p99(&truth, &seen) < SHOWN_WITHIN, "{}", p99(&truth, &seen));
-        let moved: Seen = values.iter().map(|at| Some([*at, *at + 0.01])).collect();
+        let moved: Shown = values.iter().map(|at| Some([*at, *at + 0.01])).collect();
         assert!((p99(&moved, &seen) - 0.01).abs() < SHOWN_WITHIN);
         assert_eq!(p99(&vec![None; 1000], &seen), f64::INFINITY);
     }

@@ -12,8 +12,8 @@ use relief_io::{Row, RowSource, TextureContent, WriteError, write_atomically};
 use relief_scene::engine_material::EngineMaterial;
 use relief_shaders::{METHODS, Selection};
 
-use crate::commands::bake::early;
 use crate::commands::bake::for_engine::{Kit, KitInput, Outputs, ReadMaterial};
+use crate::commands::bake::{MIPS, early};
 use crate::commands::shader::{bake_line, of_export};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
@@ -299,9 +299,6 @@ fn maps_of(manifest: &FunctionsManifest) -> Option<Vec<Baked>> {
     }
     Some(maps)
 }
-
-/// The parameter that adds mip levels.
-const MIPS: &str = "mips";
 
 /// The failure of a method whose maps a kit cannot give, with those that go.
 fn of_maps(kit: &EngineKit, options: &FunctionOptions) -> Failure {

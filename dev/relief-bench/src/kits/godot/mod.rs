@@ -44,6 +44,7 @@ pub(super) fn shown(chromium: &Path, job: &Job) -> Result<Shown, String> {
 
 /// Runs a game of these files, whose `main.gd` tells the page something. Returns that.
 pub fn run(chromium: &Path, mut files: Vec<(String, Vec<u8>)>) -> Result<Vec<u8>, String> {
+    files.push(("made.gd".to_owned(), include_bytes!("made.gd").to_vec()));
     files.push(("main.tscn".to_owned(), include_bytes!("main.tscn").to_vec()));
     files.push(("project.godot".to_owned(), include_bytes!("project.godot").to_vec()));
     let files: Vec<(&str, &[u8])> =
