@@ -744,6 +744,12 @@ pub const MODULES: &[Module] = &[
 // All is in the tangent space of the point: along +u, along +v, and along the mesh's normal. Lengths have the
 // unit of the scale.
 "# },
+    Module { path: "roots/functions_of_triangles", head: r#"// A method as functions, for the fragment functions of other programs: a triangle with the space above it and
+// a ray go in, the hit on the relief comes out, and the part of a light that arrives there.
+//
+// All is in one space, in which the triangle is given, and lengths have its unit. That may be the mesh's own:
+// then a ray's direction is turned and stretched by the mesh's place in the world, and keeps its length.
+"# },
     Module { path: "roots/gather", head: r#"// A pass over a translucent surface on the GPU, after the opaque ones: every pixel's ray goes through
 // the segments of all shells that it meets, in the order in which they begin.
 //
@@ -16613,6 +16619,148 @@ fn relief_curvature(position: vec3f, normal: vec3f, uv: vec2f) -> vec3f {
         -0.5 * (dot(turn_u, along_v) + dot(turn_v, along_u)),
         -0.5 * dot(turn_v, along_v),
     );
+}"#,
+    },
+    Declaration {
+        module: "roots/functions_of_triangles",
+        name: "ReliefTriangle",
+        sampling: None,
+        uses: &["Corner", "Shell"],
+        text: r#"// A triangle of the mesh, and the space above it.
+struct ReliefTriangle {
+    a: Corner,
+    b: Corner,
+    c: Corner,
+    shell: Shell,
+}"#,
+    },
+    Declaration {
+        module: "roots/functions_of_triangles",
+        name: "ReliefRay",
+        sampling: None,
+        uses: &[],
+        text: r#"// A ray.
+struct ReliefRay {
+    origin: vec3f,
+    // The direction, of any length but 0. The hit's depth counts in this length.
+    direction: vec3f,
+    // 1; -1 for the back of the triangle, whose relief rises from there.
+    side: f32,
+    // The width of the pixel on the triangle, in texels of the height map.
+    footprint: f32,
+}"#,
+    },
+    Declaration {
+        module: "roots/functions_of_triangles",
+        name: "ReliefTriangleHit",
+        sampling: None,
+        uses: &[],
+        text: r#"// Where a ray meets the relief of a triangle.
+struct ReliefTriangleHit {
+    // Whether it does. It passes beside the relief, in holes and beyond the edge of a map that ends there.
+    hit: bool,
+    // The hit's texture coordinates, and its height there, from 0 to 1.
+    uv: vec2f,
+    height: f32,
+    // The way from the ray's origin to the hit, in lengths of the ray's direction.
+    depth: f32,
+    position: vec3f,
+    // The relief's unit normal.
+    normal: vec3f,
+    // The frame of the mesh at the hit: a tile along u, a tile along v, and the unit normal.
+    tangent: vec3f,
+    bitangent: vec3f,
+    up: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "roots/functions_of_triangles",
+        name: "relief_triangle_hit",
+        sampling: None,
+        uses: &["NEVER", "NO_COST", "PixelIn", "ReliefRay", "ReliefTriangle", "ReliefTriangleHit", "SHELL_FOLDED", "detail_of_footprint_stage", "field_height_stage", "field_normal_stage", "in_hole", "miss", "polish_hit", "segment_of", "surface_enter_stage", "surface_place_stage", "trace"],
+        text: r#"// Where a ray meets the relief of a triangle first.
+fn relief_triangle_hit(at: ReliefTriangle, ray: ReliefRay) -> ReliefTriangleHit {
+    let pixel = PixelIn(ray.origin, ray.direction, ray.side, at.a, at.b, at.c, at.shell);
+    var base = surface_enter_stage(pixel);
+    let detail = detail_of_footprint_stage(base, ray.footprint);
+    base.level = detail.level;
+    base.footprint = detail.footprint;
+    base.fade = detail.fade;
+    var first = miss(NO_COST);
+    var segment = 0u;
+    var depth = NEVER;
+    var k = 0u;
+    while (k < base.segments) {
+        let path = segment_of(pixel, base, k);
+        if (path.exit > 0.0) {
+            let found = trace(path);
+            if (found.found == 1u) {
+                let hit = polish_hit(pixel, base, path, found);
+                let far = (path.start + hit.t) / length(ray.direction);
+                if (!in_hole(hit.uv) && far < depth) {
+                    first = hit;
+                    segment = k;
+                    depth = far;
+                    if (at.shell.order < SHELL_FOLDED) {
+                        break;
+                    }
+                }
+            }
+        }
+        k = k + 1u;
+    }
+    let zero = vec3f(0.0, 0.0, 0.0);
+    if (first.found == 0u) {
+        return ReliefTriangleHit(false, vec2f(0.0, 0.0), 0.0, 0.0, zero, zero, zero, zero, zero);
+    }
+    let placed = surface_place_stage(pixel, base, segment_of(pixel, base, segment), first);
+    let height = field_height_stage(first.uv, first.height, base.level);
+    let normal = field_normal_stage(placed, first, zero - normalize(ray.direction));
+    return ReliefTriangleHit(
+        true,
+        first.uv,
+        height,
+        depth,
+        placed.point,
+        normal,
+        placed.tangent,
+        placed.bitangent,
+        placed.normal,
+    );
+}"#,
+    },
+    Declaration {
+        module: "roots/functions_of_triangles",
+        name: "relief_triangle_light",
+        sampling: None,
+        uses: &["Entered", "Hit", "NEVER", "NO_COST", "ReliefRay", "ReliefTriangleHit", "Toward", "detail_of_footprint_stage", "point_settings", "shadow_stage", "surface_settings"],
+        text: r#"// The part of a light that arrives at a hit, from 0 to 1, through the relief alone. `toward` is the unit
+// direction from the hit to the light; `ray` is the one that found the hit.
+fn relief_triangle_light(ray: ReliefRay, hit: ReliefTriangleHit, toward: vec3f) -> f32 {
+    let t = hit.tangent;
+    let b = hit.bitangent;
+    var placed = Entered(
+        1u,
+        hit.position,
+        hit.uv,
+        t,
+        b,
+        hit.up,
+        vec4f(dot(t, t), dot(t, b), dot(b, b), surface_settings.scale_m),
+        0u,
+        hit.up,
+        vec2f(0.0, 0.0),
+        vec4f(0.0, 0.0, 0.0, 0.0),
+        0.0,
+        0.0,
+        0.0,
+    );
+    let detail = detail_of_footprint_stage(placed, ray.footprint);
+    placed.level = detail.level;
+    placed.footprint = detail.footprint;
+    placed.fade = detail.fade;
+    let found = Hit(1u, 0u, hit.uv, hit.height, 0.0, NO_COST);
+    return shadow_stage(placed, found, Toward(toward, 1.0, NEVER, point_settings.light_radius, 0u));
 }"#,
     },
     Declaration {

@@ -105,6 +105,8 @@ pub enum Root {
     /// Only functions, for a program with its own entry points, in tangent space: `relief_hit`, `relief_light`,
     /// `relief_tile`, `relief_curvature`. Of surfaces whose rays go through the frame of a base point.
     Functions,
+    /// The same over a triangle and the space above it: `relief_triangle_hit`, `relief_triangle_light`.
+    TriangleFunctions,
     /// Rasterises the base mesh and traces it: `vertex_main`, `fragment_main`.
     Trace,
     /// Traces shells, which rays find in a BVH: `cover_vertex`, whose three vertices cover the
@@ -173,8 +175,9 @@ pub enum Root {
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 25] = [
+    pub const ALL: [Root; 26] = [
         Root::Functions,
+        Root::TriangleFunctions,
         Root::Trace,
         Root::TraceShells,
         Root::TraceObjects,
@@ -205,6 +208,7 @@ impl Root {
     pub const fn functions(self) -> &'static [&'static str] {
         match self {
             Root::Functions => &["relief_hit", "relief_light", "relief_tile", "relief_curvature"],
+            Root::TriangleFunctions => &["relief_triangle_hit", "relief_triangle_light"],
             Root::Trace => &["vertex_main", "fragment_main"],
             Root::TraceShells => &["cover_vertex", "shells_main"],
             Root::TraceObjects => &["cover_vertex", "objects_main"],

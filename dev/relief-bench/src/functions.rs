@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use relief_core::Wrap;
-use relief_export::{FunctionOptions, functions};
+use relief_export::{Form, FunctionOptions, functions};
 use relief_render::gpu::Prober;
 use relief_shaders::{METHODS, Selection};
 use relief_testing::maps;
@@ -62,22 +62,31 @@ fn without_shadow(mut selection: Selection) -> Result<Selection, String> {
 
 /// Lines and kilobytes of every method, without comments and empty lines.
 fn sizes() -> Result<String, String> {
-    let mut rows =
-        table(&["method", "`plane`", "with `ray`", "`quadric-vertical`", "`quadric-perpendicular`"]);
+    let mut rows = table(&[
+        "method",
+        "`plane`",
+        "with `ray`",
+        "`quadric-vertical`",
+        "`quadric-perpendicular`",
+        "`prism`",
+        "`tetrahedra`",
+    ]);
     for method in METHODS {
-        let of = |surface: &str, shadow: &str| -> Option<String> {
+        let of = |form: Form, surface: &str, shadow: &str| -> Option<String> {
             let mut selection = Selection::of(method).ok()?;
             selection.choose("surface", surface).ok()?;
             selection.choose("shadow", shadow).ok()?;
-            let options = FunctionOptions { wrap: Some(Wrap::Repeat), ..FunctionOptions::default() };
+            let options = FunctionOptions { form, wrap: Some(Wrap::Repeat), ..FunctionOptions::default() };
             let [lines, bytes] = size_of(&functions(&selection, &options).ok()?);
             Some(format!("{lines}, {:.1} KB", bytes as f64 / 1000.0))
         };
         let sizes = [
-            of("plane", "none"),
-            of("plane", "ray"),
-            of("quadric-vertical", "none"),
-            of("quadric-perpendicular", "none"),
+            of(Form::Tangent, "plane", "none"),
+            of(Form::Tangent, "plane", "ray"),
+            of(Form::Tangent, "quadric-vertical", "none"),
+            of(Form::Tangent, "quadric-perpendicular", "none"),
+            of(Form::Triangle, "prism", "none"),
+            of(Form::Triangle, "tetrahedra", "none"),
         ];
         if sizes.iter().any(Option::is_some) {
             let cells = sizes.into_iter().map(|size| size.unwrap_or_else(|| "-".to_owned()));

@@ -235,6 +235,29 @@ fn more_can_be_asked_of_functions() {
 }
 
 #[test]
+fn functions_take_triangles_too() {
+    let folder = Folder::new();
+    let of = |flags: &str| {
+        let line = format!("shader --method relief --entry functions --form triangle {flags} -o out");
+        folder.relief(&line).fine();
+        (std::fs::read_to_string(folder.path("out/relief.wgsl")), manifest(&folder, "out/relief.json"))
+    };
+    // Of shells, unless a surface is named.
+    let (text, about) = of("--target wgsl --shadow ray");
+    let text = text.expect("a text");
+    for there in ["fn relief_triangle_hit(", "fn relief_triangle_light(", "struct ReliefCorner {"] {
+        assert!(text.contains(there), "{there}");
+    }
+    assert!(!text.contains("fn relief_tile("));
+    assert_eq!((&about["form"], &about["point"]), (&"triangle".into(), &Value::Null));
+    assert_eq!(found(&about["structs"]["ReliefRay"], "name", "direction")["type"], "vec3f");
+    assert_eq!(found(&about["hit"], "name", "position")["type"], "vec3f");
+    let stage = |about: &Value| found(&about["stages"], "stage", "surface")["name"].clone();
+    assert_eq!(stage(&about), "prism");
+    assert_eq!(stage(&of("--target wgsl --surface tetrahedra").1), "tetrahedra");
+}
+
+#[test]
 fn functions_come_in_other_languages() {
     let folder = Folder::new();
     let line = "shader --method relief --entry functions --wrap repeat --prefix rock";
@@ -260,7 +283,12 @@ fn functions_that_there_are_not_are_refused() {
         let ran = folder.relief(&format!("shader {flags} --target wgsl -o {OUT}"));
         assert_refused(&folder, &ran, 2, named);
     };
-    refused("--method relief --entry functions --surface prism", &["--surface", "'plane'"]);
+    refused(
+        "--method relief --entry functions --surface prism",
+        &["--surface", "'plane'", "the form 'triangle'"],
+    );
+    refused("--method relief --entry functions --form triangel", &["--form", "triangle"]);
+    refused("--method relief --form triangle --entry functions --surface slices", &["'prism'"]);
     refused("--method depth-object --entry functions", &["--method", "'object'"]);
     refused("--method vertex --entry functions", &["--method", "vertex", "'cone'"]);
     refused("--method translucent --entry functions", &["translucent"]);

@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::names::Prefix;
 use super::settings::{STRUCT, Setting};
 use super::syntax::{ItemKind, Member};
-use super::{FunctionOptions, Reduced, has_footprint};
+use super::{Form, FunctionOptions, Reduced, has_footprint};
 use crate::manifest::{Bake, ChosenStage, TextureNeed};
 use crate::program::Checked;
 use crate::{ExportError, Options, Profile, layout, textures};
@@ -23,6 +23,8 @@ pub struct FunctionsManifest {
     pub relief: String,
     /// The prefix of all names.
     pub prefix: String,
+    /// The kind of input: `tangent` or `triangle`.
+    pub form: &'static str,
     /// The way in which textures are read: `exact` or `fast`.
     pub sampling: &'static str,
     /// The wrap that the functions have; none where a setting says so.
@@ -30,8 +32,12 @@ pub struct FunctionsManifest {
     pub wrap: Option<&'static str>,
     /// The functions to call, as WGSL declares them, and what each does.
     pub functions: Vec<Lent>,
-    /// The members of what goes in: a point of the mesh and the ray that sees it.
+    /// The members of what goes in, in tangent space: a point of the mesh and the ray that sees it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub point: Vec<Passed>,
+    /// The structs that go in, in the form `triangle`: their members by their names.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub structs: BTreeMap<String, Vec<Passed>>,
     /// The members of what comes out.
     pub hit: Vec<Passed>,
     /// The size of the settings' struct in a uniform buffer, in bytes.
@@ -145,15 +151,26 @@ pub fn of(
         }
     });
     let settings: Vec<SettingPlace> = settings.collect();
+    let mut given: BTreeMap<String, Vec<Passed>> = BTreeMap::new();
+    let mut point = Vec::new();
+    for name in options.form.given().iter().map(|name| prefix.of(name)) {
+        let members = passed(reduced, &name);
+        match options.form {
+            Form::Tangent => point = members,
+            Form::Triangle => drop(given.insert(name, members)),
+        }
+    }
     Ok(FunctionsManifest {
         name: name.to_owned(),
         relief: env!("CARGO_PKG_VERSION").to_owned(),
         prefix: options.prefix.clone(),
+        form: options.form.name(),
         sampling: options.sampling.name(),
         wrap: options.wrap.map(relief_core::Wrap::name),
-        functions: lent(selection, reduced, prefix),
-        point: passed(reduced, &prefix.of("ReliefPoint")),
-        hit: passed(reduced, &prefix.of("ReliefHit")),
+        functions: lent(selection, reduced, prefix, options.form),
+        point,
+        structs: given,
+        hit: passed(reduced, &prefix.of(options.form.found())),
         settings_size: structure.map_or(0, |of| of.size),
         settings,
         bindings: bound(selection, reduced, prefix, options),
@@ -162,8 +179,8 @@ pub fn of(
     })
 }
 
-fn lent(selection: &Selection, reduced: &Reduced, prefix: &Prefix) -> Vec<Lent> {
-    let called = super::called(selection);
+fn lent(selection: &Selection, reduced: &Reduced, prefix: &Prefix, form: Form) -> Vec<Lent> {
+    let called = form.called(selection);
     let lent = called.into_iter().filter_map(|name| {
         let name = prefix.of(name);
         let item = reduced.unit.items.iter().find(|item| item.kind.name() == Some(&name))?;

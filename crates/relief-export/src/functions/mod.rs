@@ -7,6 +7,7 @@
 //! The text is the shaders' own, reduced: choices that are made are put in their places, and what is then not
 //! needed is left out. Arithmetic on floats is never done or moved, so hits keep their bits.
 
+mod form;
 mod languages;
 mod manifest;
 mod names;
@@ -19,11 +20,12 @@ mod textures;
 use relief_core::{RayUse, Wrap};
 use relief_shaders::bindings::Binding;
 use relief_shaders::shadow::ShadowRole;
-use relief_shaders::wgsl::{Parts, Root, Sampling};
+use relief_shaders::wgsl::{Parts, Sampling};
 use relief_shaders::{
     DETAIL, Entry, GEOMETRY, MapNeed, MapSlot, SEARCH, SHADOW, STAGES, SURFACE, Selection, Variants,
 };
 
+pub use self::form::Form;
 pub use self::manifest::{BoundTexture, FunctionsManifest, Lent, Passed, SettingPlace};
 pub use self::names::Prefix;
 use self::reduce::{Kept, reduce};
@@ -36,12 +38,16 @@ use crate::{ExportError, File, Placement, Profile, Target};
 pub struct FunctionOptions {
     /// The files' name before their endings; by default the names of search and refinement.
     pub name: Option<String>,
+    /// The kind of input.
+    pub form: Form,
     /// What all names begin with, in small letters: `relief` gives `relief_hit` and `ReliefHit`.
     pub prefix: String,
     /// The height map beyond its edges. `None`: a setting says so.
     pub wrap: Option<Wrap>,
     /// Whether hits in holes are misses: one more texture is read.
     pub holes: bool,
+    /// Whether shells may overlap themselves; in the form [`Form::Triangle`] alone.
+    pub folds: bool,
     /// The way in which textures are read.
     pub sampling: Sampling,
     /// The profiles to write, each in a file of its own.
@@ -53,13 +59,15 @@ pub struct FunctionOptions {
 }
 
 impl Default for FunctionOptions {
-    /// WGSL with exact sampling, any wrap, without holes.
+    /// WGSL in tangent space with exact sampling, any wrap, without holes.
     fn default() -> Self {
         Self {
             name: None,
+            form: Form::Tangent,
             prefix: "relief".to_owned(),
             wrap: None,
             holes: false,
+            folds: false,
             sampling: Sampling::Exact,
             profiles: vec![Profile::Wgsl],
             placement: None,
@@ -81,7 +89,7 @@ pub struct ExportedFunctions {
 ///
 /// # Errors
 ///
-/// When the stages do not go together or have no form in tangent space, when the prefix is no name, or when a
+/// When the stages do not go together or have no functions in that form, when the prefix is no name, or when a
 /// target cannot express them.
 ///
 /// # Examples
@@ -106,7 +114,7 @@ pub struct ExportedFunctions {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn functions(selection: &Selection, options: &FunctionOptions) -> Result<ExportedFunctions, ExportError> {
-    check(selection)?;
+    check(selection, options.form)?;
     if options.profiles.is_empty() {
         return Err(ExportError::NoTarget);
     }
@@ -146,8 +154,8 @@ pub fn functions(selection: &Selection, options: &FunctionOptions) -> Result<Exp
     Ok(ExportedFunctions { files, manifest })
 }
 
-/// Checks that a selection has functions.
-fn check(selection: &Selection) -> Result<(), ExportError> {
+/// Checks that a selection has functions in a form.
+fn check(selection: &Selection, form: Form) -> Result<(), ExportError> {
     let refused = |place: usize, reason: String| {
         let (stage, entry) = (STAGES[place].title, selection.choices[place].entry.name);
         Err(ExportError::NoFunctions { stage, entry, key: STAGES[place].key, reason })
@@ -160,12 +168,18 @@ fn check(selection: &Selection) -> Result<(), ExportError> {
     if selection.is_translucent() {
         return refused(SEARCH, "nothing is hit in a translucent volume".to_owned());
     }
-    if !selection.paths().through_frame {
-        let others = Variants::of(SURFACE, |entry| entry.paths().through_frame);
-        return refused(
-            SURFACE,
-            format!("its rays need more than a point of the mesh: choose {}", others.or()),
-        );
+    let surface = selection.choices[SURFACE].entry;
+    if !form.takes(surface) {
+        let mut reason = match form {
+            Form::Tangent => "its rays need more than a point of the mesh".to_owned(),
+            Form::Triangle => "its triangles have no relief on them".to_owned(),
+        };
+        let others = Variants::of(SURFACE, |entry| form.takes(entry)).or();
+        reason += &format!(": choose {others}");
+        if let Some(other) = Form::ALL.into_iter().find(|other| other.takes(surface)) {
+            reason += &format!(", or the form '{other}'");
+        }
+        return refused(SURFACE, reason);
     }
     let shadow = selection.choices[SHADOW].entry;
     let knows_light = |entry: &Entry| !entry.shadow().is_some_and(ShadowRole::sees_scene);
@@ -196,19 +210,6 @@ fn one_map(selection: &Selection) -> Option<RayUse> {
     }
 }
 
-/// The functions that programs call.
-fn called(selection: &Selection) -> Vec<&'static str> {
-    let mut called = vec!["relief_hit"];
-    if selection.has_shadows() {
-        called.push("relief_light");
-    }
-    called.push("relief_tile");
-    if selection.quadrics().is_some() {
-        called.push("relief_curvature");
-    }
-    called
-}
-
 /// A reduced shader.
 struct Reduced {
     text: String,
@@ -220,20 +221,24 @@ struct Reduced {
 
 impl Reduced {
     fn new(selection: &Selection, options: &FunctionOptions, prefix: &Prefix) -> Result<Self, ExportError> {
-        let parts = Parts::new(selection, Root::Functions, options.sampling);
+        let form = options.form;
+        let parts = Parts::new(selection, form.root(), options.sampling);
         let code = parts.code();
         let mut unit = syntax::parse(&code).map_err(ExportError::Invalid)?;
-        let called = called(selection);
-        let kept = Kept { functions: &called, structs: &["ReliefPoint"], whole: &["ReliefHit"] };
+        let called = form.called(selection);
+        let kept = Kept { functions: &called, structs: form.given(), whole: &[form.found()] };
         let fixed = settings::fixed(options.wrap, options.holes, one_map(selection));
         settings::fix(&mut unit, &fixed);
+        if form == Form::Triangle && !options.folds {
+            settings::fix_unfolded(&mut unit);
+        }
         parameters::separate(&mut unit, selection);
         reduce(&mut unit, &kept);
         let settings = settings::gather(&mut unit, selection)?;
         textures::flatten(&mut unit);
         reduce(&mut unit, &kept);
         settings::hand_over(&mut unit);
-        arrange(&mut unit, &settings);
+        arrange(&mut unit, &settings, form);
         let bindings = place(&mut unit, &parts, options.placement);
         prefix.rename(&mut unit);
         Ok(Self { text: syntax::print(&unit), unit, settings, bindings })
@@ -241,8 +246,8 @@ impl Reduced {
 }
 
 /// Puts what programs use first: the settings, then the section of the functions that they call.
-fn arrange(unit: &mut Unit, settings: &[Setting]) {
-    let is_called = |item: &Item| item.kind.name() == Some("relief_hit");
+fn arrange(unit: &mut Unit, settings: &[Setting], form: Form) {
+    let is_called = |item: &Item| item.kind.name() == Some(form.hit());
     let place = unit.items.iter().position(is_called).unwrap_or_default();
     let is_heading = |item: &Item| item.kind == ItemKind::Heading;
     let begin = unit.items[..place].iter().rposition(is_heading).unwrap_or_default();

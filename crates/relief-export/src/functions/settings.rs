@@ -36,12 +36,18 @@ pub struct Setting {
 }
 
 /// Settings that are no parameters of a variant: the source, the name and what it holds.
-const KNOWN: [(&str, &str, &str); 9] = [
+const KNOWN: [(&str, &str, &str); 10] = [
     ("surface_settings.scale_m", "scale", "The length from the height 0 to the height 1."),
     (
         "surface_settings.bias_m",
         "bias",
         "The length from the mesh up to the height 0. With -scale all relief lies below the mesh.",
+    ),
+    (
+        "surface_settings.shell_m",
+        "shell",
+        "The lengths from the mesh to the heights 0 and 1 along its normals: `bias`, and `bias` and `scale` \
+         together. Not quite the same, however flat the relief is.",
     ),
     ("surface_settings.height_size", "height_size", "Columns and rows of the height map."),
     ("surface_settings.height_levels", "height_levels", "The number of levels of the height map."),
@@ -106,6 +112,30 @@ pub fn fix(unit: &mut Unit, fixed: &[(&'static str, Expression)]) {
             };
             if let Some((_, value)) = found {
                 *part = value.clone();
+            }
+        });
+    }
+}
+
+/// The order of a shell's corners from which on it overlaps itself.
+const FOLDED: &str = "SHELL_FOLDED";
+
+/// Takes shells for such that do not overlap themselves.
+pub fn fix_unfolded(unit: &mut Unit) {
+    for function in unit.functions_mut() {
+        change_expressions(&mut function.body, &mut |part| {
+            let is_folded = match part {
+                Expression::Binary(sign, _, limit) if matches!(&**limit, Expression::Name(name) if name == FOLDED) => {
+                    match *sign {
+                        "<" => Some(false),
+                        ">=" => Some(true),
+                        _ => None,
+                    }
+                }
+                _ => None,
+            };
+            if let Some(is_folded) = is_folded {
+                *part = Expression::Literal((!is_folded).to_string());
             }
         });
     }

@@ -458,7 +458,7 @@ fn pipeline_layout(device: &Device, label: &str, groups: &[Option<&BindGroupLayo
 /// Returns the label of a root's programs.
 fn label(root: Root) -> &'static str {
     match root {
-        Root::Functions => "functions",
+        Root::Functions | Root::TriangleFunctions => "functions",
         Root::Trace | Root::TraceShells | Root::TraceObjects => "trace",
         Root::Light | Root::LightShells | Root::LightObjects => "light",
         Root::Stencil => "stencil",

@@ -55,6 +55,23 @@ pub struct Seen {
     pub light: f32,
 }
 
+/// What `ReliefTriangleHit` says of a ray at a triangle, and how much of the light arrives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeenOver {
+    /// Whether the ray hits.
+    pub hit: bool,
+    /// The hit's texture coordinates.
+    pub uv: [f32; 2],
+    /// The way to the hit, in lengths of the ray's direction.
+    pub depth: f32,
+    /// The hit, in the triangle's space.
+    pub position: [f32; 3],
+    /// The unit normal along the direction to the light.
+    pub facing: f32,
+    /// The part of the light that arrives.
+    pub light: f32,
+}
+
 /// The result of search and refinement: whether something is found, the place, and the parameter.
 #[derive(Clone, Copy, Debug)]
 pub struct OnPath {
@@ -131,9 +148,21 @@ const POINTS: [(&str, &str); 5] = [
     ("footprint", "number_at(10u)"),
 ];
 
-/// Numbers of a path, of a point, and of what comes out.
+/// Members of a ray and where they lie among the numbers of a triangle.
+const RAY: [(&str, &str); 4] = [
+    ("origin", "vec3f(number_at(0u), number_at(1u), number_at(2u))"),
+    ("direction", "vec3f(number_at(3u), number_at(4u), number_at(5u))"),
+    ("side", "number_at(6u)"),
+    ("footprint", "0.0"),
+];
+
+/// Numbers of a path, of a point, of a ray, of a corner, of a triangle with its ray and a light, and of what
+/// comes out.
 const NUMBERS_OF_PATH: usize = 18;
 const POINT: usize = 14;
+const NUMBERS_OF_RAY: usize = 7;
+const CORNER: usize = 17;
+const TRIANGLE: usize = NUMBERS_OF_RAY + 3 * CORNER + 6 + 3;
 const RESULT: usize = 9;
 
 impl Device {
@@ -206,6 +235,50 @@ impl Device {
             height: of[3],
             depth: of[4],
             normal: [of[5], of[6], of[7]],
+            light: of[8],
+        };
+        results.chunks_exact(RESULT).map(seen).collect()
+    }
+
+    /// Runs the functions over triangles, each with its ray and the direction to a light.
+    ///
+    /// # Panics
+    ///
+    /// When the functions are none that this device runs.
+    pub fn seen_over(
+        &self,
+        exported: &ExportedFunctions,
+        surface: &JobSurface,
+        rays: &[(PixelIn, [f32; 3])],
+    ) -> Vec<SeenOver> {
+        let text = text_of(exported);
+        let prefix = &exported.manifest.prefix;
+        let ray = made(&text, &type_of(exported, "Ray"), &RAY);
+        let triangle = triangle_of(&text, exported);
+        let toward = vector(TRIANGLE - 3, 3);
+        let light = if text.contains(&format!("fn {prefix}_triangle_light(")) {
+            format!("{prefix}_triangle_light(settings, ray, hit, {toward})")
+        } else {
+            "1.0".to_owned()
+        };
+        let body = format!(
+            "let settings = own_settings;\n    let ray = {ray};\n    let at = {triangle};\n    \
+             let hit = {prefix}_triangle_hit(settings, at, ray);\n    var light = 0.0;\n    \
+             if (hit.hit) {{\n        light = {light};\n    }}\n    \
+             results[out_at] = select(0.0, 1.0, hit.hit);\n    results[out_at + 1u] = hit.uv.x;\n    \
+             results[out_at + 2u] = hit.uv.y;\n    results[out_at + 3u] = hit.depth;\n    \
+             results[out_at + 4u] = hit.position.x;\n    results[out_at + 5u] = hit.position.y;\n    \
+             results[out_at + 6u] = hit.position.z;\n    results[out_at + 7u] = dot(hit.normal, {toward});\n    \
+             results[out_at + 8u] = light;"
+        );
+        let numbers: Vec<f32> = rays.iter().flat_map(numbers_of_triangle).collect();
+        let results = self.called(exported, surface, &body, TRIANGLE, &numbers, Dialect::Wgsl);
+        let seen = |of: &[f32]| SeenOver {
+            hit: of[0] != 0.0,
+            uv: [of[1], of[2]],
+            depth: of[3],
+            position: [of[4], of[5], of[6]],
+            facing: of[7],
             light: of[8],
         };
         results.chunks_exact(RESULT).map(seen).collect()
@@ -435,6 +508,56 @@ fn made(text: &str, name: &str, known: &[(&str, &str)]) -> String {
     format!("{name}({})", members.collect::<Vec<_>>().join(", "))
 }
 
+/// A vector of the numbers from a place on.
+fn vector(place: usize, count: usize) -> String {
+    let numbers: Vec<String> = (place..place + count).map(|place| format!("number_at({place}u)")).collect();
+    format!("vec{count}f({})", numbers.join(", "))
+}
+
+/// The triangle of the functions, from its numbers.
+fn triangle_of(text: &str, exported: &ExportedFunctions) -> String {
+    let corner = |number: usize| {
+        let begin = NUMBERS_OF_RAY + CORNER * number;
+        let members =
+            [("position", 0, 3), ("normal", 3, 3), ("tangent", 6, 3), ("bitangent", 9, 3), ("uv", 12, 2)];
+        let mut known: Vec<(&str, String)> =
+            members.map(|(name, place, count)| (name, vector(begin + place, count))).to_vec();
+        known.push(("of_surface", vector(begin + 14, 3)));
+        let known: Vec<(&str, &str)> = known.iter().map(|(name, value)| (*name, value.as_str())).collect();
+        made(text, &type_of(exported, "Corner"), &known)
+    };
+    let begin = NUMBERS_OF_RAY + 3 * CORNER;
+    let [heights, order, lift] =
+        [vector(begin, 2), format!("u32(number_at({}u))", begin + 2), vector(begin + 3, 3)];
+    // Surfaces that need nothing of the space above have no such struct.
+    let shell = if text.contains(&format!("struct {} {{", type_of(exported, "Shell"))) {
+        let known = [("heights", heights.as_str()), ("order", order.as_str()), ("lift", lift.as_str())];
+        made(text, &type_of(exported, "Shell"), &known)
+    } else {
+        String::new()
+    };
+    let corners = [0, 1, 2].map(corner);
+    let known = [("a", &corners[0]), ("b", &corners[1]), ("c", &corners[2]), ("shell", &shell)];
+    made(text, &type_of(exported, "Triangle"), &known.map(|(name, value)| (name, value.as_str())))
+}
+
+fn numbers_of_triangle((pixel, toward): &(PixelIn, [f32; 3])) -> Vec<f32> {
+    let PixelIn { origin, direction, side, a, b, c, shell } = *pixel;
+    let of = |v: relief_shaders::cpu::Vec3<f32>| [v.x, v.y, v.z];
+    let mut numbers = [&of(origin)[..], &of(direction), &[side]].concat();
+    for corner in [a, b, c] {
+        for part in [corner.position, corner.normal, corner.tangent, corner.bitangent] {
+            numbers.extend(of(part));
+        }
+        numbers.extend([corner.uv.x, corner.uv.y]);
+        numbers.extend(of(corner.of_surface));
+    }
+    numbers.extend([shell.heights.x, shell.heights.y, shell.order as f32]);
+    numbers.extend(of(shell.lift));
+    numbers.extend(toward);
+    numbers
+}
+
 fn numbers_of(path: &Path) -> [f32; NUMBERS_OF_PATH] {
     let Path { uv, duv, h, exit, base, metric, ray, level, start, share, bend } = *path;
     [
@@ -472,6 +595,7 @@ fn settings_of(manifest: &FunctionsManifest, settings: &SurfaceSettings) -> Vec<
             ("mean_height", _) => vec![settings.mean_height.to_bits()],
             ("wrap", _) => vec![settings.wrap],
             ("light_radius", _) => vec![0],
+            ("shell", _) => vec![settings.shell_m.x.to_bits(), settings.shell_m.y.to_bits()],
             ("search_layers", _) => vec![settings.maps[1].layers],
             ("shadow_tile", _) => {
                 vec![settings.maps[3].tile_m.x.to_bits(), settings.maps[3].tile_m.y.to_bits()]

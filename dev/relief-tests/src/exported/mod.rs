@@ -5,8 +5,12 @@ mod bound;
 mod called;
 mod computed;
 mod drawn;
+mod languages;
 mod values;
 
 pub use beside::{Difference, compare, device, exported, rendered};
-pub use called::{Dialect, OnPath, Point, Seen, differing_hits, paths_of, shortened, size_of, surface_of};
+pub use called::{
+    Dialect, OnPath, Point, Seen, SeenOver, differing_hits, paths_of, shortened, size_of, surface_of,
+};
 pub use drawn::{Device, Language, draw};
+pub use languages::compiled;

@@ -15,8 +15,8 @@ use relief_shaders::{METHODS, Selection};
 use relief_testing::maps;
 use relief_tests::compilers;
 use relief_tests::exported::{
-    Dialect, OnPath, Point, Seen, device, differing_hits as differing, paths_of, shortened, size_of,
-    surface_of,
+    Dialect, OnPath, Point, Seen, compiled, device, differing_hits as differing, paths_of, shortened,
+    size_of, surface_of,
 };
 use relief_tests::one_source::rays::{bent_pixels, pixels};
 use relief_tests::pairs;
@@ -552,64 +552,23 @@ fn every_language_compiles_and_is_not_much_longer() {
                 assert!(!text.contains(foreign), "{name} in {}: {foreign}", profile.name());
             }
             assert!(text.contains("// Where the ray through a point of the mesh meets the relief first."));
-            compiled(&text, profile).unwrap_or_else(|error| panic!("{name} in {}: {error}", profile.name()));
+            compiled(&text, profile, &|vector| calls(&text, vector))
+                .unwrap_or_else(|error| panic!("{name} in {}: {error}", profile.name()));
         }
     });
     println!("{} selections", cases.len());
     assert!(cases.len() > 20);
 }
 
-/// Has a text compiled in a fragment shader that calls its functions.
-fn compiled(text: &str, profile: Profile) -> Result<(), String> {
-    let head = match profile {
-        Profile::Core330 => "#version 330\n",
-        Profile::Es300 => "#version 300 es\nprecision highp float;\nprecision highp int;\n",
-        Profile::Vulkan450 => "#version 450\n",
-        _ => "",
-    };
+/// What a fragment shader does with the functions of a text.
+fn calls(text: &str, vector: &str) -> String {
     let has = |function: &str| text.contains(&format!(" {function}("));
-    let bent = if has("relief_curvature") {
-        ["at.curvature = relief_curvature(place, place, at.uv);", ""]
-    } else {
-        [""; 2]
-    };
+    let bent =
+        if has("relief_curvature") { "at.curvature = relief_curvature(place, place, at.uv);" } else { "" };
     let light = if has("relief_light") { "sum *= relief_light(settings, at, hit, at.view);" } else { "" };
-    let body = |vector: &str| {
-        format!(
-            "ReliefPoint at;\n    at.uv = {vector}2(0.5, 0.25);\n    at.view = {vector}3(0.0, 0.6, -0.8);\n    \
-             {vector}3 place = {vector}3(at.uv, 1.0);\n    at.tile = relief_tile(place, at.uv);\n    {}\n    \
-             ReliefHit hit = relief_hit(settings, at);\n    float sum = hit.depth + hit.height;\n    {light}\n",
-            bent[0]
-        )
-    };
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let write =
-        |text: &str| std::fs::write(folder.path().join("given.frag"), text).expect("a writable folder");
-    match profile {
-        Profile::Msl20 => Ok(()),
-        Profile::Hlsl51 => {
-            write(&format!(
-                "{text}\ncbuffer Own : register(b9) {{ ReliefSettings settings; }}\n\
-                 float4 main() : SV_Target {{\n    {}    return float4(sum, sum, sum, 1.0);\n}}\n",
-                body("float")
-            ));
-            let flags = ["-D", "-V", "-Od", "-S", "frag", "-e", "main", "-o", "out.spv", "given.frag"];
-            compilers::run(folder.path(), compilers::GLSLANG, flags)
-        }
-        _ => {
-            let vulkan = profile == Profile::Vulkan450;
-            let [place, out] =
-                if vulkan { ["layout(set = 3, binding = 0) ", "layout(location = 0) "] } else { [""; 2] };
-            let block = if vulkan || profile == Profile::Es300 { "layout(std140) " } else { "" };
-            let block = if vulkan { place } else { block };
-            write(&format!(
-                "{head}{text}\n{block}uniform Own {{ ReliefSettings settings; }};\n{out}out vec4 color;\n\
-                 void main() {{\n    {}    color = vec4(sum);\n}}\n",
-                body("vec")
-            ));
-            let flags: &[&str] =
-                if vulkan { &["-V", "-o", "out.spv", "given.frag"] } else { &["given.frag"] };
-            compilers::run(folder.path(), compilers::GLSLANG, flags)
-        }
-    }
+    format!(
+        "ReliefPoint at;\n    at.uv = {vector}2(0.5, 0.25);\n    at.view = {vector}3(0.0, 0.6, -0.8);\n    \
+         {vector}3 place = {vector}3(at.uv, 1.0);\n    at.tile = relief_tile(place, at.uv);\n    {bent}\n    \
+         ReliefHit hit = relief_hit(settings, at);\n    float sum = hit.depth + hit.height;\n    {light}\n"
+    )
 }

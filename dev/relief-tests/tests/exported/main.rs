@@ -4,3 +4,4 @@ mod exported_pictures;
 mod exported_shaders;
 mod exported_slices;
 mod functions;
+mod triangle_functions;

@@ -25,9 +25,11 @@ mod names;
 mod rust;
 mod wesl_link;
 
-/// The module whose functions other programs call, and which they are.
-const FUNCTIONS_ROOT: (&str, &[&str]) =
-    ("roots/functions", &["relief_hit", "relief_light", "relief_tile", "relief_curvature"]);
+/// The modules whose functions other programs call, and which they are.
+const FUNCTION_ROOTS: [(&str, &[&str]); 2] = [
+    ("roots/functions", &["relief_hit", "relief_light", "relief_tile", "relief_curvature"]),
+    ("roots/functions_of_triangles", &["relief_triangle_hit", "relief_triangle_light"]),
+];
 
 /// Roots of the programs that GPUs run. Their declarations are checked against the linker's result.
 const GPU_ROOTS: [&str; 13] = [
@@ -164,11 +166,12 @@ pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
             shared.push(module);
         }
     }
-    for fast in [false, true] {
-        let (root, keep) = FUNCTIONS_ROOT;
-        let linked = wesl_link::link(&modules, root, keep, Features { fast, explain: false })?;
-        declarations::check(&declarations, &linked, fast)?;
-        valid(root, &linked)?;
+    for (root, keep) in FUNCTION_ROOTS {
+        for fast in [false, true] {
+            let linked = wesl_link::link(&modules, root, keep, Features { fast, explain: false })?;
+            declarations::check(&declarations, &linked, fast)?;
+            valid(root, &linked)?;
+        }
     }
     let (root, keep) = CPU_ROOT;
     let linked = wesl_link::link(&modules, root, keep, Features::default())?;

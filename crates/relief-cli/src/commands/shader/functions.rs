@@ -3,8 +3,8 @@
 use clap::{Args, ValueEnum};
 use relief_core::Wrap;
 use relief_core::registry::UnknownName;
-use relief_export::{ExportError, File, FunctionOptions, functions};
-use relief_shaders::surface::{Paths, Shown};
+use relief_export::{ExportError, File, Form, FunctionOptions, functions};
+use relief_shaders::surface::{Proposal, Shown};
 use relief_shaders::{DETAIL, Entry, SHADOW, STAGES, SURFACE, Selection};
 
 use super::{bake_line, choose, of_export};
@@ -19,13 +19,6 @@ pub enum Entries {
     Functions,
 }
 
-/// The kind of input of functions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Form {
-    /// A point of the mesh and the ray's direction, in tangent space
-    Tangent,
-}
-
 /// Arguments of functions.
 #[derive(Args)]
 #[command(next_help_heading = "Functions")]
@@ -34,8 +27,9 @@ pub struct Arguments {
     /// fragment function calls
     #[arg(long, value_enum, value_name = "program|functions", default_value = "program")]
     entry: Entries,
-    /// Input of functions. tangent: a point of the mesh and the ray's direction, in tangent space
-    #[arg(long, value_enum, value_name = "tangent")]
+    /// Input of functions. tangent: a point of the mesh and the ray's direction, in tangent space;
+    /// triangle: a triangle with the space above it and a ray, for shells [default: tangent]
+    #[arg(long, value_name = "tangent|triangle")]
     form: Option<Form>,
     /// First word of all names of functions: relief gives relief_hit, ReliefHit, relief_height_map
     /// [default: relief]
@@ -46,13 +40,14 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME")]
     wrap: Option<Wrap>,
     /// More of functions. holes: hits in holes pass, by one more texture; footprint: coarser levels
-    /// and flatter relief from afar, by the width of the pixel
+    /// and flatter relief from afar, by the width of the pixel; folds: shells that overlap
+    /// themselves, of triangles
     #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',')]
     with: Vec<String>,
 }
 
 /// What functions can have besides.
-const EXTRAS: [&str; 2] = ["holes", "footprint"];
+const EXTRAS: [&str; 3] = ["holes", "footprint", "folds"];
 
 impl Arguments {
     /// Whether functions are asked for.
@@ -107,9 +102,11 @@ pub fn files(arguments: &super::Arguments) -> Result<Vec<File>, Failure> {
     let defaults = FunctionOptions::default();
     let options = FunctionOptions {
         name: arguments.file_name(),
+        form: own.form.unwrap_or_default(),
         prefix: own.prefix.clone().unwrap_or(defaults.prefix),
         wrap: own.wrap,
         holes: own.has("holes"),
+        folds: own.has("folds"),
         sampling: arguments.sampling,
         profiles: arguments.profiles()?,
         placement: arguments.placement(),
@@ -131,13 +128,20 @@ fn selection(arguments: &super::Arguments) -> Result<Selection, Failure> {
         |place: usize, is_it: fn(&Entry) -> bool| STAGES[place].first(is_it).map(|(_, entry)| entry.name);
     let detail = named(DETAIL, Entry::flattens).filter(|_| arguments.functions.has("footprint"));
     let mut selection = arguments.selection(named(SHADOW, Entry::is_idle), detail)?;
-    let Paths { shown, through_frame, .. } = selection.paths();
-    if arguments.surface.is_none()
-        && !through_frame
-        && *shown == Shown::Relief
-        && let Some(surface) = named(SURFACE, |entry| entry.paths().through_frame)
-    {
-        choose(&mut selection, SURFACE, surface)?;
+    if arguments.surface.is_none() && selection.paths().shown == Shown::Relief {
+        let shells = |entry: &Entry| entry.paths().proposal == Proposal::Shells;
+        // A method for bent meshes keeps its own surface.
+        let plainest = STAGES[SURFACE].entries[0].name;
+        let other = match arguments.functions.form.unwrap_or_default() {
+            Form::Tangent if !Form::Tangent.takes(selection.choices[SURFACE].entry) => {
+                named(SURFACE, |entry| Form::Tangent.takes(entry))
+            }
+            Form::Triangle if selection.choices[SURFACE].entry.name == plainest => named(SURFACE, shells),
+            _ => None,
+        };
+        if let Some(surface) = other {
+            choose(&mut selection, SURFACE, surface)?;
+        }
     }
     Ok(selection)
 }

@@ -6,6 +6,7 @@ use relief_core::Wrap;
 use relief_shaders::wgsl::Sampling;
 
 use super::{Source, glsl};
+use crate::functions::form::Form;
 use crate::functions::names::Prefix;
 use crate::functions::reduce::Types;
 use crate::functions::settings::{STRUCT, Setting};
@@ -25,6 +26,7 @@ pub struct Uniforms<'a> {
     pub unit: &'a Unit,
     pub settings: &'a [Setting],
     pub prefix: &'a Prefix,
+    pub form: Form,
     pub sampling: Sampling,
     pub wrap: Option<Wrap>,
 }
@@ -101,7 +103,7 @@ fn int_counts(text: &str, prefix: &Prefix) -> String {
 
 /// What the text has, for the preprocessor: shaders that include it ask for it.
 fn macros(uniforms: &Uniforms) -> String {
-    let light = uniforms.prefix.of("relief_light");
+    let light = uniforms.prefix.of(uniforms.form.light());
     let point = uniforms.prefix.of("ReliefPoint");
     let point = uniforms.unit.structs().find(|structure| structure.name == point);
     let takes = |name: &str| {

@@ -18,7 +18,7 @@ use self::comments::Comments;
 use self::godot::Uniforms;
 use super::names::{Prefix, in_words};
 use super::syntax::{ItemKind, print};
-use super::{FunctionOptions, Reduced, called};
+use super::{Form, FunctionOptions, Reduced};
 use crate::program::Checked;
 use crate::{ExportError, Profile, Target};
 
@@ -45,7 +45,7 @@ pub fn write(
         Target::Godot => print(&godot::with_counts(&reduced.unit, prefix)),
         _ => reduced.text.clone(),
     };
-    let text = format!("{functions}\n{}", entry_point(selection, reduced, prefix, &entry));
+    let text = format!("{functions}\n{}", entry_point(selection, reduced, prefix, &entry, options.form));
     let variables = reduced.unit.variables();
     let source = Source {
         checked: Checked::read(&text)?,
@@ -63,18 +63,19 @@ pub fn write(
                 unit: &reduced.unit,
                 settings: &reduced.settings,
                 prefix,
+                form: options.form,
                 sampling: options.sampling,
                 wrap: options.wrap,
             },
         ),
         target @ (Target::Wgsl | Target::Wesl | Target::Spirv) => Err(ExportError::NoFunctionsIn { target }),
     }?;
-    let lent: Vec<String> = called(selection).into_iter().map(|name| prefix.of(name)).collect();
+    let lent: Vec<String> = options.form.called(selection).into_iter().map(|name| prefix.of(name)).collect();
     Ok(with_own_parameters(&text, &lent))
 }
 
 /// The parameters of the functions that programs call.
-const PARAMETERS: [&str; 7] = ["settings", "at", "hit", "toward", "position", "normal", "uv"];
+const PARAMETERS: [&str; 8] = ["settings", "at", "ray", "hit", "toward", "position", "normal", "uv"];
 
 /// The text with our names for parameters of the functions that programs call. Writers number names
 /// that stand in several functions.
@@ -105,10 +106,15 @@ fn with_own_parameters(text: &str, lent: &[String]) -> String {
 }
 
 /// An entry point that calls all that programs call, with all that they give.
-fn entry_point(selection: &Selection, reduced: &Reduced, prefix: &Prefix, name: &str) -> String {
+fn entry_point(selection: &Selection, reduced: &Reduced, prefix: &Prefix, name: &str, form: Form) -> String {
     let mut body = String::new();
     let of = |name: &str| prefix.of(name);
-    for function in called(selection) {
+    // What both forms find, and in what a ray goes in beside its triangle.
+    let [given, ray] = match form {
+        Form::Tangent => ["at", "at"],
+        Form::Triangle => ["at, ray", "ray"],
+    };
+    for function in form.called(selection) {
         let name = of(function);
         let declared = reduced.unit.items.iter().find_map(|item| match &item.kind {
             ItemKind::Function(function) if function.name == name => Some(function),
@@ -119,15 +125,22 @@ fn entry_point(selection: &Selection, reduced: &Reduced, prefix: &Prefix, name: 
         };
         let settings = if takes("settings") { "settings, " } else { "" };
         let _ = match function {
-            "relief_hit" => writeln!(
-                body,
-                "    var settings: {};\n    var at: {};\n    let hit = {name}({settings}at);\n    \
-                 var sum = vec3f(hit.uv, hit.height) + hit.normal * hit.depth;\n    \
-                 if (hit.hit) {{\n        sum = sum + position;\n    }}",
-                of(super::settings::STRUCT),
-                of("ReliefPoint")
-            ),
-            "relief_light" => writeln!(body, "    sum = sum * {name}({settings}at, hit, position);"),
+            found if found == form.hit() => {
+                let _ = writeln!(body, "    var settings: {};", of(super::settings::STRUCT));
+                let _ = writeln!(body, "    var at: {};", of(form.given()[0]));
+                if form == Form::Triangle {
+                    let _ = writeln!(body, "    var ray: {};", of("ReliefRay"));
+                }
+                writeln!(
+                    body,
+                    "    let hit = {name}({settings}{given});\n    \
+                     var sum = vec3f(hit.uv, hit.height) + hit.normal * hit.depth;\n    \
+                     if (hit.hit) {{\n        sum = sum + position;\n    }}"
+                )
+            }
+            light if light == form.light() => {
+                writeln!(body, "    sum = sum * {name}({settings}{ray}, hit, position);")
+            }
             "relief_tile" => writeln!(body, "    sum = sum + vec3f({name}(position, uv), 0.0);"),
             _ => writeln!(body, "    sum = sum + {name}(position, position, uv);"),
         };
