@@ -95,6 +95,50 @@ fn a_scene_of_godot_names_files_that_are_there() {
 }
 
 #[test]
+fn a_program_of_bevy_names_files_that_are_there() {
+    let folder = folder();
+    let asked = "engine bevy stones.png --mesh torus --tile 4,2 --method cone --scale 3cm -o program --json";
+    let written: BTreeSet<String> = files(&json_of(&folder.relief(asked).fine())).into_iter().collect();
+    let model = text(&folder, "program/relief_model.rs");
+    let named = model.split('"').skip(1).step_by(2).map(|name| name.split('#').next().unwrap_or_default());
+    let named: BTreeSet<String> = named.filter(|name| name.contains('.')).map(str::to_owned).collect();
+    assert!(named.is_subset(&written) && named.len() == 3, "{named:?}");
+    for module in text(&folder, "program/main.rs").split("\nmod ").skip(1) {
+        let name = module.split(';').next().unwrap_or_default();
+        assert!(written.contains(&format!("{name}.rs")), "{name}");
+    }
+    // The textures are bound where the functions read them, in the order of the fields.
+    let (functions, shader) =
+        (text(&folder, "program/relief_functions.rs"), text(&folder, "program/relief.wesl"));
+    for (number, name) in [(101, "height_map"), (102, "search_map")] {
+        assert!(shader.contains(&format!("@group(3) @binding({number}) var relief_{name}: ")), "{name}");
+        let field = format!("#[texture({number}, filterable = false)]\n    pub {name}: ");
+        assert!(functions.contains(&field), "{functions}");
+    }
+    assert!(functions.contains("UVec2::new(48, 32)") && model.contains("SCALE: f32 = 0.03;"));
+    // A mesh that names textures would have Bevy look for them.
+    assert!(!text(&folder, "program/stones.gltf").contains(".png"));
+}
+
+#[test]
+fn every_setting_of_a_program_begins_with_a_value() {
+    let folder = folder();
+    let mut count = 0;
+    for (number, method) in relief_shaders::METHODS.iter().enumerate() {
+        let shadow = ["none", "ray", "soft", "entry", "heuristic", "horizon", "visibility"][number % 7];
+        let asked =
+            format!("engine bevy stones.png --method {} --shadow {shadow} -o out --force -q", method.name);
+        if folder.relief(&asked).code == Some(0) {
+            count += 1;
+            let settings = text(&folder, "out/relief_functions.rs");
+            let unknown = settings.lines().find(|line| line.contains("Default::default()"));
+            assert_eq!(unknown, None, "{}, {shadow}", method.name);
+        }
+    }
+    assert!(count > 12, "{count}");
+}
+
+#[test]
 fn what_has_no_kit_says_what_goes() {
     let folder = folder();
     for (asked, words) in [

@@ -1,12 +1,13 @@
 //! `kits`: kits for engines beside Relief. Engines draw meshes with them in Chromium without a window
-//! (SwiftShader); each pixel's hit is held to the renderer's.
+//! (SwiftShader), and Bevy without a window; each pixel's hit is held to the renderer's.
 
+mod bevy;
 pub mod godot;
 mod pages;
 pub mod rendered;
 mod three;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -28,7 +29,7 @@ pub struct Arguments {
     /// Chromium or Chrome, which runs three.js
     #[arg(long, value_name = "PROGRAM", default_value = "chromium")]
     chromium: PathBuf,
-    /// Engines: three, godot
+    /// Engines: three, godot, bevy. Bevy is built first, with Rust 1.97.1, which takes minutes
     #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',', default_value = "three,godot")]
     engine: Vec<String>,
     /// Meshes: plane, sphere, torus
@@ -97,7 +98,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
             rows.add_row(row(builtin, method, "Relief, aside", &itself));
             for (name, frames, draw) in kits(arguments)? {
                 let (mesh, heights, selection) = (&mesh, &heights, &selection);
-                let theirs = draw(&arguments.chromium, &Job { mesh, frames, heights, selection, size })?;
+                let job = Job { builtin, tile, method, mesh, frames, heights, selection, size };
+                let theirs = draw(arguments, &job)?;
                 let found = compare(&ours, &theirs, heights.width());
                 // From derivatives each triangle of a bent mesh has one curvature.
                 let is_near = match frames || builtin == Builtin::Plane {
@@ -113,6 +115,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     if arguments.engine.iter().any(|engine| engine == "godot") {
         println!("Godot takes {} texts of methods", godot::texts::read_all(&arguments.chromium)?);
     }
+    if arguments.engine.iter().any(|engine| engine == "bevy") {
+        let step = bevy::open(&arguments.relief)?;
+        println!("what `relief engine bevy` writes is shown: mean steps of {step:.1}");
+    }
+    if arguments.engine.iter().all(|engine| engine == "bevy") {
+        return Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+    }
     let [three, godot] = pages::open(&arguments.relief, &arguments.chromium)?;
     println!(
         "what `relief engine` writes is shown: mean steps of {three:.1} in three.js, {godot:.1} in Godot"
@@ -124,7 +133,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
 const FRAMES: [(bool, &str); 2] = [(false, ""), (true, ", own frames")];
 
 /// A name, whether meshes have frames of their own, and how a picture is drawn.
-type Kit = (String, bool, Box<dyn Fn(&Path, &Job) -> Result<Shown, String>>);
+type Kit = (String, bool, Box<dyn Fn(&Arguments, &Job) -> Result<Shown, String>>);
 
 /// The kits that are asked for.
 fn kits(arguments: &Arguments) -> Result<Vec<Kit>, String> {
@@ -134,16 +143,21 @@ fn kits(arguments: &Arguments) -> Result<Vec<Kit>, String> {
             "three" => {
                 for (frames, own) in FRAMES {
                     kits.extend(three::BACKENDS.map(|backend| -> Kit {
-                        let draw = move |chromium: &Path, job: &Job| three::shown(chromium, job, backend);
+                        let draw =
+                            move |given: &Arguments, job: &Job| three::shown(&given.chromium, job, backend);
                         (format!("three.js, {backend}{own}"), frames, Box::new(draw))
                     }));
                 }
             }
-            "godot" => kits.extend(
-                FRAMES
-                    .map(|(frames, own)| -> Kit { (format!("Godot{own}"), frames, Box::new(godot::shown)) }),
-            ),
-            other => return Err(format!("--engine: no '{other}' here: three, godot")),
+            "godot" => kits.extend(FRAMES.map(|(frames, own)| -> Kit {
+                let draw = |given: &Arguments, job: &Job| godot::shown(&given.chromium, job);
+                (format!("Godot{own}"), frames, Box::new(draw))
+            })),
+            "bevy" => kits.extend(FRAMES.map(|(frames, own)| -> Kit {
+                let draw = |given: &Arguments, job: &Job| bevy::shown(&given.relief, job);
+                (format!("Bevy{own}"), frames, Box::new(draw))
+            })),
+            other => return Err(format!("--engine: no '{other}' here: three, godot, bevy")),
         }
     }
     Ok(kits)
@@ -182,6 +196,9 @@ fn ours(
 
 /// A picture that an engine's kit draws.
 struct Job<'a> {
+    builtin: Builtin,
+    tile: Vec2,
+    method: &'a str,
     mesh: &'a Mesh,
     /// Whether the mesh has frames of its own at its vertices.
     frames: bool,

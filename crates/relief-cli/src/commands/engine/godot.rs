@@ -14,6 +14,7 @@ pub const KIT: EngineKit = EngineKit {
     engine: "godot",
     title: "Godot 4",
     profiles: &[Profile::Godot4],
+    placement: None,
     has_manifest: false,
     // Heights and normals come from the map of floats.
     takes: |content| !matches!(content, TextureContent::Height(_) | TextureContent::Normal),

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use relief_bake::{BakeError, Collected, Kind, Settings, kind};
 use relief_core::mesh::Mesh;
 use relief_core::{ByteSize, HeightMap, Metric, Watch};
-use relief_export::{ExportedFunctions, FunctionOptions, FunctionsManifest, Profile, functions};
+use relief_export::{ExportedFunctions, FunctionOptions, FunctionsManifest, Placement, Profile, functions};
 use relief_io::{Row, RowSource, TextureContent, WriteError, write_atomically};
 use relief_scene::engine_material::EngineMaterial;
 use relief_shaders::{METHODS, Selection};
@@ -35,6 +35,8 @@ pub struct EngineKit {
     pub title: &'static str,
     /// The languages of its functions.
     pub profiles: &'static [Profile],
+    /// The place of their textures, where it is not theirs to choose.
+    pub placement: Option<Placement>,
     /// Whether the functions' description is written, too.
     pub has_manifest: bool,
     /// The textures of a material that it takes.
@@ -58,6 +60,11 @@ pub struct Sheet<'a> {
     pub mesh: &'a Mesh,
     /// The length from the height 0 to the height 1, in metres.
     pub scale_m: f64,
+    /// The lengths of a tile that maps of the surface were baked with, in metres.
+    pub tile_m: [f64; 2],
+    /// Columns and rows of the height map.
+    pub size: [u32; 2],
+    pub functions: &'a FunctionsManifest,
     /// The maps that functions read: names in shaders, without the prefix, and files.
     pub maps: Vec<(String, String)>,
     pub material: &'a EngineMaterial<'a>,
@@ -112,6 +119,7 @@ impl KitJob {
             name: Some(FUNCTIONS.to_owned()),
             wrap: Some(material.map.wrap()),
             profiles: kit.profiles.to_vec(),
+            placement: kit.placement,
             bake: Some(bake_line),
             ..FunctionOptions::default()
         };
@@ -229,6 +237,9 @@ impl Kit for KitJob {
             name: &self.name,
             mesh: &self.mesh,
             scale_m: input.map.scale_m(),
+            tile_m: input.metric.tile_m,
+            size,
+            functions: &self.exported.manifest,
             maps: maps.collect(),
             material: input.material,
             facts: input.facts,

@@ -1,6 +1,7 @@
 //! `relief engine`: all that an engine needs to show a relief. To the textures of `relief bake --for` it adds
-//! functions, the maps that they read, a mesh, and a page or a scene.
+//! functions, the maps that they read, a mesh, and a page, a scene or a program.
 
+mod bevy;
 mod godot;
 mod kit;
 mod three;
@@ -26,11 +27,12 @@ use crate::streams::Files;
 use crate::{say, units, values};
 
 /// All kits.
-const KITS: [&EngineKit; 2] = [&three::KIT, &godot::KIT];
+const KITS: [&EngineKit; 3] = [&three::KIT, &godot::KIT, &bevy::KIT];
 
 const EXAMPLES: &str = "Examples:\n  relief engine three bricks.png -o page          # a page to open\n  \
     relief engine godot Bricks090 --mesh sphere --tile 4,2 -o project/bricks\n  \
-    relief engine three rock.png --mesh lamp.glb --method cone --scale 2cm -o lamp\n\n\
+    relief engine three rock.png --mesh lamp.glb --method cone --scale 2cm -o lamp\n  \
+    relief engine bevy bricks.png --mesh torus --tile 6,2 -o program\n\n\
     `relief bake --for ENGINE` writes the textures alone. `relief shader --entry \
     functions` writes the functions alone, for other engines and for shaders of your own. Give each relief a \
     folder of its own.";
@@ -39,7 +41,7 @@ const EXAMPLES: &str = "Examples:\n  relief engine three bricks.png -o page     
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Engine: three (three.js, a page) or godot (Godot 4, a scene)
+    /// Engine: three (three.js, a page), godot (Godot 4, a scene) or bevy (a program)
     #[arg(value_name = "ENGINE")]
     engine: String,
     /// Height map, or a folder of textures
@@ -125,7 +127,7 @@ fn kit_of(name: &str) -> Result<&'static EngineKit, Failure> {
         return Err(Failure::Usage(format!(
             "{name}: there is no kit for it, only for {}: `relief bake --for {name}` writes its textures, and \
              `relief shader --entry functions` a method for its shaders",
-            known.join(" and ")
+            known.join(", ")
         )));
     }
     Err(Failure::usage(UnknownName::new("engine with a kit", name, known)))

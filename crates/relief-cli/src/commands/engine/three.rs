@@ -15,6 +15,7 @@ pub const KIT: EngineKit = EngineKit {
     engine: "three",
     title: "three.js",
     profiles: &[Profile::Wgsl, Profile::Es300],
+    placement: None,
     has_manifest: true,
     // Other programs show the glTF with normals; heights they have no slot for.
     takes: |content| !matches!(content, TextureContent::Height(_)),
@@ -39,7 +40,7 @@ const PAGE: &str = include_str!("../../../engines/three/page.html");
 const FACTS: &str = "id=\"relief\">{}<";
 
 /// KTX2 with floats, which three.js' loader keeps.
-fn write_map(
+pub fn write_map(
     path: &Path,
     [width, height]: [u32; 2],
     channels: usize,

@@ -12,7 +12,7 @@ use crate::chromium;
 const WIDTH: usize = 400;
 
 /// Least mean step from a pixel to the next in a picture of a lit relief. A smooth torus has a third of it.
-const LEAST_STEP: f64 = 1.5;
+pub const LEAST_STEP: f64 = 1.5;
 
 /// Opens both. Returns the mean step from a pixel to the next in each picture.
 pub fn open(relief: &Path, chromium: &Path) -> Result<[f64; 2], String> {
@@ -42,7 +42,7 @@ pub fn open(relief: &Path, chromium: &Path) -> Result<[f64; 2], String> {
         files.map(|(name, bytes)| (format!("stones/{name}"), bytes)).collect();
     game.push(("main.gd".to_owned(), include_bytes!("main.gd").to_vec()));
     let godot = godot::run(chromium, game)?;
-    let steps = [three, godot].map(|pixels| mean_step(&pixels));
+    let steps = [three, godot].map(|pixels| mean_step(&pixels, WIDTH));
     match steps.iter().all(|step| *step >= LEAST_STEP) {
         true => Ok(steps),
         false => Err(format!("from a pixel to the next are {steps:?} steps: no relief is shown")),
@@ -50,9 +50,9 @@ pub fn open(relief: &Path, chromium: &Path) -> Result<[f64; 2], String> {
 }
 
 /// The mean difference of green between neighbours in a row.
-fn mean_step(pixels: &[u8]) -> f64 {
+pub fn mean_step(pixels: &[u8], width: usize) -> f64 {
     let greens: Vec<f64> = pixels.as_chunks::<4>().0.iter().map(|pixel| f64::from(pixel[1])).collect();
-    let steps = greens.chunks(WIDTH).flat_map(|row| row.windows(2).map(|pair| (pair[1] - pair[0]).abs()));
+    let steps = greens.chunks(width).flat_map(|row| row.windows(2).map(|pair| (pair[1] - pair[0]).abs()));
     let (sum, count) = steps.fold((0.0, 0), |(sum, count), step| (sum + step, count + 1));
     sum / f64::from(count.max(1))
 }
@@ -80,7 +80,7 @@ mod tests {
         let row = |greens: [u8; 2]| -> Vec<u8> {
             (0..WIDTH).flat_map(|column| [0, greens[column % 2], 0, 255]).collect()
         };
-        assert_eq!(mean_step(&[row([10, 14]), row([90, 94])].concat()), 4.0);
-        assert_eq!(mean_step(&row([7, 7])), 0.0);
+        assert_eq!(mean_step(&[row([10, 14]), row([90, 94])].concat(), WIDTH), 4.0);
+        assert_eq!(mean_step(&row([7, 7]), WIDTH), 0.0);
     }
 }
