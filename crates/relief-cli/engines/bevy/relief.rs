@@ -12,7 +12,7 @@ use bevy::render::render_resource::{RenderPipelineDescriptor, SpecializedMeshPip
 use bevy::shader::ShaderRef;
 
 pub use crate::relief_functions::{Relief, ReliefSettings};
-use crate::relief_functions::{HAS_CURVATURE, HAS_LIGHT};
+use crate::relief_functions::{HAS_CURVATURE, HAS_LIGHT, HAS_SIZE};
 
 /// A `StandardMaterial` with a relief on it. Of the base it takes colour, metal, roughness, occlusion and emission,
 /// as numbers and as textures; it is drawn forward, front faces alone.
@@ -85,8 +85,12 @@ impl MaterialExtension for Relief {
             attributes.extend((3..).zip(frames).map(|(place, of)| of.at_shader_location(place)));
         }
         descriptor.vertex.buffers = vec![layout.0.get_layout(&attributes)?];
-        let given =
-            [("RELIEF_FRAMES", has_frames), ("RELIEF_CURVATURE", HAS_CURVATURE), ("RELIEF_LIGHT", HAS_LIGHT)];
+        let given = [
+            ("RELIEF_FRAMES", has_frames),
+            ("RELIEF_CURVATURE", HAS_CURVATURE),
+            ("RELIEF_LIGHT", HAS_LIGHT),
+            ("RELIEF_SIZE", HAS_SIZE),
+        ];
         let names = || given.iter().filter(|(_, is_given)| *is_given).map(|(name, _)| (*name).into());
         descriptor.vertex.shader_defs.extend(names());
         if let Some(fragment) = &mut descriptor.fragment {

@@ -122,7 +122,7 @@ impl<'a> Outputs<'a> {
             return Ok(());
         }
         Err(Failure::Work(format!(
-            "{}: exists already, and relief has not baked it: move it away, give another --output, or replace it \
+            "{}: exists already, and relief did not write it for this map: move it away, give another --output, or replace it \
              with --force",
             path.display()
         )))

@@ -26,6 +26,7 @@ pub const KIT: EngineKit = EngineKit {
     write_map,
     files: &[
         ("Cargo.toml", include_str!("../../../engines/bevy/project.toml")),
+        ("Cargo.lock", include_str!("../../../engines/bevy/project.lock")),
         ("main.rs", include_str!("../../../engines/bevy/main.rs")),
         ("relief.rs", include_str!("../../../engines/bevy/relief.rs")),
         ("relief_material.wesl", include_str!("../../../engines/bevy/relief_material.wesl")),
@@ -85,6 +86,8 @@ fn of_functions(sheet: &Sheet) -> String {
     let FunctionsManifest { functions, point, settings, bindings, prefix, stages, .. } = sheet.functions;
     let named = |stage: &str| stages.iter().find(|of| of.stage == stage).map_or("", |of| of.name);
     let has_light = functions.iter().any(|lent| lent.declaration.starts_with("fn relief_light("));
+    let has_size = settings.iter().any(|setting| setting.name == "height_size")
+        && bindings.iter().any(|bound| bound.name == "relief_height_map");
     let has_curvature = point.iter().any(|member| member.name == "curvature");
     let mut text = format!(
         "//! The settings and maps of `relief.wesl`: search `{}`, refinement `{}`, surface `{}`. Written by `relief \
@@ -94,6 +97,8 @@ fn of_functions(sheet: &Sheet) -> String {
          pub const HAS_CURVATURE: bool = {has_curvature};\n\n\
          /// Whether the relief shadows itself by a function.\n\
          pub const HAS_LIGHT: bool = {has_light};\n\n\
+         /// Whether the shader reads the size of the height map from the texture.\n\
+         pub const HAS_SIZE: bool = {has_size};\n\n\
          /// What is the same for all points of a surface.\n\
          #[derive(Clone, Copy, Debug, Reflect, ShaderType)]\npub struct ReliefSettings {{\n",
         named("search"),

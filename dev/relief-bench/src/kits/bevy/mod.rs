@@ -35,8 +35,8 @@ impl Project {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/bevy-kit");
         let said = |error: std::io::Error| format!("{}: {error}", folder.display());
         for entry in fs::read_dir(&folder).into_iter().flatten().flatten() {
-            // All but the build and its lock file.
-            if entry.path().is_file() && entry.file_name() != "Cargo.lock" {
+            // All but the build.
+            if entry.path().is_file() {
                 fs::remove_file(entry.path()).map_err(said)?;
             }
         }
