@@ -2,12 +2,14 @@
 //! editors.
 
 use std::io::Write;
+use std::ops::Bound;
 use std::path::{Path, PathBuf, absolute};
 
 use clap::Args;
 use relief_io::write_atomically;
 use relief_scene::background::Background;
-use relief_scene::{Form, Key, SceneSpec, keys, parse_scene};
+use relief_scene::{Form, Key, KeyNumber, SceneSpec, keys, parse_scene};
+use relief_shaders::{STAGES, Stage};
 use serde_json::{Map, Value, json};
 
 use super::numbered::files;
@@ -124,8 +126,8 @@ fn of_key(key: &Key) -> Value {
         Form::Range => json!({ "oneOf": [numbers("number", 2), { "const": "auto" }] }),
         Form::Memory => json!({ "type": ["integer", "string"] }),
         Form::Settings => json!({
-            "type": "object",
-            "additionalProperties": { "type": "object", "additionalProperties": { "type": "number" } },
+            "type": "object", "properties": settings(),
+            "additionalProperties": { "type": "object", "additionalProperties": { "type": ["number", "string"] } },
         }),
         Form::Material => json!({
             "type": "object", "additionalProperties": false,
@@ -146,6 +148,64 @@ fn of_key(key: &Key) -> Value {
             },
         }),
     };
+    if let Some(number) = key.number {
+        bound(&mut schema, &number);
+    }
     schema["description"] = key.about.into();
     schema
+}
+
+/// The settings of all variants, stage by stage.
+fn settings() -> Map<String, Value> {
+    let of_stage = |stage: &Stage| {
+        let mut params: Map<String, Value> = Map::new();
+        for param in stage.entries.iter().flat_map(|entry| entry.params) {
+            let (min, max) = (f64::from(param.min), f64::from(param.max));
+            let unit = if param.unit.is_empty() { String::new() } else { format!(", in {}", param.unit) };
+            let known = params.entry(param.name).or_insert_with(|| {
+                let kind = if param.integer { "integer" } else { "number" };
+                let of = if param.names.is_empty() { json!(kind) } else { json!([kind, "string"]) };
+                json!({
+                    "type": of, "minimum": min, "maximum": max,
+                    "description": format!("{}{unit}", param.summary),
+                })
+            });
+            // Variants that share a name may differ in its range.
+            let wider =
+                |known: &Value, own: f64, pick: fn(f64, f64) -> f64| pick(known.as_f64().unwrap_or(own), own);
+            known["minimum"] = wider(&known["minimum"], min, f64::min).into();
+            known["maximum"] = wider(&known["maximum"], max, f64::max).into();
+        }
+        json!({
+            "type": "object", "properties": params, "additionalProperties": { "type": ["number", "string"] },
+        })
+    };
+    STAGES.iter().map(|stage| (stage.key.to_owned(), of_stage(stage))).collect()
+}
+
+/// Puts the bounds of numbers where a schema has numbers.
+fn bound(schema: &mut Value, number: &KeyNumber) {
+    let has_numbers = match &schema["type"] {
+        Value::Array(types) => types.iter().any(|of| of == "number"),
+        of => of == "number" || of == "integer",
+    };
+    if has_numbers {
+        let (least, greatest) = number.range;
+        let ends = [(least, "minimum", "exclusiveMinimum"), (greatest, "maximum", "exclusiveMaximum")];
+        for (bound, included, excluded) in ends {
+            match bound {
+                Bound::Included(at) => schema[included] = at.into(),
+                Bound::Excluded(at) => schema[excluded] = at.into(),
+                Bound::Unbounded => {}
+            }
+        }
+        return;
+    }
+    for part in ["items", "oneOf"] {
+        match schema.get_mut(part) {
+            Some(Value::Array(each)) => each.iter_mut().for_each(|of| bound(of, number)),
+            Some(of) => bound(of, number),
+            None => {}
+        }
+    }
 }

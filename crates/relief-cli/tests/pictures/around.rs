@@ -69,6 +69,18 @@ fn the_schema_knows_every_key_of_the_shipped_scenes() {
         }
     }
     assert_eq!(schema["properties"]["tone"]["enum"], serde_json::json!(["none", "agx"]));
+    // Editors know what numbers are accepted.
+    let of = |key: &str| &schema["properties"][key];
+    assert_eq!(
+        (of("samples")["minimum"].as_f64(), of("samples")["maximum"].as_f64()),
+        (Some(1.0), Some(1024.0))
+    );
+    assert_eq!(of("fov")["exclusiveMaximum"].as_f64(), Some(180.0));
+    assert_eq!(of("tile")["items"]["maximum"].as_f64(), Some(1e6));
+    assert_eq!(of("scale")["minimum"].as_f64(), Some(0.0));
+    assert!(of("rotation")["items"].get("minimum").is_none());
+    let steps = &of("set")["properties"]["search"]["properties"]["steps"];
+    assert!(steps["maximum"].as_f64() > Some(1000.0) && steps["description"].is_string(), "{steps}");
 }
 
 #[test]

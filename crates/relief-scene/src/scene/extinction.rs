@@ -5,6 +5,9 @@ use super::{Surface, SurfaceSpec, ValueError, error::ValueProblem};
 /// Setting of the search for translucent volumes that `extinction` stands for.
 const EXTINCTION: &str = "search.extinction";
 
+/// Extinctions that are accepted, per metre.
+pub(super) const EXTINCTIONS: std::ops::RangeInclusive<f64> = 0.0..=1e12;
+
 /// Extinction of a translucent volume times its scale, if none is given.
 const EXTINCTION_OF_SCALE: f64 = 8.0;
 
@@ -23,9 +26,17 @@ impl SurfaceSpec {
             None if is_set => return Ok(surface),
             given => given.unwrap_or(EXTINCTION_OF_SCALE / scale_m.max(LEAST_SCALE_M)),
         };
-        selection.set(EXTINCTION, extinction).map_err(|_| {
-            ValueProblem::Number { value: extinction, must: "from 0 to 1e12 per metre" }.of("extinction")
-        })?;
+        check_extinction(extinction)?;
+        selection.set(EXTINCTION, extinction).map_err(|_| of_range(extinction))?;
         Ok(surface.with_selection(selection))
     }
+}
+
+/// Refuses an extinction that no setting takes.
+pub(super) fn check_extinction(extinction: f64) -> Result<(), ValueError> {
+    if EXTINCTIONS.contains(&extinction) { Ok(()) } else { Err(of_range(extinction)) }
+}
+
+fn of_range(value: f64) -> ValueError {
+    ValueProblem::Number { value, must: "from 0 to 1e12 per metre" }.of("extinction")
 }

@@ -7,6 +7,7 @@ use std::fmt::Write;
 use relief_core::Wrap;
 use relief_io::{BuiltinRamp, HeightRange, Up};
 
+use super::key_numbers::{KeyNumber, number_of};
 use super::{
     BackendChoice, Look, PictureSize, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View,
 };
@@ -73,14 +74,16 @@ pub struct Key {
     pub default: &'static str,
     /// Meaning in one line, with unit and range.
     pub about: &'static str,
+    /// Unit, range and step of its number, or of each of its numbers; none if its values are no numbers.
+    pub number: Option<KeyNumber>,
 }
 
 fn scene(name: &'static str, form: Form, default: &'static str, about: &'static str) -> Key {
-    Key { name, of_surface: false, form, default, about }
+    Key { name, of_surface: false, form, default, about, number: number_of(name) }
 }
 
 fn surface(name: &'static str, form: Form, default: &'static str, about: &'static str) -> Key {
-    Key { name, of_surface: true, form, default, about }
+    Key { name, of_surface: true, form, default, about, number: number_of(name) }
 }
 
 /// Returns all keys in the recommended order of a scene file: first keys of surfaces, then keys

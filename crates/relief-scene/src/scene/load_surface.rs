@@ -6,6 +6,7 @@ use super::builder::{
 };
 use super::depth::depth_remark;
 use super::error::{SceneError, ValueError, ValueProblem};
+use super::extinction::check_extinction;
 use super::file_material::FileMaterials;
 use super::maps::{LoadedMesh, LoadedMotif, Maps};
 use super::material_spec::{metallic_roughness, reads_materials};
@@ -67,17 +68,17 @@ const DEPTH_OF_NO_GROUND: f64 = 0.25;
 
 /// Most tiles along an axis; its inverse is the fewest. Beyond it, `f32` cannot distinguish the
 /// texels of a tile, and much farther it overflows.
-const MAX_TILES: f32 = 1e6;
+pub(super) const MAX_TILES: f32 = 1e6;
 
 /// Valid lengths of a tile in metres.
-const LENGTHS_M: std::ops::RangeInclusive<f64> = 1e-9..=MAX_METRES;
+pub(super) const LENGTHS_M: std::ops::RangeInclusive<f64> = 1e-9..=MAX_METRES;
 
 /// Valid factors on the scale.
-const EXAGGERATIONS: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
+pub(super) const EXAGGERATIONS: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
 
 /// Largest factor on a mesh; its inverse is the smallest. Lengths in metres then stay within the
 /// range of `f32` arithmetic.
-const MAX_SIZE: f64 = 1e6;
+pub(super) const MAX_SIZE: f64 = 1e6;
 
 /// Parts of a surface that need no file, completed and checked.
 pub struct Parts {
@@ -141,6 +142,7 @@ impl SurfaceSpec {
         }
         self.scale.map_or(Ok(()), check_scale)?;
         check_metres("bias", self.bias.as_slice())?;
+        self.extinction.map_or(Ok(()), check_extinction)?;
         if let Some(value) = self.exaggerate.filter(|factor| !EXAGGERATIONS.contains(factor)) {
             return Err(ValueProblem::Number { value, must: "from 1e-6 to 1e6" }.of("exaggerate"));
         }

@@ -30,6 +30,75 @@ fn every_key_is_listed_with_a_default_that_can_be_written() {
     }
 }
 
+/// What a key needs beside it.
+fn companions(key: &str) -> &'static str {
+    match key {
+        "extinction" => "volume = \"grass.ktx2\"\nmethod = \"translucent\"\n",
+        "base" => "walls = true\n",
+        "view-height" => "projection = \"orthographic\"\n",
+        "udim" => "textures = \"bricks\"\n",
+        "near" => "projection = \"orthographic\"\nview-height = 1\n",
+        "far" => "projection = \"orthographic\"\nview-height = 1\nnear = -1e7\n",
+        "ambient-color" => "ambient = \"constant\"\n",
+        _ => "",
+    }
+}
+
+/// A key's line with a number, or with it in every place.
+fn line_of(key: &Key, number: f64) -> String {
+    let each = |count: usize| vec![number; count];
+    let value = match key.form {
+        Form::Numbers(count) | Form::Lengths(count) => format!("{:?}", each(count)),
+        Form::Size => format!("[{number}, {number}]"),
+        Form::Whole => format!("{number}"),
+        _ => format!("{number:?}"),
+    };
+    // A fitted camera does not reach as far as surfaces may.
+    let camera = match key.name {
+        "eye" => "target = [0, 0, 0]\n",
+        "target" => "eye = [0, 1, 2]\n",
+        _ => "eye = [0, 1, 2]\ntarget = [0, 0, 0]\n",
+    };
+    format!("{camera}{}{} = {value}\n", companions(key.name), key.name)
+}
+
+#[test]
+fn ranges_of_numbers_are_those_that_hold() {
+    use std::ops::Bound::{Excluded, Included, Unbounded};
+    let mut bounds = 0;
+    for key in keys() {
+        let is_number = matches!(
+            key.form,
+            Form::Number | Form::Whole | Form::Numbers(_) | Form::Length | Form::Lengths(_) | Form::Size
+        );
+        assert_eq!(key.number.is_some(), is_number, "{}", key.name);
+        // Its two numbers are not the same.
+        let Some(number) = key.number.filter(|_| key.name != "elevation") else { continue };
+        assert!(number.step > 0.0, "{}", key.name);
+        let accepted = |value: f64| read(&line_of(&key, value)).map(drop).map_err(|error| error.to_string());
+        let (least, greatest) = number.range;
+        // A little farther: numbers of 32 bits, and whole ones.
+        let beside = |at: f64| {
+            if key.form == Form::Whole || key.form == Form::Size { 1.0 } else { 1e-6 + at.abs() * 1e-3 }
+        };
+        for (bound, outward) in [(least, -1.0), (greatest, 1.0)] {
+            let (inside, outside) = match bound {
+                Included(at) => (at, at + outward * beside(at)),
+                Excluded(at) => (at - outward * 1e-3, at),
+                Unbounded => (outward * 1e6_f64.min(if key.name == "udim" { 1.0 } else { 1e6 }), f64::NAN),
+            };
+            if key.form != Form::Whole || inside >= 0.0 {
+                assert_eq!(accepted(inside), Ok(()), "{} = {inside}", key.name);
+            }
+            if !outside.is_nan() {
+                assert!(accepted(outside).is_err(), "{} = {outside}", key.name);
+                bounds += 1;
+            }
+        }
+    }
+    assert!(bounds > 30, "{bounds}");
+}
+
 #[test]
 fn the_defaults_that_are_listed_are_those_that_hold() {
     let map = shipped("data/noise.png");
