@@ -40,5 +40,6 @@ pub use scene::{
     MAX_IMAGE_SIDE, MAX_SAMPLES, MapSizeProblem, MaterialSpec, MeshChoice, NO_MAP, ObjectProblem,
     PictureSize, PictureSizeError, ProjectionChoice, RampChoice, RampError, Sampling, Scene, SceneBuilder,
     SceneError, SceneObject, SceneSpec, Surface, SurfaceColors, SurfaceSpec, UnknownMesh, UnknownRamp,
-    UvProjection, ValueError, ValueProblem, View, depth_remark, green_remark, keys, parse_scene, read_scene,
+    UvProjection, ValueError, ValueProblem, View, depth_remark, green_remark, keys, parse_scene,
+    parse_values, read_scene,
 };

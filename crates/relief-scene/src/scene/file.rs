@@ -45,6 +45,21 @@ pub fn read_scene(path: &Path) -> Result<SceneSpec, SceneError> {
 ///
 /// When the text is not TOML, has an unknown key, or has a value that cannot be used.
 pub fn parse_scene(text: &str, path: &Path) -> Result<SceneSpec, SceneError> {
+    let spec = parse_values(text, path)?;
+    spec.check().map_err(|source| {
+        let line = line_of(text, source.surface, source.key);
+        SceneError::InFile { path: path.to_owned(), line, source }
+    })?;
+    Ok(spec)
+}
+
+/// Reads values from the text of a scene file, like [`parse_scene`], to be laid over a scene by
+/// [`SceneSpec::overridden_by`]. What they need or exclude is not checked: see [`SceneSpec::check`].
+///
+/// # Errors
+///
+/// When the text is not TOML, has an unknown key, or has a value of another type.
+pub fn parse_values(text: &str, path: &Path) -> Result<SceneSpec, SceneError> {
     let mut spec = parse(text).map_err(|error| match error {
         ParseError::Toml(mut source) => {
             source.set_input(Some(text));
@@ -53,10 +68,6 @@ pub fn parse_scene(text: &str, path: &Path) -> Result<SceneSpec, SceneError> {
         ParseError::Key { what, at } => {
             SceneError::Key { path: path.to_owned(), line: line_at(text, at.start), what }
         }
-    })?;
-    spec.check().map_err(|source| {
-        let line = line_of(text, source.surface, source.key);
-        SceneError::InFile { path: path.to_owned(), line, source }
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
     for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {

@@ -19,7 +19,7 @@ use glam::{DVec3, Vec3};
 use relief_core::ByteSize;
 use relief_core::camera::{Camera, CameraError, Projection};
 use relief_core::mesh::Builtin;
-use relief_shaders::{AMBIENT, LIGHT_FACES, STAGES};
+use relief_shaders::{AMBIENT, LIGHT_FACES, STAGES, Selection};
 
 /// Bytes per pixel of the band of rows that is being rendered: results on the GPU, their copies,
 /// and the part of the picture to be written.
@@ -61,6 +61,16 @@ impl SceneSpec {
             builder = builder.environment(Environment::sky());
         }
         builder.build().map(drop)
+    }
+
+    /// Returns the chosen variants of each surface, without a file being read. What mesh files or folders of
+    /// textures say is not in it.
+    ///
+    /// # Errors
+    ///
+    /// When a surface has values that do not go together, see [`Self::check`].
+    pub fn selections(&self) -> Result<Vec<Selection>, ValueError> {
+        self.each_with_parts().map(|part| part.map(|(.., parts)| *parts.selection())).collect()
     }
 
     /// Reads all files and returns the complete scene, with the keys that mesh files hold for their

@@ -42,7 +42,7 @@ pub use choices::{BackendChoice, ProjectionChoice};
 pub use color_place::ColorPlace;
 pub use depth::depth_remark;
 pub use error::{SceneError, ValueError, ValueProblem};
-pub use file::{parse_scene, read_scene};
+pub use file::{parse_scene, parse_values, read_scene};
 pub use framing::Framing;
 pub use key_numbers::KeyNumber;
 pub use keys_table::{Form, Key, keys};

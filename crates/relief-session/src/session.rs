@@ -1,0 +1,236 @@
+//! A session: the document, what was before it, and what is seen of it.
+
+use glam::DVec3;
+use relief_scene::SceneSpec;
+
+use crate::document::{differing, read, values, with, without};
+use crate::panel::Panel;
+use crate::{Action, Changed, Refused, Seen};
+
+/// Number of a drag: all actions in a row with the same one are undone together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Drag(pub u64);
+
+/// A document before a change.
+struct Step {
+    before: SceneSpec,
+    drag: Option<Drag>,
+}
+
+/// A scene as one document that actions change.
+///
+/// It is small: a scene of one surface takes some kilobytes, and as much for each change that can be undone.
+pub struct Session {
+    spec: SceneSpec,
+    start: SceneSpec,
+    undo: Vec<Step>,
+    redo: Vec<SceneSpec>,
+    seen: Option<Seen>,
+}
+
+impl Session {
+    /// Begins with the text of a scene file. Relative paths in it stay as they are.
+    ///
+    /// # Errors
+    ///
+    /// When the text is no scene file, or has a value that cannot be used.
+    pub fn new(text: &str) -> Result<Self, Refused> {
+        read(text).map(Self::begun)
+    }
+
+    /// Begins with a scene.
+    ///
+    /// # Errors
+    ///
+    /// When it has a value that cannot be used.
+    pub fn of(spec: SceneSpec) -> Result<Self, Refused> {
+        crate::document::checked(spec).map(Self::begun)
+    }
+
+    fn begun(spec: SceneSpec) -> Self {
+        Self { start: spec.clone(), spec, undo: Vec::new(), redo: Vec::new(), seen: None }
+    }
+
+    /// Returns the document, as a scene to be loaded and drawn.
+    pub fn spec(&self) -> &SceneSpec {
+        &self.spec
+    }
+
+    /// Returns the document as a scene file, with every key; those without a value are comments.
+    pub fn text(&self) -> String {
+        self.spec.to_toml()
+    }
+
+    /// Returns a key's value, as a scene file writes it; none if its default holds.
+    pub fn value(&self, key: &str) -> Option<String> {
+        values(&self.spec).remove(key)
+    }
+
+    /// Returns whether there is something to undo, and to make again.
+    pub fn can_undo(&self) -> [bool; 2] {
+        [!self.undo.is_empty(), !self.redo.is_empty()]
+    }
+
+    /// Tells what a picture of the document shows, so that its camera and light can be turned.
+    pub fn shown(&mut self, seen: Seen) {
+        self.seen = Some(seen);
+    }
+
+    /// Returns the controls of the document.
+    pub fn panel(&self) -> Panel {
+        Panel::of(&self.spec)
+    }
+
+    /// Applies an action.
+    ///
+    /// # Errors
+    ///
+    /// When the document would not be a scene any more, or the action has nothing to work on. Then nothing has
+    /// changed.
+    pub fn apply(&mut self, action: &Action) -> Result<Changed, Refused> {
+        self.apply_in(None, action)
+    }
+
+    /// Applies an action that is part of a drag, and undone with it.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::apply`].
+    pub fn apply_in(&mut self, drag: Option<Drag>, action: &Action) -> Result<Changed, Refused> {
+        match action {
+            Action::Undo => {
+                let step = self.undo.pop().ok_or(Refused::Nothing("undo"))?;
+                let after = std::mem::replace(&mut self.spec, step.before);
+                let keys = differing(&after, &self.spec);
+                self.redo.push(after);
+                return Ok(Changed { keys });
+            }
+            Action::Redo => {
+                let after = self.redo.pop().ok_or(Refused::Nothing("redo"))?;
+                let before = std::mem::replace(&mut self.spec, after);
+                let keys = differing(&before, &self.spec);
+                self.undo.push(Step { before, drag: None });
+                return Ok(Changed { keys });
+            }
+            _ => {}
+        }
+        let Some(new) = self.changed(action)? else { return Ok(Changed::default()) };
+        let keys = differing(&self.spec, &new);
+        if keys.is_empty() {
+            return Ok(Changed::default());
+        }
+        let before = std::mem::replace(&mut self.spec, new);
+        let is_same_drag = drag.is_some() && self.undo.last().is_some_and(|step| step.drag == drag);
+        if !is_same_drag {
+            self.undo.push(Step { before, drag });
+        }
+        self.redo.clear();
+        Ok(Changed { keys })
+    }
+
+    /// The document after an action; none if it stays.
+    fn changed(&self, action: &Action) -> Result<Option<SceneSpec>, Refused> {
+        let spec = &self.spec;
+        match action {
+            Action::Set { key, value } => with(spec, key, value).map(Some),
+            Action::Lose { key } => without(spec, key),
+            Action::AddSurface => {
+                let mut new = spec.clone();
+                match spec.surfaces.last() {
+                    Some(last) => new.surfaces.push(last.clone()),
+                    // All values are common to both.
+                    None => new.surfaces = vec![Default::default(); 2],
+                }
+                crate::document::checked(new).map(Some)
+            }
+            Action::RemoveSurface { number } => {
+                let (number, count) = (*number, spec.surfaces.len().max(1));
+                if number >= count || count == 1 {
+                    return Err(match number >= count {
+                        true => Refused::NoSurface { number, count },
+                        false => Refused::Value("a scene has at least one surface".to_owned()),
+                    });
+                }
+                let mut new = spec.clone();
+                new.surfaces.remove(number);
+                if let [_] = new.surfaces[..] {
+                    new.surface = new.each_surface().swap_remove(0);
+                    new.surfaces.clear();
+                }
+                crate::document::checked(new).map(Some)
+            }
+            Action::Orbit { degrees } => {
+                let seen = self.seen()?;
+                self.looking(seen.orbited(*degrees)?, seen.target)
+            }
+            Action::Pan { by } => {
+                let [eye, target] = self.seen()?.panned(*by)?;
+                self.looking(eye, target)
+            }
+            Action::Zoom { factor } => {
+                let seen = self.seen()?;
+                let (eye, height_m) = seen.zoomed(*factor)?;
+                let nearer = self.looking(eye, seen.target)?;
+                match nearer {
+                    Some(near) if seen.is_orthographic => {
+                        with(&near, "view-height", &format!("{height_m:?}")).map(Some)
+                    }
+                    nearer => Ok(nearer),
+                }
+            }
+            Action::Fit => {
+                let mut new = spec.clone();
+                (new.eye, new.target, new.view_height) = (None, None, None);
+                crate::document::checked(new).map(Some)
+            }
+            Action::TurnLight { degrees } => {
+                let toward = self.light()?.lit_from(*degrees)?;
+                with(spec, "light", &format!("{:?}", toward.to_array())).map(Some)
+            }
+            Action::Reset => Ok(Some(self.start.clone())),
+            Action::Undo | Action::Redo => Ok(None),
+        }
+    }
+
+    /// Camera and light as they are now.
+    fn seen(&self) -> Result<Seen, Refused> {
+        match (self.seen, self.spec.eye, self.spec.target) {
+            (Some(seen), ..) => Ok(seen.at(&self.spec)),
+            // The document says it all.
+            (None, Some(eye), Some(target)) => {
+                let (eye, target) = (DVec3::from(eye), DVec3::from(target));
+                let fov = self.spec.fov.unwrap_or(40.0);
+                let tall = 2.0 * (fov.to_radians() / 2.0).tan() * eye.distance(target);
+                let height_m = self.spec.view_height.unwrap_or(tall);
+                let is_orthographic = self.spec.view_height.is_some();
+                Ok(Seen { eye, target, height_m, is_orthographic, light: self.spec.light.map(DVec3::from) })
+            }
+            _ => Err(Refused::NotSeen),
+        }
+    }
+
+    /// The light alone may be known.
+    fn light(&self) -> Result<Seen, Refused> {
+        let only = |light: [f64; 3]| Seen {
+            eye: DVec3::Z,
+            target: DVec3::ZERO,
+            height_m: 1.0,
+            is_orthographic: false,
+            light: Some(light.into()),
+        };
+        self.seen().or_else(|refused| self.spec.light.map(only).ok_or(refused))
+    }
+
+    /// The document with another eye and target.
+    fn looking(&self, eye: DVec3, target: DVec3) -> Result<Option<SceneSpec>, Refused> {
+        let mut new = self.spec.clone();
+        if new.projection == Some(relief_scene::ProjectionChoice::Orthographic) && new.view_height.is_none() {
+            // The height came from the view, which the eye replaces.
+            new.view_height = self.seen().ok().map(|seen| seen.height_m);
+        }
+        new.view = None;
+        new.size = new.size.filter(|size| *size != relief_scene::PictureSize::Map);
+        (new.eye, new.target) = (Some(eye.to_array()), Some(target.to_array()));
+        crate::document::checked(new).map(Some)
+    }
+}
