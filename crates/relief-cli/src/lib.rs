@@ -82,6 +82,8 @@ enum Command {
     Render(Box<commands::render::Arguments>),
     /// Write a scene file of render's flags, with every key
     Scene(Box<commands::scene::Arguments>),
+    /// Change a scene by a script of actions, as a viewer changes it, and draw it
+    View(Box<commands::view::Arguments>),
     /// Report on a height map (size, depth, range, used levels, histogram, whether it tiles), a mesh
     /// (size, charts, seams, hard edges, tile sizes) or a volume
     Inspect(commands::inspect::Arguments),
@@ -163,6 +165,7 @@ impl Command {
         match self {
             Command::Render(arguments) => arguments.files(),
             Command::Scene(arguments) => arguments.files(),
+            Command::View(arguments) => arguments.files(),
             Command::Inspect(arguments) => arguments.files(),
             Command::Bake(arguments) => arguments.files(),
             Command::Height(arguments) => arguments.files(),
@@ -185,6 +188,7 @@ impl Command {
     fn json(&self) -> bool {
         match self {
             Command::Render(arguments) => arguments.json,
+            Command::View(arguments) => arguments.json,
             Command::Inspect(arguments) => arguments.json,
             Command::Bake(arguments) => arguments.json,
             Command::Height(arguments) => arguments.json(),
@@ -207,6 +211,7 @@ impl Command {
         match self {
             Command::Render(arguments) => commands::render::run(arguments),
             Command::Scene(arguments) => commands::scene::run(arguments),
+            Command::View(arguments) => commands::view::run(arguments),
             Command::Inspect(arguments) => commands::inspect::run(arguments),
             Command::Bake(arguments) => commands::bake::run(arguments),
             Command::Height(arguments) => commands::height::run(arguments),

@@ -16,6 +16,7 @@
 //! | [`io`] | height maps, pictures, normal maps and meshes, from and to files and bytes |
 //! | [`maps`] | baked maps: looked up, baked and cached |
 //! | [`scene`] | scenes and scene files: cameras, lights, materials, looks |
+//! | [`session`] | a scene as one document that actions change, with undo, for viewers and editors |
 //! | [`render`] | pictures of scenes, on the CPU |
 //! | [`render::gpu`] | the same pictures on a GPU; its feature is `gpu` |
 //!
@@ -118,6 +119,9 @@ pub use relief_render as render;
 /// Scenes and scene files, without a renderer.
 #[cfg(feature = "scene")]
 pub use relief_scene as scene;
+/// Scenes as documents that actions change: for viewers, editors and scripts.
+#[cfg(feature = "session")]
+pub use relief_session as session;
 /// Methods, and their shaders as WGSL and as Rust.
 pub use relief_shaders as shaders;
 

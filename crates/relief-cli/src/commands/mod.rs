@@ -27,4 +27,5 @@ pub mod shader;
 pub mod slices;
 pub mod staged;
 pub mod stages;
+pub mod view;
 pub mod volume;

@@ -18,7 +18,8 @@ use relief_render::{RenderError, RenderInfo, Renderer};
 use relief_scene::{BackendChoice, Sampling, Scene, SceneSpec};
 
 pub use self::baked_maps::CacheArguments;
-use self::output::{Bits, Counts, Outputs, StreamFormat};
+pub use self::output::Outputs;
+use self::output::{Bits, Counts, StreamFormat};
 use self::report::Picture;
 use super::maps::{self, By};
 use super::numbered::Numbering;
@@ -143,8 +144,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Renderer of one scene after the other.
-struct PictureRenderer<'a> {
-    arguments: &'a Arguments,
+pub struct PictureRenderer {
+    /// Whether the answer is JSON: then nothing is said meanwhile.
+    quiet: bool,
+    /// Whether the command line names a backend or a sampling.
+    is_machine_named: bool,
     /// Baked maps.
     baked: Maps,
     /// Reason that the baked maps are not cached, if they are not.
@@ -153,35 +157,40 @@ struct PictureRenderer<'a> {
     renderer: Option<(BackendChoice, Sampling, Renderer)>,
 }
 
-impl<'a> PictureRenderer<'a> {
-    fn new(arguments: &'a Arguments) -> Self {
-        let (baked, no_cache) = arguments.cache.maps();
-        Self { arguments, baked, no_cache, renderer: None }
+impl PictureRenderer {
+    fn new(arguments: &Arguments) -> Self {
+        Self::with(&arguments.cache, arguments.machine.is_named(), arguments.json)
+    }
+
+    /// Creates a renderer for commands with these flags.
+    pub fn with(cache: &CacheArguments, is_machine_named: bool, quiet: bool) -> Self {
+        let (baked, no_cache) = cache.maps();
+        Self { quiet, is_machine_named, baked, no_cache, renderer: None }
     }
 
     /// Renders into files, which take their names when they are whole.
-    fn draw(
+    pub fn draw(
         &mut self,
         scene: &Scene,
         outputs: &Outputs,
         tell: &(dyn Fn(&str, f32) + Sync),
     ) -> Result<(Counts, RenderInfo), Failure> {
-        let arguments = self.arguments;
+        let (quiet, is_machine_named) = (self.quiet, self.is_machine_named);
         let (renderer, baked) = self.for_scene(scene)?;
         // Until here nothing exists that an interrupted program would leave behind.
         let cancel = interrupt::catch()?;
-        let written = outputs.write(scene, cancel, arguments.json, &mut |numbers, sink| {
+        let written = outputs.write(scene, cancel, quiet, &mut |numbers, sink| {
             renderer.render_bands(scene, baked, numbers, &Watch::new(tell, cancel), sink)
         });
         written.map_err(|error| match error {
-            output::Error::Render(error) => arguments.of_render(error),
+            output::Error::Render(error) => of_render(error, is_machine_named),
             output::Error::Failed(failure) => failure,
         })
     }
 
     /// Returns a renderer for a scene, and the baked maps.
     fn for_scene(&mut self, scene: &Scene) -> Result<(&mut Renderer, &mut Maps), Failure> {
-        let Self { arguments, baked, renderer, .. } = self;
+        let Self { is_machine_named, baked, renderer, .. } = self;
         let (backend, sampling) = (scene.backend(), scene.sampling());
         // A GPU's renderer keeps its programs; one on the CPU holds data of other maps.
         let before = renderer.take().filter(|(for_backend, for_sampling, renderer)| {
@@ -190,7 +199,8 @@ impl<'a> PictureRenderer<'a> {
         let (.., renderer) = renderer.insert(match before {
             Some(before) => before,
             None => {
-                let made = Renderer::new(backend, sampling).map_err(|error| arguments.of_render(error))?;
+                let made =
+                    Renderer::new(backend, sampling).map_err(|error| of_render(error, *is_machine_named))?;
                 (backend, sampling, made)
             }
         });
@@ -199,7 +209,7 @@ impl<'a> PictureRenderer<'a> {
     }
 
     /// Returns notes on what a user may not expect of a picture.
-    fn notes(&self, spec: &SceneSpec, scene: &Scene, made: &RenderInfo) -> Vec<String> {
+    pub fn notes(&self, spec: &SceneSpec, scene: &Scene, made: &RenderInfo) -> Vec<String> {
         // Where no map was baked, nobody misses a cache.
         let no_cache = self.no_cache.clone().filter(|_| !made.maps.is_empty());
         let of_reading = maps::of_reading(spec, scene, By::Flags);
@@ -232,15 +242,15 @@ impl Arguments {
             _ => Ok(()),
         }
     }
+}
 
-    /// Turns a rendering's error into a failure. A sampling that the backend lacks is the command
-    /// line's fault if the command line named either.
-    fn of_render(&self, error: RenderError) -> Failure {
-        match error {
-            RenderError::FastOnCpu { .. } if self.machine.is_named() => {
-                Failure::Usage(advice::with(&error, advice::of_render(&error)))
-            }
-            other => Failure::Work(advice::with(&other, advice::of_render(&other))),
+/// Turns a rendering's error into a failure. A sampling that the backend lacks is the command
+/// line's fault if the command line named either.
+fn of_render(error: RenderError, is_machine_named: bool) -> Failure {
+    match error {
+        RenderError::FastOnCpu { .. } if is_machine_named => {
+            Failure::Usage(advice::with(&error, advice::of_render(&error)))
         }
+        other => Failure::Work(advice::with(&other, advice::of_render(&other))),
     }
 }

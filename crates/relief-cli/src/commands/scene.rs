@@ -67,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     tell_written(false, |out| Ok(writeln!(out, "{}", path.display())?))
 }
 
-fn make_absolute(spec: &mut SceneSpec) -> Result<(), Failure> {
+pub fn make_absolute(spec: &mut SceneSpec) -> Result<(), Failure> {
     for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
         for file in surface.files_mut() {
             *file =

@@ -15,9 +15,10 @@ use image::{ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
 use relief_core::mesh::{sphere, square, torus};
 
 /// Commands with examples, as help is asked for.
-const COMMANDS: [&str; 26] = [
+const COMMANDS: [&str; 27] = [
     "render",
     "scene",
+    "view",
     "inspect",
     "bake",
     "height",
@@ -45,8 +46,9 @@ const COMMANDS: [&str; 26] = [
 ];
 
 /// Flags that keep an example quick, by its command. A flag of the example itself stays as it is.
-const SMALL: [(&str, &[(&str, &str)]); 10] = [
+const SMALL: [(&str, &[(&str, &str)]); 11] = [
     ("render", &[("--size", "64x48"), ("--samples", "1"), ("--backend", "cpu")]),
+    ("view", &[("--size", "64x48"), ("--samples", "1"), ("--backend", "cpu")]),
     ("bake", &[]),
     ("mesh", &[]),
     ("capture", &[("--size", "16"), ("--verify", "4")]),
@@ -188,6 +190,8 @@ fn stand_ins() -> Folder {
     for name in ["wall.toml", "fur.toml"] {
         folder.write(name, "height = \"wall.png\"\nscale = 0.05\n");
     }
+    folder.write("scene.toml", "height = \"wall.png\"\n");
+    folder.write("actions.json", "[{ \"do\": \"zoom\", \"factor\": 2 }]");
     folder.write("walk.toml", "height = \"wave_%04d.png\"\n");
     folder.write("flight.toml", "height = \"wall.png\"\nsize = [64, 48]\n");
     folder.relief("bake rock.png --kind normal -q -o rock_normal.png").fine();

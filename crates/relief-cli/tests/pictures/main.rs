@@ -15,3 +15,4 @@ mod notes;
 mod pictures;
 mod procedure;
 mod shown;
+mod view;

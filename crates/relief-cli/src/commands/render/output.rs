@@ -138,6 +138,13 @@ impl Outputs {
         Ok(Self { picture, format, aov, wire: arguments.wire })
     }
 
+    /// Creates the output of a picture alone, whose name is known to be free.
+    pub fn picture(picture: PathBuf) -> Option<Self> {
+        let ending = picture.extension()?.to_string_lossy().to_ascii_lowercase();
+        let (_, format) = PICTURES.into_iter().find(|(known, _)| *known == ending)?;
+        Some(Self { picture, format, aov: None, wire: false })
+    }
+
     /// Writes the files while the scene is rendered.
     pub fn write(
         &self,

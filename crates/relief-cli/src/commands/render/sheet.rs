@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 
 use super::output::Outputs;
 use super::report::what_reads_are;
-use super::{Arguments, PictureRenderer, baked_maps};
+use super::{Arguments, PictureRenderer, baked_maps, of_render};
 use crate::commands::method_set::of_comparison;
 use crate::commands::scene_arguments::of_scene;
 use crate::commands::staged::Staged;
@@ -216,7 +216,7 @@ impl Plan {
             if cancel.load(Ordering::Relaxed) {
                 return Err(interrupt::cancelled());
             }
-            let info = info.map_err(|error| arguments.of_render(error))?;
+            let info = info.map_err(|error| of_render(error, arguments.machine.is_named()))?;
             columns.push(Column {
                 name: method.as_ref().map(|contender| contender.name.clone()),
                 contents: gathered.finish(),
