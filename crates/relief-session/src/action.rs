@@ -1,6 +1,6 @@
 //! What changes a session, and what comes of it.
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// A change of a session. As JSON it is a table with the action's name under `do`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -10,7 +10,9 @@ pub enum Action {
     Set {
         /// Key of a scene file, such as `scale`, `set.search.steps` or `surfaces[1].color`.
         key: String,
-        /// Value as the file writes it, such as `0.05`, `"5cm"` with its quotes, or `[2, 1]`.
+        /// Value as the file writes it, such as `0.05`, `"5cm"` or `[2, 1]`. A name or a path may stand without
+        /// its quotation marks. In JSON it may also be a number, `true`, `false` or a list of numbers.
+        #[serde(deserialize_with = "written")]
         value: String,
     },
     /// Takes a key's value away: its default holds.
@@ -42,6 +44,8 @@ pub enum Action {
     },
     /// Shows all again: the camera of the view.
     Fit,
+    /// Shows all from the present direction, however the scene is turned around its middle.
+    Frame,
     /// Turns the only light, or the look's.
     TurnLight {
         /// Degrees to the right and up, as seen from above and from the side.
@@ -56,6 +60,23 @@ pub enum Action {
 }
 
 impl Action {
+    /// The names of all actions, as JSON has them under `do`.
+    pub const NAMES: [&str; 13] = [
+        "set",
+        "lose",
+        "add-surface",
+        "remove-surface",
+        "orbit",
+        "pan",
+        "zoom",
+        "fit",
+        "frame",
+        "turn-light",
+        "undo",
+        "redo",
+        "reset",
+    ];
+
     /// Returns the action that gives a key a value, as a scene file writes both.
     pub fn set(key: impl Into<String>, value: impl Into<String>) -> Self {
         Action::Set { key: key.into(), value: value.into() }
@@ -85,7 +106,7 @@ pub enum Refused {
     #[error("'{0}' is no key: write it as in a scene file, as scale, set.search.steps or surfaces[1].scale")]
     Key(String),
     /// The value is more or less than one value.
-    #[error("'{0}' is not one value: write it as in a scene file, texts in quotation marks")]
+    #[error("'{0}' is not one value: write it as in a scene file, as 0.05, \"5cm\" or [2, 1]")]
     NotOne(String),
     /// There is no such surface.
     #[error("there is no surface {number}: there {}", count_of(*.count))]
@@ -104,6 +125,30 @@ pub enum Refused {
     /// There is nothing to take back, or to make again.
     #[error("there is nothing to {0}")]
     Nothing(&'static str),
+}
+
+/// Reads a value that JSON may hold as it is.
+fn written<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Value {
+        Text(String),
+        Flag(bool),
+        Whole(i64),
+        Number(f64),
+        Wholes(Vec<i64>),
+        Numbers(Vec<f64>),
+    }
+    let what = "value must be a text, a number, true, false or a list of numbers";
+    let value = Value::deserialize(deserializer).map_err(|_| serde::de::Error::custom(what))?;
+    Ok(match value {
+        Value::Text(text) => text,
+        Value::Flag(flag) => flag.to_string(),
+        Value::Whole(number) => number.to_string(),
+        Value::Number(number) => format!("{number:?}"),
+        Value::Wholes(numbers) => format!("{numbers:?}"),
+        Value::Numbers(numbers) => format!("{numbers:?}"),
+    })
 }
 
 fn count_of(count: usize) -> String {

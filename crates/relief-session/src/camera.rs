@@ -9,6 +9,9 @@ use crate::Refused;
 /// Closest to the poles that the eye comes, in degrees.
 const POLE_DEG: f64 = 0.5;
 
+/// Room around what is framed, as a factor.
+const ROOM: f64 = 1.04;
+
 /// Camera and light of a picture: where actions turn them from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
@@ -20,11 +23,30 @@ pub struct Seen {
     pub height_m: f64,
     /// Whether rays are parallel.
     pub is_orthographic: bool,
+    /// Middle and radius of a sphere around the scene, in metres.
+    pub around: (DVec3, f64),
+    /// Width over height of the picture.
+    pub aspect: f64,
     /// Direction toward the first light, of any length; none without a directional light.
     pub light: Option<DVec3>,
 }
 
 impl Seen {
+    /// A camera with a field of view of 40 degrees that looks at a point, and knows nothing of the scene.
+    pub fn looking(eye: DVec3, target: DVec3) -> Self {
+        let away = eye.distance(target);
+        let height_m = 2.0 * 20_f64.to_radians().tan() * away;
+        Self {
+            eye,
+            target,
+            height_m,
+            is_orthographic: false,
+            around: (target, 0.5 * away),
+            aspect: 4.0 / 3.0,
+            light: None,
+        }
+    }
+
     /// What a loaded scene shows.
     pub fn of(scene: &Scene) -> Self {
         let camera = scene.camera();
@@ -35,19 +57,22 @@ impl Seen {
             Light::Directional { toward, .. } => Some(*toward),
             Light::Point { .. } => None,
         });
-        Self { eye, target, height_m, is_orthographic, light }
+        let (around, [width, height]) = (sphere_around(scene), scene.size());
+        let aspect = f64::from(width) / f64::from(height.max(1));
+        Self { eye, target, height_m, is_orthographic, around, aspect, light }
     }
 
     /// Where it is after keys of the document have been set: those that say it replace what was seen.
     pub fn at(self, spec: &SceneSpec) -> Self {
         let of = |given: Option<[f64; 3]>, seen: DVec3| given.map_or(seen, DVec3::from);
-        Self {
-            eye: of(spec.eye, self.eye),
-            target: of(spec.target, self.target),
-            height_m: spec.view_height.unwrap_or(self.height_m),
-            light: spec.light.map(DVec3::from).or(self.light),
-            ..self
-        }
+        let (eye, target) = (of(spec.eye, self.eye), of(spec.target, self.target));
+        let away = eye.distance(target);
+        let height_m = match (self.is_orthographic, spec.fov) {
+            (true, _) => spec.view_height.unwrap_or(self.height_m),
+            (false, Some(fov)) => 2.0 * (0.5 * fov.to_radians()).tan() * away,
+            (false, None) => self.height_m * away / self.eye.distance(self.target).max(1e-9),
+        };
+        Self { eye, target, height_m, light: spec.light.map(DVec3::from).or(self.light), ..self }
     }
 
     /// The eye after turning around the target.
@@ -74,12 +99,44 @@ impl Seen {
         Ok((self.target + (self.eye - self.target) / factor, self.height_m / factor))
     }
 
+    /// Eye, target and height of the picture from which all is seen, in the present direction.
+    pub fn framed(&self) -> (DVec3, DVec3, f64) {
+        let (middle, radius) = self.around;
+        let back = (self.eye - self.target).normalize_or(DVec3::Z);
+        // The half of the picture's shorter side.
+        let narrow = self.aspect.min(1.0);
+        let tan = 0.5 * self.height_m / self.eye.distance(self.target).max(1e-9) * narrow;
+        let away = match self.is_orthographic {
+            true => 4.0 * radius,
+            // A sphere is seen whole where rays touch it.
+            false => radius * (1.0 + 1.0 / (tan * tan)).sqrt(),
+        };
+        (middle + back * away * ROOM, middle, 2.0 * radius / narrow * ROOM)
+    }
+
     /// The direction toward the light after turning it.
     pub fn lit_from(&self, degrees: [f64; 2]) -> Result<DVec3, Refused> {
         finite(&degrees)?;
         let light = self.light.ok_or(Refused::NotSeen)?;
         Ok(turned(light, degrees, 90.0))
     }
+}
+
+/// A sphere around the relief of all surfaces.
+fn sphere_around(scene: &Scene) -> (DVec3, f64) {
+    let (mut least, mut greatest) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for surface in scene.surfaces() {
+        let map = surface.height_map();
+        let heights = [map.bias_m(), map.bias_m() + map.scale_m()];
+        for vertex in surface.mesh().vertices() {
+            for height in heights {
+                let at = vertex.position.as_dvec3() + vertex.normal.as_dvec3() * height;
+                (least, greatest) = (least.min(at), greatest.max(at));
+            }
+        }
+    }
+    let (middle, half) = (0.5 * (least + greatest), 0.5 * (greatest - least));
+    if middle.is_finite() { (middle, half.length().max(1e-9)) } else { (DVec3::ZERO, 1.0) }
 }
 
 /// A vector turned around the vertical and then up, no farther than `most` degrees above or below.

@@ -25,7 +25,7 @@ struct Place<'a> {
 }
 
 impl<'a> Place<'a> {
-    fn of(key: &'a str) -> Result<Self, Refused> {
+    fn of(key: &'a str, spec: &SceneSpec) -> Result<Self, Refused> {
         let refused = || Refused::Key(key.to_owned());
         let (surface, own) = match key.strip_prefix("surfaces[") {
             Some(rest) => {
@@ -40,6 +40,12 @@ impl<'a> Place<'a> {
         if !own.split('.').all(is_word) || own == SURFACES {
             return Err(refused());
         }
+        let first = own.split('.').next().unwrap_or_default();
+        if first != own && STAGES.iter().any(|stage| stage.key == first) {
+            return Err(Refused::Value(format!("{own} is a setting: write it as set.{own}")));
+        }
+        // The only surface may be called by its number.
+        let surface = surface.filter(|number| !(spec.surfaces.is_empty() && *number == 0));
         Ok(Self { surface, key: own })
     }
 }
@@ -67,11 +73,20 @@ fn refused(error: SceneError) -> Refused {
 
 /// The scene in which a key has a value. Values that belong to another one are dropped, as flags drop them.
 pub fn with(spec: &SceneSpec, key: &str, value: &str) -> Result<SceneSpec, Refused> {
-    let place = Place::of(key)?;
-    let one = format!("value = {value}").parse::<Table>();
-    if !one.is_ok_and(|table| table.len() == 1) {
-        return Err(Refused::NotOne(value.to_owned()));
-    }
+    let place = Place::of(key, spec)?;
+    let is_one =
+        |value: &str| format!("value = {value}").parse::<Table>().is_ok_and(|table| table.len() == 1);
+    let quoted = Value::String(value.to_owned()).to_string();
+    let value = match (is_one(value), is_plain(value)) {
+        (true, _) => value,
+        (false, true) => quoted.as_str(),
+        (false, false) => return Err(Refused::NotOne(value.to_owned())),
+    };
+    let refused = |error: SceneError| match refused(error) {
+        // The reader of values knows no key.
+        Refused::Value(said) if !said.contains(place.key) => Refused::Value(format!("{}: {said}", place.key)),
+        other => other,
+    };
     let mut line = format!("{} = {value}\n", place.key);
     // Search and refinement are chosen as a pair: the other one stays as it is.
     let pair = [STAGES[SEARCH].key, STAGES[REFINE].key];
@@ -88,12 +103,12 @@ pub fn with(spec: &SceneSpec, key: &str, value: &str) -> Result<SceneSpec, Refus
         if spec.surfaces.is_empty() {
             return checked(spec.clone().overridden_by(over));
         }
-        // Of several surfaces the common values are those of the file, not of each surface.
+        // With several surfaces a key of the file itself stays common: it replaces no surface's own.
         let common = spec.surface.clone().overridden_by(over.surface.clone());
         let of_scene = SceneSpec { surface: SurfaceSpec::default(), ..over };
         return checked(SceneSpec { surface: common, ..spec.clone().overridden_by(of_scene) });
     };
-    let count = spec.surfaces.len();
+    let count = spec.surfaces.len().max(1);
     let mut new = spec.clone();
     let surface = new.surfaces.get_mut(number).ok_or(Refused::NoSurface { number, count })?;
     let over = parse_values(&format!("[[{SURFACES}]]\n{line}"), Path::new(NAME)).map_err(refused)?;
@@ -103,15 +118,20 @@ pub fn with(spec: &SceneSpec, key: &str, value: &str) -> Result<SceneSpec, Refus
     checked(new)
 }
 
+/// Whether a value is a text that needs no quotation marks to be told from others.
+fn is_plain(value: &str) -> bool {
+    !value.is_empty() && !value.contains(|c: char| c.is_control() || "\"'=#[]{},".contains(c))
+}
+
 /// The scene in which a key has no value; none if it has none already.
 pub fn without(spec: &SceneSpec, key: &str) -> Result<Option<SceneSpec>, Refused> {
-    let place = Place::of(key)?;
+    let place = Place::of(key, spec)?;
     let mut document = table_of(spec);
     let table = match place.surface {
         None => &mut document,
         Some(number) => {
             let surfaces = document.get_mut(SURFACES).and_then(Value::as_array_mut);
-            let count = spec.surfaces.len();
+            let count = spec.surfaces.len().max(1);
             let found = surfaces.and_then(|surfaces| surfaces.get_mut(number)).and_then(Value::as_table_mut);
             found.ok_or(Refused::NoSurface { number, count })?
         }

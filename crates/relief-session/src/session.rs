@@ -183,6 +183,18 @@ impl Session {
                 (new.eye, new.target, new.view_height) = (None, None, None);
                 crate::document::checked(new).map(Some)
             }
+            Action::Frame => {
+                // Where the scene lies is known from a picture alone.
+                let seen = self.seen.ok_or(Refused::NotSeen)?.at(spec);
+                let (eye, target, height_m) = seen.framed();
+                let framed = self.looking(eye, target)?;
+                match framed {
+                    Some(framed) if seen.is_orthographic => {
+                        with(&framed, "view-height", &format!("{height_m:?}")).map(Some)
+                    }
+                    framed => Ok(framed),
+                }
+            }
             Action::TurnLight { degrees } => {
                 let toward = self.light()?.lit_from(*degrees)?;
                 with(spec, "light", &format!("{:?}", toward.to_array())).map(Some)
@@ -203,7 +215,8 @@ impl Session {
                 let tall = 2.0 * (fov.to_radians() / 2.0).tan() * eye.distance(target);
                 let height_m = self.spec.view_height.unwrap_or(tall);
                 let is_orthographic = self.spec.view_height.is_some();
-                Ok(Seen { eye, target, height_m, is_orthographic, light: self.spec.light.map(DVec3::from) })
+                let light = self.spec.light.map(DVec3::from);
+                Ok(Seen { height_m, is_orthographic, light, ..Seen::looking(eye, target) })
             }
             _ => Err(Refused::NotSeen),
         }
@@ -211,13 +224,8 @@ impl Session {
 
     /// The light alone may be known.
     fn light(&self) -> Result<Seen, Refused> {
-        let only = |light: [f64; 3]| Seen {
-            eye: DVec3::Z,
-            target: DVec3::ZERO,
-            height_m: 1.0,
-            is_orthographic: false,
-            light: Some(light.into()),
-        };
+        let only =
+            |light: [f64; 3]| Seen { light: Some(light.into()), ..Seen::looking(DVec3::Z, DVec3::ZERO) };
         self.seen().or_else(|refused| self.spec.light.map(only).ok_or(refused))
     }
 

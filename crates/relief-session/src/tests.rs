@@ -57,7 +57,7 @@ fn action(rng: &mut Rng, controls: &[Control]) -> Action {
         2 | 3 => Action::Orbit { degrees },
         4 => Action::Pan { by: by.map(|x| 0.01 * x) },
         5 => Action::Zoom { factor: rng.between(-0.2, 1.8) },
-        6 => Action::Fit,
+        6 => [Action::Fit, Action::Frame][rng.below(2) as usize].clone(),
         7 => Action::TurnLight { degrees },
         8..=10 => Action::Undo,
         11 | 12 => Action::Redo,
@@ -236,16 +236,16 @@ fn the_camera_turns_around_its_target() {
     // Without a picture nothing is known of a fitted camera.
     let mut fitted = self::session("height = \"wall.png\"\nview = \"top\"\n");
     assert_eq!(fitted.apply(&Action::Orbit { degrees: [1.0, 0.0] }), Err(Refused::NotSeen));
-    let seen = Seen {
-        eye: DVec3::Y * 2.0,
-        target: DVec3::ZERO,
-        height_m: 1.0,
-        is_orthographic: false,
-        light: Some(DVec3::X),
-    };
-    fitted.shown(seen);
+    assert_eq!(fitted.apply(&Action::Frame), Err(Refused::NotSeen));
+    fitted.shown(Seen { light: Some(DVec3::X), ..Seen::looking(DVec3::Y * 2.0, DVec3::ZERO) });
     let changed = fitted.apply(&Action::Orbit { degrees: [0.0, -30.0] }).expect("a turn");
     assert_eq!(changed.keys, ["eye", "target", "view"]);
+    // A sphere of radius 0.5 around (1, 0, 0) is seen whole, and fills the picture.
+    fitted.shown(Seen { around: (DVec3::X, 0.5), ..Seen::looking(DVec3::Y * 2.0, DVec3::ZERO) });
+    fitted.apply(&Action::Frame).expect("a change");
+    let [eye, target] = [fitted.spec().eye, fitted.spec().target].map(|at| DVec3::from(at.expect("a place")));
+    let angle = (0.5 / eye.distance(target)).asin().to_degrees();
+    assert!(target.distance(DVec3::X) < 1e-9 && angle < 20.0 && angle > 18.0, "{eye} {angle}");
     fitted.apply(&Action::Fit).expect("a change");
     assert_eq!(fitted.spec().eye, None);
 }
@@ -274,6 +274,10 @@ fn keys_get_values_and_lose_them() {
         ("scal", "1", "scale"),
         ("scale", "1\nfov = 3", "one value"),
         ("scale", "", "one value"),
+        ("scale", "a, b", "one value"),
+        ("search.steps", "4", "set.search.steps"),
+        ("samples", "2.5", "samples"),
+        ("method", "cones", "cone"),
         ("scale", "-1", "from 0"),
         ("surfaces[3].scale", "1", "no surface 3"),
         ("surfaces[x].scale", "1", "no key"),
@@ -285,6 +289,10 @@ fn keys_get_values_and_lose_them() {
         let said = set(&mut session, key, value).expect_err("a refusal").to_string();
         assert!(said.contains(refused), "{key} = {value}: {said}");
     }
+    // A name needs no quotation marks, and the only surface may have its number.
+    assert_eq!(set(&mut session, "method", "cone").expect("a change").keys, ["method"]);
+    assert_eq!(set(&mut session, "surfaces[0].bias", "1cm").expect("a change").keys, ["bias"]);
+    assert_eq!(session.value("bias").as_deref(), Some("0.01"));
     assert!(session.apply(&Action::lose("scal")).expect_err("no key").to_string().contains("scale"));
 }
 
@@ -296,6 +304,17 @@ fn actions_are_read_from_json() {
     assert_eq!(actions[0], Action::set("scale", "0.1"));
     assert_eq!(actions[1..3], [Action::Orbit { degrees: [10.0, 5.0] }, Action::Undo]);
     assert!(serde_json::from_str::<Action>("{\"do\": \"jump\"}").is_err());
+    for (value, written) in
+        [("4", "4"), ("0.5", "0.5"), ("true", "true"), ("[2, 1]", "[2, 1]"), ("\"5cm\"", "5cm")]
+    {
+        let text = format!("{{\"do\": \"set\", \"key\": \"scale\", \"value\": {value}}}");
+        assert_eq!(serde_json::from_str::<Action>(&text).expect("an action"), Action::set("scale", written));
+    }
+    let each = Action::NAMES.map(|name| serde_json::from_str::<Action>(&format!("{{\"do\": \"{name}\"}}")));
+    let is_unknown = |read: &Result<Action, serde_json::Error>| {
+        read.as_ref().is_err_and(|error| error.to_string().contains("unknown variant"))
+    };
+    assert!(!each.iter().any(is_unknown));
     assert!(serde_json::from_str::<Action>("{\"do\": \"lose\", \"key\": \"a\", \"to\": 1}").is_err());
     let panel = serde_json::to_value(session(START).panel()).expect("JSON");
     assert_eq!(

@@ -4,12 +4,14 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use relief_core::registry::UnknownName;
 use relief_io::{decode_text, write_atomically};
 use relief_render::RENDERING;
 use relief_scene::{SceneSpec, parse_scene};
 use relief_session::{Action, Drag, Refused, Seen, Session};
 use serde_json::{Value, json};
 
+use super::numbered::files;
 use super::render::{CacheArguments, Outputs, PictureRenderer};
 use super::scene::make_absolute;
 use super::scene_arguments::{MachineArguments, SceneArguments, of_scene};
@@ -33,13 +35,15 @@ const DRAW: &str = "picture";
 #[command(after_help = "Examples:\n  relief view wall.png --script actions.json -o out\n  \
     relief view scene.toml --script actions.json --json      # what each action changes\n\n\
     A script is a list of actions in JSON:\n  \
-    [\n    { \"do\": \"set\", \"key\": \"method\", \"value\": \"\\\"cone\\\"\" },\n    \
-    { \"do\": \"orbit\", \"degrees\": [30, 10], \"drag\": 1 },\n    \
+    [\n    { \"do\": \"set\", \"key\": \"method\", \"value\": \"cone\" },\n    \
+    { \"do\": \"frame\" },\n    \
+    { \"do\": \"orbit\", \"degrees\": [30, 10] },\n    \
     { \"do\": \"picture\", \"file\": \"turned.png\" },\n    { \"do\": \"undo\" }\n  ]\n\n\
-    set and lose take a key of a scene file, as scale, set.search.steps or surfaces[1].color, and a value as the \
-    file writes it. orbit, pan, zoom, fit and turn-light move camera and light; add-surface and remove-surface, \
-    undo, redo and reset do what they say. Actions in a row with the same drag are undone together. picture draws \
-    what the scene is then.")]
+    set gives a key of a scene file a value, and lose takes it away: scale, set.search.steps, surfaces[1].color.\n\
+    orbit turns the eye, turn-light the light, by degrees to the right and up. pan moves the picture by heights \
+    of it to the right and up. zoom has a factor: 2 is twice as large. frame shows all from the present \
+    direction, fit as the view does. add-surface, remove-surface (number, from 0 on), undo, redo, reset. picture \
+    draws what the scene is then. Actions in a row with the same \"drag\", a whole number, are undone together.")]
 pub struct Arguments {
     /// Script of actions, in JSON
     #[arg(long, value_name = "FILE.json")]
@@ -91,6 +95,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     for (number, entry) in script.iter().enumerate() {
         match entry {
             Entry::Picture(name) => {
+                if name == PICTURE {
+                    let what = format!("{name} is drawn at the end: give another name");
+                    return Err(arguments.fault(number, &what));
+                }
                 if pictures.iter().any(|drawn| drawn.name == *name) {
                     return Err(arguments.fault(number, &format!("{name} is drawn twice: give another name")));
                 }
@@ -112,9 +120,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             }
         }
     }
-    if !pictures.iter().any(|drawn| drawn.name == PICTURE) {
-        pictures.push(Drawn { name: PICTURE.to_owned(), spec: session.spec().clone() });
-    }
+    pictures.push(Drawn { name: PICTURE.to_owned(), spec: session.spec().clone() });
     let written = match &arguments.output {
         Some(folder) => arguments.write(folder, session.spec(), &pictures)?,
         None => Vec::new(),
@@ -125,6 +131,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             for (number, keys) in changes.iter().enumerate() {
                 let what = if keys.is_empty() { "nothing changed".to_owned() } else { keys.join(", ") };
                 match &script[number] {
+                    Entry::Picture(name) if written.is_empty() => {
+                        writeln!(out, "{}: would draw {name}, with --output", number + 1)?;
+                    }
                     Entry::Picture(name) => writeln!(out, "{}: draws {name}", number + 1)?,
                     Entry::Action(..) => writeln!(out, "{}: {what}", number + 1)?,
                 }
@@ -138,6 +147,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 impl Arguments {
     /// Writes the pictures, and last the scene.
     fn write(&self, folder: &Path, spec: &SceneSpec, pictures: &[Drawn]) -> Result<Vec<String>, Failure> {
+        // Files that cannot be read are found before anything is written. Most pictures read the same.
+        let mut known: Vec<Vec<PathBuf>> = Vec::new();
+        for Drawn { spec, .. } in pictures {
+            let read: Vec<PathBuf> = files(spec).iter().map(|file| file.to_path_buf()).collect();
+            if !known.contains(&read) {
+                let _reading = Progress::spinner("reading", self.json);
+                spec.load().map_err(of_scene)?;
+                known.push(read);
+            }
+        }
         std::fs::create_dir_all(folder)
             .map_err(|error| Failure::Work(format!("{}: cannot be made: {error}", folder.display())))?;
         let mut renderer = PictureRenderer::with(&self.cache, self.machine.is_named(), self.json);
@@ -190,7 +209,8 @@ fn read(path: &Path) -> Result<Vec<Entry>, Failure> {
     let list: Vec<Value> = serde_json::from_str(&text)
         .map_err(|error| failed(format!("no list of actions in JSON: {error}: see `relief view --help`")))?;
     let entry = |(number, value): (usize, Value)| {
-        entry(value).map_err(|what| failed(format!("action {}: {what}", number + 1)))
+        entry(value)
+            .map_err(|what| Failure::Work(format!("{}, action {}: {what}", path.display(), number + 1)))
     };
     list.into_iter().enumerate().map(entry).collect()
 }
@@ -212,5 +232,17 @@ fn entry(mut value: Value) -> Result<Entry, String> {
         }
         return Ok(Entry::Picture(name.to_owned()));
     }
-    serde_json::from_value(value).map(|action| Entry::Action(action, drag)).map_err(|error| error.to_string())
+    let name = value["do"].as_str().ok_or("an action needs its name, as in \"do\": \"orbit\"")?;
+    if !Action::NAMES.contains(&name) {
+        return Err(UnknownName::new("action", name, Action::NAMES.into_iter().chain([DRAW])).to_string());
+    }
+    let action: Action = serde_json::from_value(value.clone()).map_err(|error| format!("{name}: {error}"))?;
+    // A field that an action does not have would be lost without a word.
+    let known = serde_json::to_value(&action).unwrap_or_default();
+    let unknown =
+        value.as_object().into_iter().flatten().find(|(field, _)| known.get(field.as_str()).is_none());
+    match unknown {
+        Some((field, _)) => Err(format!("{name}: it has no field `{field}`")),
+        None => Ok(Entry::Action(action, drag)),
+    }
 }

@@ -326,7 +326,7 @@ fn begins(line: &str, commands: &[&str]) -> bool {
 
 #[test]
 fn examples_of_pictures_run() {
-    run(|line| begins(line, &["render", "scene"]));
+    run(|line| begins(line, &["render", "scene", "view"]));
 }
 
 #[test]
@@ -355,6 +355,7 @@ fn every_example_belongs_to_one_of_these() {
     let known = [
         "render",
         "scene",
+        "view",
         "mesh",
         "slices",
         "volume",

@@ -19,8 +19,8 @@ const SMALL: &str = "map.png --mesh torus --tile 6,2 --size 48x36 --samples 1 --
 fn pictures_are_those_of_render() {
     let folder = folder(
         r#"[{ "do": "picture", "file": "before.png" },
-            { "do": "set", "key": "scale", "value": "\"8cm\"" },
-            { "do": "set", "key": "set.search.steps", "value": "24" },
+            { "do": "set", "key": "scale", "value": "8cm" },
+            { "do": "set", "key": "set.search.steps", "value": 24 },
             { "do": "orbit", "degrees": [40, -10], "drag": 1 },
             { "do": "orbit", "degrees": [40, -10], "drag": 1 },
             { "do": "picture", "file": "turned.png" },
@@ -43,7 +43,7 @@ fn pictures_are_those_of_render() {
     assert!(read("out/turned.png") != read("out/picture.png") && read("before.png") != read("after.png"));
     // Nothing is written where nothing is asked for.
     let line = format!("view {SMALL} --method relief --script actions.json");
-    assert!(folder.relief(&line).fine().stdout.starts_with("1: draws before.png\n2: scale\n"));
+    assert!(folder.relief(&line).fine().stdout.starts_with("1: would draw before.png"));
 }
 
 #[test]
@@ -54,8 +54,11 @@ fn a_script_with_a_fault_leaves_nothing_behind() {
             "action 2: samples",
         ),
         ("[{ \"do\": \"set\", \"key\": \"scal\", \"value\": \"1\" }]", "'scale'"),
-        ("[{ \"do\": \"lose\" }]", "action 1: missing field `key`"),
-        ("[{ \"do\": \"jump\" }]", "jump"),
+        ("[{ \"do\": \"lose\" }]", "action 1: lose: missing field `key`"),
+        ("[{ \"do\": \"rotate\" }]", "'picture'"),
+        ("[{ \"do\": \"undo\", \"times\": 2 }]", "times"),
+        ("[{ \"do\": \"picture\", \"file\": \"picture.png\" }]", "at the end"),
+        ("[{ \"do\": \"set\", \"key\": \"height\", \"value\": \"nope.png\" }]", "nope.png"),
         ("[{ \"do\": \"undo\" }]", "nothing to undo"),
         ("[{ \"do\": \"picture\", \"file\": \"../a.png\" }]", "../a.png"),
         ("[{ \"do\": \"picture\", \"file\": \"a.gif\" }]", "a.gif"),
@@ -71,7 +74,7 @@ fn a_script_with_a_fault_leaves_nothing_behind() {
         let folder = folder(script);
         let ran = folder.relief(&format!("view {SMALL} --script actions.json -o out"));
         assert!(ran.code == Some(1) && ran.stderr.contains(words), "{script}: {ran:?}");
-        assert!(ran.stderr.contains("actions.json") && !folder.path("out").exists(), "{script}");
+        assert!(!folder.path("out").exists(), "{script}");
     }
     let folder = folder("[]");
     assert_eq!(folder.relief("view map.png --script none.json -o out").code, Some(1));

@@ -237,11 +237,27 @@ impl Reduced {
         let settings = settings::gather(&mut unit, selection)?;
         textures::flatten(&mut unit);
         reduce(&mut unit, &kept);
+        without_empty_structs(&mut unit);
         settings::hand_over(&mut unit);
         arrange(&mut unit, &settings, form);
         let bindings = place(&mut unit, &parts, options.placement);
         prefix.rename(&mut unit);
         Ok(Self { text: syntax::print(&unit), unit, settings, bindings })
+    }
+}
+
+/// Leaves out structs without members, and the members that have such a type. No value is made of them: one that
+/// is read keeps its members.
+fn without_empty_structs(unit: &mut Unit) {
+    let is_empty = |item: &Item| matches!(&item.kind, ItemKind::Struct(of) if of.members.is_empty());
+    while let Some(place) = unit.items.iter().position(is_empty) {
+        let item = unit.items.remove(place);
+        let Some(name) = item.kind.name() else { continue };
+        for item in &mut unit.items {
+            if let ItemKind::Struct(of) = &mut item.kind {
+                of.members.retain(|member| member.of != name);
+            }
+        }
     }
 }
 

@@ -300,7 +300,12 @@ pub fn keys() -> Vec<Key> {
         scene("eye", Form::Lengths(3), "", "position of the eye in metres, in place of view"),
         scene("target", Form::Lengths(3), "", "point in metres at which the camera looks"),
         scene("projection", Form::Name(projections), "\"perspective\"", "projection of the camera"),
-        scene("fov", Form::Number, "40", "vertical field of view in degrees, in perspective"),
+        scene(
+            "fov",
+            Form::Number,
+            "40",
+            "vertical field of view in degrees, above 0 and below 180, in perspective",
+        ),
         scene("view-height", Form::Length, "", "height of an orthographic picture in metres"),
         scene(
             "clip",
