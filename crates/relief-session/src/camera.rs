@@ -122,21 +122,25 @@ impl Seen {
     }
 }
 
-/// A sphere around the relief of all surfaces.
+/// A sphere around the relief of all surfaces, about the middle of its box.
 fn sphere_around(scene: &Scene) -> (DVec3, f64) {
-    let (mut least, mut greatest) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for surface in scene.surfaces() {
-        let map = surface.height_map();
-        let heights = [map.bias_m(), map.bias_m() + map.scale_m()];
-        for vertex in surface.mesh().vertices() {
-            for height in heights {
-                let at = vertex.position.as_dvec3() + vertex.normal.as_dvec3() * height;
-                (least, greatest) = (least.min(at), greatest.max(at));
-            }
-        }
+    let points = || {
+        scene.surfaces().iter().flat_map(|surface| {
+            let map = surface.height_map();
+            let heights = [map.bias_m(), map.bias_m() + map.scale_m()];
+            surface.mesh().vertices().iter().flat_map(move |vertex| {
+                let (position, normal) = (vertex.position.as_dvec3(), vertex.normal.as_dvec3());
+                heights.map(|height| position + normal * height)
+            })
+        })
+    };
+    let least = points().fold(DVec3::INFINITY, DVec3::min);
+    let greatest = points().fold(DVec3::NEG_INFINITY, DVec3::max);
+    let middle = 0.5 * (least + greatest);
+    if !middle.is_finite() {
+        return (DVec3::ZERO, 1.0);
     }
-    let (middle, half) = (0.5 * (least + greatest), 0.5 * (greatest - least));
-    if middle.is_finite() { (middle, half.length().max(1e-9)) } else { (DVec3::ZERO, 1.0) }
+    (middle, points().map(|point| point.distance(middle)).fold(1e-9, f64::max))
 }
 
 /// A vector turned around the vertical and then up, no farther than `most` degrees above or below.

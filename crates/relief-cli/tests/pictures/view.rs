@@ -47,6 +47,31 @@ fn pictures_are_those_of_render() {
 }
 
 #[test]
+fn what_is_framed_stays_in_the_picture() {
+    let turns = "{ \"do\": \"frame\" }, { \"do\": \"picture\", \"file\": \"0.png\" }".to_owned()
+        + &(1..5)
+            .map(|turn| {
+                format!(
+                    ", {{ \"do\": \"orbit\", \"degrees\": [75, 20] }}, {{ \"do\": \"picture\", \"file\": \"{turn}.png\" }}"
+                )
+            })
+            .collect::<String>();
+    let folder = folder(&format!("[{turns}]"));
+    folder.relief(&format!("view {SMALL} --background 0,0,1 --script actions.json -q -o out")).fine();
+    for turn in 0..5 {
+        let picture = image::open(folder.path(format!("out/{turn}.png"))).expect("a picture").to_rgb8();
+        let is_behind = |x: u32, y: u32| picture.get_pixel(x, y) == picture.get_pixel(0, 0);
+        let [width, height] = [picture.width(), picture.height()];
+        let edges = (0..width).flat_map(|x| [(x, 0), (x, height - 1)]);
+        let edges = edges.chain((0..height).flat_map(|y| [(0, y), (width - 1, y)]));
+        assert!(edges.into_iter().all(|(x, y)| is_behind(x, y)), "{turn} is cut off");
+        let seen =
+            (0..width).flat_map(|x| (0..height).map(move |y| (x, y))).filter(|at| !is_behind(at.0, at.1));
+        assert!(seen.count() as u32 > width * height / 8, "{turn} is small");
+    }
+}
+
+#[test]
 fn a_script_with_a_fault_leaves_nothing_behind() {
     for (script, words) in [
         (
@@ -55,7 +80,7 @@ fn a_script_with_a_fault_leaves_nothing_behind() {
         ),
         ("[{ \"do\": \"set\", \"key\": \"scal\", \"value\": \"1\" }]", "'scale'"),
         ("[{ \"do\": \"lose\" }]", "action 1: lose: missing field `key`"),
-        ("[{ \"do\": \"rotate\" }]", "'picture'"),
+        ("[{ \"do\": \"rotate\" }]", "turn-light, undo, redo, reset, picture"),
         ("[{ \"do\": \"undo\", \"times\": 2 }]", "times"),
         ("[{ \"do\": \"picture\", \"file\": \"picture.png\" }]", "at the end"),
         ("[{ \"do\": \"set\", \"key\": \"height\", \"value\": \"nope.png\" }]", "nope.png"),
