@@ -1,7 +1,7 @@
 //! `kits`: kits for engines beside Relief. Engines draw meshes with them in Chromium without a window
 //! (SwiftShader), and Bevy without a window; each pixel's hit is held to the renderer's.
 
-mod bevy;
+pub mod bevy;
 pub mod godot;
 mod pages;
 pub mod rendered;

@@ -1,5 +1,7 @@
-//! `parallax`: Godot's own deep parallax beside Relief's methods in its shaders, in one run: how far hits are off the
+//! `parallax`: what engines have of their own beside Relief's methods in their shaders, in one run: how far hits are off the
 //! exact ones, and how long a frame takes. An unlit texture whose colours are its coordinates shows each.
+
+mod bevy;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -26,6 +28,12 @@ pub struct Arguments {
     /// Chromium or Chrome, which runs Godot
     #[arg(long, value_name = "PROGRAM", default_value = "chromium")]
     chromium: PathBuf,
+    /// Engine: godot (deep parallax), or bevy (parallax occlusion and relief mapping), which is built first
+    #[arg(long, value_name = "NAME", default_value = "godot")]
+    engine: String,
+    /// The command, for the program of Bevy that it writes
+    #[arg(long, value_name = "PROGRAM", default_value = "target/release/relief")]
+    relief: PathBuf,
     /// Width of the pictures; they are three quarters as high
     #[arg(long, default_value_t = 320)]
     width: u32,
@@ -67,9 +75,25 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         let file = read_height_file(&path, &HeightOptions::default()).map_err(|error| error.to_string())?;
         // Godot reads heights of 8 bits, so all do.
         let heights = rounded(&file.map)?;
-        println!("{name}:\n\n{}\n", of_map(arguments, &heights, size)?);
+        let found = match arguments.engine.as_str() {
+            "godot" => of_map(arguments, &heights, size),
+            "bevy" => {
+                let mesh = Arc::new(square(1).map_err(|error| error.to_string())?);
+                bevy::of_map(arguments, &heights, &mesh, &eyes(), size)
+            }
+            other => Err(format!("--engine: no '{other}' here: godot, bevy")),
+        };
+        println!("{name}:\n\n{}\n", found?);
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The places from which the plane is seen.
+fn eyes() -> [DVec3; 3] {
+    ANGLES.map(|angle| {
+        let angle = angle.to_radians();
+        DVec3::new(0.0, angle.cos(), angle.sin()) * DISTANCE_M
+    })
 }
 
 /// The heights, rounded to 8 bits.
@@ -85,10 +109,7 @@ fn byte(height: f32) -> u8 {
 
 fn of_map(arguments: &Arguments, heights: &HeightMap, size: [u32; 2]) -> Result<String, String> {
     let mesh = Arc::new(square(1).map_err(|error| error.to_string())?);
-    let eyes = ANGLES.map(|angle| {
-        let angle = angle.to_radians();
-        DVec3::new(0.0, angle.cos(), angle.sin()) * DISTANCE_M
-    });
+    let eyes = eyes();
     let mut ways = vec![json!({ "name": "flat", "layers": 0 })];
     ways.extend(LAYERS.map(|layers| json!({ "name": format!("Godot, {layers} layers"), "layers": layers })));
     let mut files = vec![
@@ -207,19 +228,21 @@ fn ours(
 fn decode(bytes: &[u8], pixels: usize) -> Shown {
     let texels = bytes.as_chunks::<3>().0;
     let part = |byte: u8| (f64::from(byte) - DARKEST) / RANGE;
-    let value = |[coarse, fine, ahead]: [u8; 3]| {
-        let (coarse, fine, ahead) = (part(coarse), part(fine), part(ahead));
-        // Where one wave turns round, the other is half way up.
-        let (fine, by) = if (fine - 0.5).abs() < 0.25 { (fine, 0.0) } else { (ahead, AHEAD) };
-        // The point of a rise or fall that is nearest to the coarse value.
-        let near = (0..=FINE as u32).map(|rise| {
-            let within = if rise % 2 == 0 { fine } else { 1.0 - fine };
-            (f64::from(rise) + within - by) / FINE
-        });
-        near.min_by(|a, b| (a - coarse).abs().total_cmp(&(b - coarse).abs())).unwrap_or(coarse)
-    };
+    let value = |parts: [u8; 3]| value_of(parts.map(part));
     let seen = |at: usize| (texels[at][0] > 0).then(|| [value(texels[at]), value(texels[pixels + at])]);
     (0..pixels).map(seen).collect()
+}
+
+/// The coordinate that a colour shows: roughly, and by two waves.
+fn value_of([coarse, fine, ahead]: [f64; 3]) -> f64 {
+    // Where one wave turns round, the other is half way up.
+    let (fine, by) = if (fine - 0.5).abs() < 0.25 { (fine, 0.0) } else { (ahead, AHEAD) };
+    // The point of a rise or fall that is nearest to the coarse value.
+    let near = (0..=FINE as u32).map(|rise| {
+        let within = if rise % 2 == 0 { fine } else { 1.0 - fine };
+        (f64::from(rise) + within - by) / FINE
+    });
+    near.min_by(|a, b| (a - coarse).abs().total_cmp(&(b - coarse).abs())).unwrap_or(coarse)
 }
 
 /// The 99th percentile of the distance, in tiles, where both show something.

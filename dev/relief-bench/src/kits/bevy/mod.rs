@@ -16,7 +16,7 @@ const TOOLCHAIN: &str = "+1.97.1";
 
 /// The kit's lighting, in whose place hits are said.
 const LIGHTING: [&str; 2] = [
-    "    out.color = pbr_functions::apply_pbr_lighting(pbr);\n",
+    "        out.color = pbr_functions::apply_pbr_lighting(pbr);\n",
     "    out.color = pbr_functions::main_pass_post_lighting_processing(pbr, out.color);\n",
 ];
 
@@ -27,11 +27,11 @@ const DIGIT: f64 = 2048.0;
 const REDUCED: (&str, &str) = ("WGPU_SETTINGS_PRIO", "webgl2");
 
 /// A program of Bevy, in a folder whose build is kept.
-struct Project(PathBuf);
+pub struct Project(PathBuf);
 
 impl Project {
     /// Writes the kit of a height map.
-    fn new(relief: &Path, heights: &Path, flags: &[String]) -> Result<Self, String> {
+    pub fn new(relief: &Path, heights: &Path, flags: &[String]) -> Result<Self, String> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/bevy-kit");
         let said = |error: std::io::Error| format!("{}: {error}", folder.display());
         for entry in fs::read_dir(&folder).into_iter().flatten().flatten() {
@@ -64,8 +64,13 @@ impl Project {
         Self::new(relief, &heights, &words(&flags))
     }
 
+    /// Puts another text in a file's place.
+    pub fn replace(&self, name: &str, text: &str) -> Result<(), String> {
+        fs::write(self.0.join(name), text).map_err(|error| format!("{name}: {error}"))
+    }
+
     /// Builds and runs it.
-    fn run(&self, arguments: &[String]) -> Result<(), String> {
+    pub fn run(&self, arguments: &[String]) -> Result<(), String> {
         let mut command = Command::new("cargo");
         command.args([TOOLCHAIN, "run", "--quiet", "--"]).args(arguments).current_dir(&self.0);
         command.env("CARGO_PROFILE_DEV_OPT_LEVEL", "1").env("CARGO_PROFILE_DEV_DEBUG", "false");
@@ -96,8 +101,8 @@ pub(super) fn shown(relief: &Path, job: &Job) -> Result<Shown, String> {
          let rest = floor((code - whole) * {DIGIT:?});\n    out.color = vec4f(whole.x, rest.x, whole.y, rest.y);\n",
         DIGIT / (2.0 * BEYOND)
     );
-    fs::write(&shader, text.replace(LIGHTING[0], &digits).replace(LIGHTING[1], "")).map_err(said)?;
-    fs::write(project.0.join("main.rs"), include_str!("main.rs")).map_err(said)?;
+    project.replace("relief_material.wesl", &text.replace(LIGHTING[0], "").replace(LIGHTING[1], &digits))?;
+    project.replace("main.rs", include_str!("main.rs"))?;
     let picture = project.0.join("hits.bin");
     let [x, y, z] = EYE_M.to_array();
     let [width, height] = job.size.map(f64::from);
@@ -143,7 +148,7 @@ pub fn open(relief: &Path) -> Result<f64, String> {
     }
 }
 
-fn words(text: &str) -> Vec<String> {
+pub fn words(text: &str) -> Vec<String> {
     text.split_whitespace().map(str::to_owned).collect()
 }
 
