@@ -166,7 +166,7 @@ fn every_key_and_setting_has_a_control_that_changes_the_document() {
                 changed += 1;
             }
             Ok(_) => {
-                assert_eq!(session.value(&control.key).as_deref(), Some(value.as_str()), "{}", control.key)
+                assert_eq!(session.value(&control.key).as_deref(), Some(value.as_str()), "{}", control.key);
             }
             Err(refused) => println!("{} = {value}: {refused}", control.key),
         }
