@@ -210,13 +210,9 @@ impl Session {
             (Some(seen), ..) => Ok(seen.at(&self.spec)),
             // The document says it all.
             (None, Some(eye), Some(target)) => {
-                let (eye, target) = (DVec3::from(eye), DVec3::from(target));
-                let fov = self.spec.fov.unwrap_or(40.0);
-                let tall = 2.0 * (fov.to_radians() / 2.0).tan() * eye.distance(target);
-                let height_m = self.spec.view_height.unwrap_or(tall);
                 let is_orthographic = self.spec.view_height.is_some();
-                let light = self.spec.light.map(DVec3::from);
-                Ok(Seen { height_m, is_orthographic, light, ..Seen::looking(eye, target) })
+                let seen = Seen { is_orthographic, ..Seen::looking(eye.into(), target.into()) };
+                Ok(seen.at(&self.spec))
             }
             _ => Err(Refused::NotSeen),
         }

@@ -23,7 +23,7 @@ use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 
 use crate::relief::{ReliefMaterial, ReliefPlugin, gltf_plugin};
-use crate::relief_model::{CENTER, FILES, HEIGHT, RADIUS, material, mesh};
+use crate::relief_model::{CENTER, HEIGHT, RADIUS, are_read, material, mesh};
 
 /// The direction from the middle to the camera, and to the sun.
 const CAMERA: Vec3 = Vec3::new(0.6, 0.7, 1.0);
@@ -101,7 +101,10 @@ fn set_up(
     if HEIGHT > 0.1 * RADIUS {
         commands.spawn((
             Mesh3d(meshes.add(Plane3d::new(Vec3::Y, Vec2::splat(3.0 * RADIUS)))),
-            MeshMaterial3d(plain.add(StandardMaterial { perceptual_roughness: 1.0, ..Color::srgb(0.6, 0.6, 0.6).into() })),
+            MeshMaterial3d(plain.add(StandardMaterial {
+                perceptual_roughness: 1.0,
+                ..Color::srgb(0.6, 0.6, 0.6).into()
+            })),
             Transform::from_translation(CENTER - Vec3::Y * (HEIGHT / 2.0)),
         ));
     }
@@ -164,11 +167,11 @@ fn take_picture(
     files: Res<AssetServer>,
     mut exit: MessageWriter<AppExit>,
 ) {
-    let states = FILES.map(|file| files.get_handle_untyped(file).map(|of| files.load_state(of.id())));
-    if states.iter().flatten().any(|state| state.is_failed()) {
+    let is_read = are_read(&files);
+    if is_read.is_none() {
         exit.write(AppExit::error());
     }
-    if !states.iter().all(|state| state.as_ref().is_some_and(|state| state.is_loaded())) {
+    if is_read != Some(true) {
         return;
     }
     picture.frame += 1;

@@ -21,7 +21,7 @@ use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 
 use crate::relief::{ReliefMaterial, ReliefPlugin, gltf_plugin};
-use crate::relief_model::{FILES, material, mesh};
+use crate::relief_model::{are_read, material, mesh};
 
 /// Frames before times are taken, and frames that are timed.
 const WARM: u32 = 4;
@@ -191,11 +191,11 @@ fn draw(
     files: Res<AssetServer>,
     mut exit: MessageWriter<AppExit>,
 ) {
-    let states = FILES.map(|file| files.get_handle_untyped(file).map(|of| files.load_state(of.id())));
-    if states.iter().flatten().any(|state| state.is_failed()) {
+    let is_read = are_read(&files);
+    if is_read.is_none() {
         exit.write(AppExit::error());
     }
-    if !states.iter().all(|state| state.as_ref().is_some_and(|state| state.is_loaded())) || job.is_waiting {
+    if is_read != Some(true) || job.is_waiting {
         return;
     }
     let job = &mut *job;

@@ -122,8 +122,8 @@ impl<'a> Outputs<'a> {
             return Ok(());
         }
         Err(Failure::Work(format!(
-            "{}: exists already, and relief did not write it for this map: move it away, give another --output, or replace it \
-             with --force",
+            "{}: exists already, and relief did not write it for this map: move it away, give another --output, or \
+             replace it with --force",
             path.display()
         )))
     }

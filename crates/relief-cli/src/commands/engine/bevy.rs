@@ -90,8 +90,8 @@ fn of_functions(sheet: &Sheet) -> String {
         && bindings.iter().any(|bound| bound.name == "relief_height_map");
     let has_curvature = point.iter().any(|member| member.name == "curvature");
     let mut text = format!(
-        "//! The settings and maps of `relief.wesl`: search `{}`, refinement `{}`, surface `{}`. Written by `relief \
-         engine`.\n\n\
+        "//! The settings and maps of `relief.wesl`: search `{}`, refinement `{}`, surface `{}`.\n\
+         //! Written by `relief engine`.\n\n\
          use bevy::prelude::*;\nuse bevy::render::render_resource::{{AsBindGroup, ShaderType}};\n\n\
          /// Whether points have a curvature: on bent meshes, for silhouettes.\n\
          pub const HAS_CURVATURE: bool = {has_curvature};\n\n\
@@ -109,13 +109,15 @@ fn of_functions(sheet: &Sheet) -> String {
         let _ =
             writeln!(text, "    /// {}\n    pub {}: {},", setting.holds, setting.name, in_rust(&setting.of));
     }
-    text += "}\n\nimpl ReliefSettings {\n    /// Settings of a relief below the mesh: `scale` is the length from the \
-             height 0 to the height 1.\n    pub fn new(scale: f32) -> Self {\n        Self {\n";
+    text += "}\n\nimpl ReliefSettings {\n    \
+             /// Settings of a relief below the mesh: `scale` is the length from the height 0 to the height 1.\n    \
+             pub fn new(scale: f32) -> Self {\n        Self {\n";
     for setting in settings {
         let value = value(sheet, &setting.name, &setting.of, setting.value);
         let _ = writeln!(text, "            {value},");
     }
-    text += "        }\n    }\n}\n\n/// The relief of a material.\n#[derive(Asset, AsBindGroup, Clone, Debug, Reflect)]\n\
+    text += "        }\n    }\n}\n\n/// The relief of a material.\n\
+             #[derive(Asset, AsBindGroup, Clone, Debug, Reflect)]\n\
              pub struct Relief {\n    #[uniform(100)]\n    pub settings: ReliefSettings,\n";
     for bound in bindings {
         let name = bound.name.trim_start_matches(&format!("{prefix}_"));
@@ -181,7 +183,13 @@ fn of_model(sheet: &Sheet, has_occlusion: bool) -> String {
          pub const CENTER: Vec3 = Vec3::new({x:?}, {y:?}, {z:?});\n\
          pub const RADIUS: f32 = {:?};\npub const HEIGHT: f32 = {:?};\n\n\
          /// The depth of the relief.\nconst SCALE: f32 = {:?};\n\n\
-         /// The files that are read.\npub const FILES: [&str; {}] = [{}];\n\n\
+         /// The files that are read.\nconst FILES: [&str; {}] = [{}];\n\n\
+         /// Whether all files are read; none if one cannot be.\n\
+         pub fn are_read(files: &AssetServer) -> Option<bool> {{\n    \
+         let states = FILES.map(|file| files.get_handle_untyped(file).map(|of| files.load_state(of.id())));\n    \
+         let is_failed = states.iter().flatten().any(|state| state.is_failed());\n    \
+         let is_read = states.iter().all(|state| state.as_ref().is_some_and(|state| state.is_loaded()));\n    \
+         (!is_failed).then_some(is_read)\n}}\n\n\
          pub fn mesh(files: &AssetServer) -> Handle<Mesh> {{\n    \
          files.load({mesh:?})\n}}\n\n\
          {linear}pub fn material(files: &AssetServer) -> ReliefMaterial {{\n    \

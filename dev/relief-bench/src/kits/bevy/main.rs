@@ -17,7 +17,7 @@ use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 
 use crate::relief::{ATTRIBUTE_CURVATURE, ATTRIBUTE_TILE, ReliefMaterial, ReliefPlugin, gltf_plugin};
-use crate::relief_model::{FILES, material, mesh};
+use crate::relief_model::{are_read, material, mesh};
 
 /// Frames between the last file that is read and the picture.
 const FRAMES: u32 = 8;
@@ -80,11 +80,11 @@ fn take_picture(
     files: Res<AssetServer>,
     mut exit: MessageWriter<AppExit>,
 ) {
-    let states = FILES.map(|file| files.get_handle_untyped(file).map(|of| files.load_state(of.id())));
-    if states.iter().flatten().any(|state| state.is_failed()) {
+    let is_read = are_read(&files);
+    if is_read.is_none() {
         exit.write(AppExit::error());
     }
-    if !states.iter().all(|state| state.as_ref().is_some_and(|state| state.is_loaded())) {
+    if is_read != Some(true) {
         return;
     }
     job.frame += 1;
