@@ -39,7 +39,7 @@ pub use scene::{
     Form, Framing, Key, KeyNumber, LightDirection, LightDirectionError, LightSpec, Look, MAX_EXPOSURE,
     MAX_IMAGE_SIDE, MAX_SAMPLES, MapSizeProblem, MaterialSpec, MeshChoice, NO_MAP, ObjectProblem,
     PictureSize, PictureSizeError, ProjectionChoice, RampChoice, RampError, Sampling, Scene, SceneBuilder,
-    SceneError, SceneObject, SceneSpec, Surface, SurfaceColors, SurfaceSpec, UnknownMesh, UnknownRamp,
-    UvProjection, ValueError, ValueProblem, View, depth_remark, green_remark, keys, parse_scene,
+    SceneError, SceneObject, SceneReader, SceneSpec, Surface, SurfaceColors, SurfaceSpec, UnknownMesh,
+    UnknownRamp, UvProjection, ValueError, ValueProblem, View, depth_remark, green_remark, keys, parse_scene,
     parse_values, read_scene,
 };

@@ -19,6 +19,7 @@ use glam::{DVec3, Vec3};
 use relief_core::ByteSize;
 use relief_core::camera::{Camera, CameraError, Projection};
 use relief_core::mesh::Builtin;
+use relief_io::ReadNote;
 use relief_shaders::{AMBIENT, LIGHT_FACES, STAGES, Selection};
 
 /// Bytes per pixel of the band of rows that is being rendered: results on the GPU, their copies,
@@ -85,21 +86,25 @@ impl SceneSpec {
     /// range, a method is not available, a file cannot be read, or maps and picture need more than
     /// `max_memory`. The last is detected before that memory is allocated.
     pub fn load(&self) -> Result<Scene, SceneError> {
-        self.check_surfaces()?;
-        let (spec, mut notes) = self.with_texture_sets()?;
-        let scene = spec.with_keys_of_meshes()?.load_whole()?;
-        notes.extend(scene.notes);
-        Ok(Scene { notes, ..scene })
+        let (whole, notes) = self.whole()?;
+        whole.load_whole(notes)
     }
 
-    /// Loads a scene that already has the keys of its mesh files.
-    fn load_whole(&self) -> Result<Scene, SceneError> {
+    /// Returns the description with the files of folders of textures and the keys of mesh files, and notes on
+    /// them.
+    pub(super) fn whole(&self) -> Result<(Self, Vec<ReadNote>), SceneError> {
+        self.check_surfaces()?;
+        let (spec, notes) = self.with_texture_sets()?;
+        Ok((spec.with_keys_of_meshes()?, notes))
+    }
+
+    /// Loads a scene that is [whole](Self::whole), with notes on what was read before.
+    pub(super) fn load_whole(&self, mut notes: Vec<ReadNote>) -> Result<Scene, SceneError> {
         let each = self.each_with_parts().collect::<Result<Vec<_>, _>>()?;
         // All else is known to be valid before any file is read.
         self.check()?;
         let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
-        let asked = each.iter().filter_map(|(.., parts)| parts.selection().light_views());
-        let asked = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)]);
+        let asked = light_views(each.iter().map(|(.., parts)| parts.selection()));
         let beside_surfaces = limit.0.saturating_sub(self.surface_bytes());
         let left = if self.is_of_map_size() {
             beside_surfaces
@@ -139,7 +144,8 @@ impl SceneSpec {
             builder = builder.environment(environment);
         }
         let scene = builder.geometry_memory(ByteSize(left)).build()?;
-        Ok(Scene { notes: maps.into_notes(), ..scene })
+        notes.extend(maps.into_notes());
+        Ok(Scene { notes, ..scene })
     }
 
     /// Returns the values that surfaces depend on.
@@ -214,6 +220,14 @@ impl SceneSpec {
         left.checked_sub(needed).ok_or(SceneError::TooMuchForShadowMaps { needed, left, limit })
     }
 
+    /// Returns the bytes of the picture and of its shadow maps, for surfaces with these selections.
+    pub(super) fn bytes_beside_surfaces(&self, selections: &[Selection]) -> Result<u64, SceneError> {
+        let (all, size) = (u64::MAX, self.pixels().unwrap_or(DEFAULT_SIZE));
+        let left =
+            self.memory_beside_the_picture(all, size, light_views(selections.iter()), ByteSize(all))?;
+        Ok(all - left)
+    }
+
     /// Returns the largest possible size of all shadow maps in bytes.
     fn shadow_map_bytes(&self, asked: Option<[u32; 2]>, size: [u32; 2]) -> Result<u64, ValueError> {
         let Some([most, cascades]) = asked else { return Ok(0) };
@@ -236,7 +250,7 @@ impl SceneSpec {
         Ok((views + 1) * u64::from(side) * u64::from(side) * size_of::<f32>() as u64)
     }
 
-    fn builder(&self, surfaces: Vec<super::Surface>) -> Result<SceneBuilder, ValueError> {
+    pub(super) fn builder(&self, surfaces: Vec<super::Surface>) -> Result<SceneBuilder, ValueError> {
         check_metres("eye", self.eye.as_ref().map_or(&[], |eye| eye))?;
         check_metres("view-height", self.view_height.as_slice())?;
         check_metres("near", self.near.as_slice())?;
@@ -375,6 +389,11 @@ impl SceneSpec {
             }
         }
     }
+}
+
+/// The longest side of shadow maps in texels, and the number of cascades, where selections need them.
+fn light_views<'a>(selections: impl Iterator<Item = &'a Selection>) -> Option<[u32; 2]> {
+    selections.filter_map(Selection::light_views).reduce(|[a, b], [c, d]| [a.max(c), b.max(d)])
 }
 
 impl LightSpec {

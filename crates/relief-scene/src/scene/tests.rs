@@ -6,6 +6,7 @@ mod materials;
 mod overriding;
 mod proportions;
 mod ramps;
+mod reader;
 mod texture_sets;
 mod walls;
 
