@@ -1,6 +1,6 @@
 //! Controls for every key and every setting, made of the lists of the libraries.
 
-use relief_scene::{Form, Key, SceneSpec, keys};
+use relief_scene::{Form, Key, KeyGroup, SceneSpec, keys};
 use relief_shaders::{METHODS, STAGES, Selection};
 use serde::Serialize;
 
@@ -24,8 +24,12 @@ pub struct Control {
     pub label: String,
     /// What it means, in one line.
     pub about: String,
+    /// Title of the group that it is shown in.
+    pub group: &'static str,
     /// What its values are.
     pub kind: Kind,
+    /// Whether it takes a file or a folder.
+    pub is_file: bool,
     /// Unit of its numbers; empty for plain ones.
     pub unit: String,
     /// Least number that is accepted, or that is not accepted just below; none if there is none.
@@ -46,7 +50,7 @@ pub struct Control {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
-    /// A text or a file's name.
+    /// A text, or the name of a file or a folder.
     Text,
     /// One of the choices.
     Name,
@@ -109,7 +113,7 @@ impl Panel {
 impl Control {
     fn of(key: &Key, name: String, value: Option<String>) -> Self {
         let (kind, names) = match &key.form {
-            Form::Text => (Kind::Text, &[][..]),
+            Form::Text | Form::File | Form::Folder => (Kind::Text, &[][..]),
             Form::Name(names) => (Kind::Name, &names[..]),
             Form::Mesh(names) | Form::Ramp(names) => (Kind::NameOrFile, &names[..]),
             Form::Flag => (Kind::Flag, &[][..]),
@@ -137,7 +141,9 @@ impl Control {
             key: name,
             label: words(key.name),
             about: key.about.to_owned(),
+            group: key.group.name(),
             kind,
+            is_file: matches!(key.form, Form::File | Form::Folder) || kind == Kind::NameOrFile,
             unit: key.number.map_or(String::new(), |number| number.unit.to_owned()),
             min,
             max,
@@ -182,6 +188,8 @@ fn settings(
                 key: own,
                 label: format!("{}: {}", words(stage.key), words(param.name).to_lowercase()),
                 about: param.summary.to_owned(),
+                group: KeyGroup::Method.name(),
+                is_file: false,
                 kind: match (param.names.is_empty(), param.integer) {
                     (false, _) => Kind::Name,
                     (true, true) => Kind::Whole,

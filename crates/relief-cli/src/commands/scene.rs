@@ -110,7 +110,7 @@ fn of_key(key: &Key) -> Value {
     let direction = || json!({ "oneOf": [numbers("number", 3), { "type": "string" }] });
     let colour = || numbers("number", 3);
     let mut schema = match &key.form {
-        Form::Text => json!({ "type": "string" }),
+        Form::Text | Form::File | Form::Folder => json!({ "type": "string" }),
         Form::Name(names) => json!({ "type": "string", "enum": names }),
         Form::Mesh(names) | Form::Ramp(names) => json!({ "type": "string", "examples": names }),
         Form::Flag => json!({ "type": "boolean" }),

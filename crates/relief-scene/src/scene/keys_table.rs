@@ -7,6 +7,7 @@ use std::fmt::Write;
 use relief_core::Wrap;
 use relief_io::{BuiltinRamp, HeightRange, Up};
 
+use super::key_groups::{KeyGroup, group_of};
 use super::key_numbers::{KeyNumber, number_of};
 use super::{
     BackendChoice, Look, PictureSize, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View,
@@ -20,8 +21,12 @@ use relief_shaders::{METHODS, STAGES, Selection};
 /// Type of a key's value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
-    /// A text, such as a path.
+    /// A text.
     Text,
+    /// A file's name.
+    File,
+    /// A folder's name.
+    Folder,
     /// One of these names.
     Name(Vec<&'static str>),
     /// One of these names of built-in meshes, or a file's name.
@@ -68,6 +73,8 @@ pub struct Key {
     pub name: &'static str,
     /// Whether each surface may have its own value. Other keys belong to the scene.
     pub of_surface: bool,
+    /// Group of keys that are shown together.
+    pub group: KeyGroup,
     /// Type of the value.
     pub form: Form,
     /// Default in TOML. Empty if no TOML value expresses it.
@@ -79,11 +86,11 @@ pub struct Key {
 }
 
 fn scene(name: &'static str, form: Form, default: &'static str, about: &'static str) -> Key {
-    Key { name, of_surface: false, form, default, about, number: number_of(name) }
+    Key { name, of_surface: false, group: group_of(name), form, default, about, number: number_of(name) }
 }
 
 fn surface(name: &'static str, form: Form, default: &'static str, about: &'static str) -> Key {
-    Key { name, of_surface: true, form, default, about, number: number_of(name) }
+    Key { name, of_surface: true, group: group_of(name), form, default, about, number: number_of(name) }
 }
 
 /// Returns all keys in the recommended order of a scene file: first keys of surfaces, then keys
@@ -94,14 +101,14 @@ pub fn keys() -> Vec<Key> {
     let mut keys = vec![
         surface(
             "height",
-            Form::Text,
+            Form::File,
             "",
             "file of the height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or raw",
         ),
-        surface("volume", Form::Text, "", "file of a volume, KTX2, in place of a height map"),
+        surface("volume", Form::File, "", "file of a volume, KTX2, in place of a height map"),
         surface(
             "motif",
-            Form::Text,
+            Form::File,
             "",
             "file of a motif, in place of a height map: a mesh in a tile, or a vector displacement map",
         ),
@@ -111,9 +118,9 @@ pub fn keys() -> Vec<Key> {
             "",
             "what red, green and blue of a vector displacement map are: tnb, tangent, normal, bitangent (default), or tbn",
         ),
-        surface("textures", Form::Text, "", "folder of a material's maps, recognised by their names"),
+        surface("textures", Form::Folder, "", "folder of a material's maps, recognised by their names"),
         surface("udim", Form::Whole, "", "UDIM tile whose maps are taken, from 1001 on"),
-        surface("object", Form::Text, "", "file of a depth object, object.toml, in place of height and mesh"),
+        surface("object", Form::File, "", "file of a depth object, object.toml, in place of height and mesh"),
         surface(
             "channel",
             Form::Text,
@@ -174,48 +181,48 @@ pub fn keys() -> Vec<Key> {
         ),
         surface("exaggerate", Form::Number, "1", "factor on the scale, from 1e-6 to 1e6"),
         surface("creases", Form::Flag, "false", "whether normals from the heights end at creases"),
-        surface("color", Form::Text, "", "file of the colour map, in sRGB"),
+        surface("color", Form::File, "", "file of the colour map, in sRGB"),
         surface(
             "ramp",
             Form::Ramp(BuiltinRamp::ALL.map(BuiltinRamp::name).to_vec()),
             "",
             "colours by height, in place of color: a built-in table, or a file for gdaldem color-relief",
         ),
-        surface("normal", Form::Text, "", "file of the tangent-space normal map"),
+        surface("normal", Form::File, "", "file of the tangent-space normal map"),
         surface(
             "green",
             Form::Name(vec!["+y", "-y"]),
             "\"+y\"",
             "direction of the normal map's green: up (+y) or down (-y)",
         ),
-        surface("roughness", Form::Text, "", "file of the roughness map, 0 smooth to 1 rough"),
-        surface("metallic", Form::Text, "", "file of the metalness map, 1 for metal"),
+        surface("roughness", Form::File, "", "file of the roughness map, 0 smooth to 1 rough"),
+        surface("metallic", Form::File, "", "file of the metalness map, 1 for metal"),
         surface(
             "occlusion",
-            Form::Text,
+            Form::File,
             "",
             "file of the occlusion map, 1 for open, for light from all around",
         ),
         surface(
             "orm",
-            Form::Text,
+            Form::File,
             "",
             "file of occlusion, roughness and metalness in red, green and blue; single maps replace channels",
         ),
         surface(
             "mask-map",
-            Form::Text,
+            Form::File,
             "",
             "file of metalness, occlusion and smoothness in red, green and opacity (Unity's HDRP)",
         ),
         surface(
             "metallic-smoothness",
-            Form::Text,
+            Form::File,
             "",
             "file of metalness in red and smoothness in opacity (Unity)",
         ),
-        surface("glossiness", Form::Text, "", "file of the glossiness map: 1 less the roughness"),
-        surface("emission", Form::Text, "", "file of the emission map, in sRGB: light of the surface itself"),
+        surface("glossiness", Form::File, "", "file of the glossiness map: 1 less the roughness"),
+        surface("emission", Form::File, "", "file of the emission map, in sRGB: light of the surface itself"),
         surface(
             "mesh",
             Form::Mesh(builtins),
@@ -345,7 +352,7 @@ pub fn keys() -> Vec<Key> {
         scene("ambient-color", Form::Numbers(3), "", "ambient light, linear (default: the look's)"),
         scene(
             "environment",
-            Form::Text,
+            Form::File,
             "",
             "file of the environment map, twice as wide as high (default: a generated sky)",
         ),
