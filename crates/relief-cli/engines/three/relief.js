@@ -8,7 +8,8 @@ import {
 	attribute, cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, cross, dFdx, dFdy, Fn, glslFn,
 	inverse, ivec2, lightTargetDirection, materialReference, modelNormalMatrix, modelViewMatrix, normalGeometry,
 	normalViewGeometry, positionView, select, sign, tangentGeometry, texture, uniform, uv, vec2, vec3, vec4,
-	viewZToOrthographicDepth, viewZToPerspectiveDepth, wgslFn,
+	viewZToLogarithmicDepth, viewZToOrthographicDepth, viewZToPerspectiveDepth, viewZToReversedOrthographicDepth,
+	viewZToReversedPerspectiveDepth, wgslFn,
 } from 'three/tsl';
 
 /**
@@ -174,9 +175,13 @@ function ownCurvature() {
 
 }
 
+/** Least squared sine of the angle between +u and +v. */
+const LEAST_TURN = 1e-6;
+
 /**
- * The frame of a fragment in view space: along +u, along +v, and the normal. From the mesh's own frames, else from
- * derivatives.
+ * The frame of a fragment in view space: what measures a direction along +u and along +v, and the normal. A mesh
+ * that is scaled unevenly has no right angle between +u and +v: one measures across the other. From the mesh's own
+ * frames, else from derivatives.
  */
 function frameOf( position, coordinates, normal ) {
 
@@ -187,19 +192,30 @@ function frameOf( position, coordinates, normal ) {
 	const upright = ( way ) => way.sub( n.mul( n.dot( way ) ) ).normalize();
 	const seen = ( changeX, changeY ) => dx.mul( changeY ).sub( dy.mul( changeX ) ).mul( turn );
 	const alongV = seen( atX.x, atY.x ).negate();
-	const t = Fn( ( builder ) => {
+	const u = Fn( ( builder ) => {
 
 		return hasFrames( builder ) ? ownTile( 0 ).normalize() : upright( seen( atX.y, atY.y ) );
 
 	}, 'vec3' )();
-	const b = Fn( ( builder ) => {
+	const v = Fn( ( builder ) => {
 
 		if ( ! hasFrames( builder ) ) return upright( alongV );
 		const own = ownTile( 1 );
 		return own.normalize().mul( sign( own.dot( alongV ) ) );
 
 	}, 'vec3' )();
-	return [ t.toVar(), b.toVar(), n ];
+	const [ t, b ] = [ u.toVar(), v.toVar() ];
+	const cosine = t.dot( b ).toVar();
+	const across = ( way, other ) => way.sub( other.mul( cosine ) ).div( cosine.mul( cosine ).oneMinus().max( LEAST_TURN ) );
+	return [ across( t, b ).toVar(), across( b, t ).toVar(), n ];
+
+}
+
+/** What the depth buffer of a renderer holds with parallel rays, and in perspective. */
+function depths( { reversedDepthBuffer, logarithmicDepthBuffer } ) {
+
+	if ( reversedDepthBuffer === true ) return [ viewZToReversedOrthographicDepth, viewZToReversedPerspectiveDepth ];
+	return [ viewZToOrthographicDepth, logarithmicDepthBuffer === true ? viewZToLogarithmicDepth : viewZToPerspectiveDepth ];
 
 }
 
@@ -294,12 +310,13 @@ export function applyRelief( material, { about, texts }, options ) {
 	if ( options.aoMap ) material.aoNode = sampled( options.aoMap ).r;
 	if ( options.emissiveMap ) material.emissiveNode = factor( 'emissive', 'color' ).mul( sampled( options.emissiveMap ).rgb );
 	const bent = seen.element( 1 );
-	material.normalNode = t.mul( bent.x ).add( b.mul( bent.y ) ).add( n.mul( bent.z ) );
+	material.normalNode = t.mul( bent.x ).add( b.mul( bent.y ) ).add( n.mul( bent.z ) ).normalize();
 	material.maskNode = seen.element( 0 ).x.greaterThan( 0.5 );
+	const [ ofParallel, ofPerspective ] = depths( renderer );
 	material.depthNode = select(
 		isParallel,
-		viewZToOrthographicDepth( place.z, cameraNear, cameraFar ),
-		viewZToPerspectiveDepth( place.z, cameraNear, cameraFar ),
+		ofParallel( place.z, cameraNear, cameraFar ),
+		ofPerspective( place.z, cameraNear, cameraFar ),
 	);
 	material.receivedShadowPositionNode = inverse( cameraViewMatrix ).mul( vec4( place, 1 ) ).xyz;
 	// From behind, a point of the mesh has no relief.

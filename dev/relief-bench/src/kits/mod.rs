@@ -224,6 +224,13 @@ impl Subject {
         Ok(Self { builtin, tile, method: method.to_owned(), mesh, heights: heights()?, selection, size })
     }
 
+    /// The same with more tiles along u and v.
+    fn finer(&self, tiles: f32) -> Result<Self, String> {
+        let mesh = self.mesh.as_ref().clone().tiled(Vec2::splat(tiles)).map_err(|error| error.to_string())?;
+        let (heights, method, tile) = (self.heights.clone(), self.method.clone(), self.tile * tiles);
+        Ok(Self { mesh: Arc::new(mesh), heights, method, tile, ..*self })
+    }
+
     /// The picture of it, of a mesh with frames of its own at its vertices or without them.
     fn job(&self, frames: bool) -> Job<'_> {
         let Self { builtin, tile, method, mesh, heights, selection, size } = self;

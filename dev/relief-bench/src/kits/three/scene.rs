@@ -17,6 +17,9 @@ const DEPTHS: [(&str, &str); 3] = [
     (", reversed depth", "reversedDepthBuffer"),
 ];
 
+/// Tiles where others count hits on one, so that edges are less smooth.
+const FINER: f32 = 3.0;
+
 /// Fewer pixels are no edge that says anything.
 const LEAST_EDGE: usize = 100;
 
@@ -53,7 +56,8 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<bool, String> 
     let mut hits = table_of_hits();
     let mut holds = true;
     for subject in subjects {
-        for row in cuts(arguments, subject)?.into_iter().chain(shadows(arguments, subject)?) {
+        let finer = subject.finer(FINER)?;
+        for row in cuts(arguments, &finer)?.into_iter().chain(shadows(arguments, &finer)?) {
             holds &= row.holds();
             edges.add_row(row.cells(subject));
         }
@@ -68,19 +72,25 @@ fn each() -> impl Iterator<Item = (&'static str, bool, &'static str)> {
     FRAMES.into_iter().flat_map(|(frames, own)| BACKENDS.map(|backend| (backend, frames, own)))
 }
 
+/// Each of them, and all buffers of depths with own frames.
+fn each_depth() -> impl Iterator<Item = (&'static str, bool, String, &'static str)> {
+    each().flat_map(|(backend, frames, own)| {
+        let asked = DEPTHS.into_iter().filter(move |(_, option)| frames || option.is_empty());
+        asked.map(move |(depth, option)| (backend, frames, format!("{backend}{own}{depth}"), option))
+    })
+}
+
 /// Boxes that cut the relief.
 fn cuts(arguments: &Arguments, subject: &Subject) -> Result<Vec<Row>, String> {
     let exact = cut::exact_of(&subject.job(true))?;
     let mut rows = Vec::new();
-    for (backend, frames, own) in each() {
-        for (depth, option) in DEPTHS.iter().filter(|(_, option)| frames || option.is_empty()) {
-            let job = subject.job(frames);
-            let (apart, mask) = cut::measure(&arguments.chromium, &job, backend, option, &exact)?;
-            let name = format!("cut, {backend}{own}{depth}");
-            let places: Vec<DVec2> = exact.places().map(|(place, _)| place).collect();
-            keep(arguments, subject, &name, &mask, &exact, &places)?;
-            rows.push(Row { name, apart, unit: "pixels", bound: cut::BOUND_PIXELS });
-        }
+    for (backend, frames, picture, option) in each_depth() {
+        let job = subject.job(frames);
+        let (apart, mask) = cut::measure(&arguments.chromium, &job, backend, option, &exact)?;
+        let name = format!("cut, {picture}");
+        let places: Vec<DVec2> = exact.places().map(|(place, _)| place).collect();
+        keep(arguments, subject, &name, &mask, &exact, &places)?;
+        rows.push(Row { name, apart, unit: "pixels", bound: cut::BOUND_PIXELS });
     }
     Ok(rows)
 }
@@ -92,10 +102,10 @@ fn shadows(arguments: &Arguments, subject: &Subject) -> Result<Vec<Row>, String>
     }
     let exact = shadow::exact_of(&subject.job(true))?;
     let mut rows = Vec::new();
-    for (backend, frames, own) in each() {
+    for (backend, frames, picture, option) in each_depth() {
         let job = subject.job(frames);
-        let (apart, mask) = shadow::measure(&arguments.chromium, &job, backend, &exact)?;
-        let name = format!("shadow, {backend}{own}");
+        let (apart, mask) = shadow::measure(&arguments.chromium, &job, backend, option, &exact)?;
+        let name = format!("shadow, {picture}");
         let places = shadow::places(mask.size, exact.size[0])?;
         keep(arguments, subject, &name, &mask, &exact, &places)?;
         rows.push(Row { name, apart, unit: "texels", bound: shadow::BOUND_TEXELS });

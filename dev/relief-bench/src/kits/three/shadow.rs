@@ -68,8 +68,14 @@ pub fn places([width, height]: [u32; 2], side: u32) -> Result<Vec<DVec2>, String
     Ok((0..width * height).map(place).collect())
 }
 
-/// How far from there three.js shows the shadow, in texels.
-pub fn measure(chromium: &Path, job: &Job, backend: &str, exact: &Mask) -> Result<(Apart, Mask), String> {
+/// How far from there three.js shows the shadow, in texels. `depth` is an option of its renderer.
+pub fn measure(
+    chromium: &Path,
+    job: &Job,
+    backend: &str,
+    depth: &str,
+    exact: &Mask,
+) -> Result<(Apart, Mask), String> {
     let above = above()?;
     let floor = json!({
         "sun": (SUN.normalize() * SUN_M[0]).to_array(),
@@ -79,7 +85,7 @@ pub fn measure(chromium: &Path, job: &Job, backend: &str, exact: &Mask) -> Resul
         "eye": above.eye().to_array(),
         "seen": FLOOR_HEIGHT_M,
     });
-    let pixels = drawn(chromium, job, backend, json!({ "floor": floor }))?;
+    let pixels = drawn(chromium, job, backend, json!({ "floor": floor, "depth": depth }))?;
     let mask = Mask { size: job.size, on: pixels.iter().map(|pixel| pixel[0] < 0.5).collect() };
     Ok((compare(exact, &mask)?, mask))
 }
