@@ -61,11 +61,9 @@ impl Mask {
         (0..self.on.len()).filter(differs).count()
     }
 
-    /// All pixels, as places.
+    /// All pixels as places, with what they show.
     pub fn places(&self) -> impl Iterator<Item = (DVec2, bool)> {
-        let width = self.size[0];
-        let place = move |k: u32| DVec2::new(f64::from(k % width), f64::from(k / width));
-        (0..).map(place).zip(self.on.iter().copied())
+        pixels(self.size).into_iter().zip(self.on.iter().copied())
     }
 
     /// Writes what is shown at places of the exact mask: white, and red where the mask differs.
@@ -79,6 +77,11 @@ impl Mask {
         let [width, height] = self.size;
         write_png8(path, width, height, PngColour::Rgb, &bytes).map_err(|error| error.to_string())
     }
+}
+
+/// The centres of all pixels, as places.
+pub fn pixels([width, height]: [u32; 2]) -> Vec<DVec2> {
+    (0..width * height).map(|k| DVec2::new(f64::from(k % width), f64::from(k / width))).collect()
 }
 
 #[cfg(test)]

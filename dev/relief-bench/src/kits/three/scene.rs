@@ -5,9 +5,9 @@ use comfy_table::Table;
 use glam::DVec2;
 use relief_core::mesh::Builtin;
 
-use super::mask::{Apart, Mask};
+use super::mask::{Apart, Mask, pixels};
 use super::{BACKENDS, cut, instances, shadow};
-use crate::kits::{Arguments, FRAMES, Subject, compare, is_near, row, table_of_hits};
+use crate::kits::{Arguments, FRAMES, Shown, Subject, compare, is_near, row, table_of_hits};
 use crate::table::table;
 
 /// Buffers of depths that three.js can have, as options of its renderer.
@@ -88,8 +88,7 @@ fn cuts(arguments: &Arguments, subject: &Subject) -> Result<Vec<Row>, String> {
         let job = subject.job(frames);
         let (apart, mask) = cut::measure(&arguments.chromium, &job, backend, option, &exact)?;
         let name = format!("cut, {picture}");
-        let places: Vec<DVec2> = exact.places().map(|(place, _)| place).collect();
-        keep(arguments, subject, &name, &mask, &exact, &places)?;
+        keep(arguments, subject, &name, &mask, &exact, &pixels(subject.size))?;
         rows.push(Row { name, apart, unit: "pixels", bound: cut::BOUND_PIXELS });
     }
     Ok(rows)
@@ -116,6 +115,8 @@ fn shadows(arguments: &Arguments, subject: &Subject) -> Result<Vec<Row>, String>
 /// One mesh in three places, beside the renderer's picture moved aside. Returns whether the bounds hold.
 fn places(arguments: &Arguments, subject: &Subject, hits: &mut Table) -> Result<bool, String> {
     let [exact, aside] = instances::exact_of(&subject.job(true))?;
+    let covered =
+        |shown: &Shown| Mask { size: subject.size, on: shown.iter().map(Option::is_some).collect() };
     let side = subject.heights.width();
     let itself = compare(&exact, &aside, side);
     let mut add = |name: &str, found: &_| {
@@ -130,7 +131,9 @@ fn places(arguments: &Arguments, subject: &Subject, hits: &mut Table) -> Result<
             let found = compare(&exact, &theirs, side);
             holds &= is_near(subject.builtin, frames, &found, &itself);
             let kind = if *is_instanced { "InstancedMesh" } else { "objects" };
-            add(&format!("{kind}, {backend}{own}"), &found);
+            let name = format!("{kind}, {backend}{own}");
+            add(&name, &found);
+            keep(arguments, subject, &name, &covered(&theirs), &covered(&exact), &pixels(subject.size))?;
         }
     }
     Ok(holds)
