@@ -25,7 +25,7 @@ pub struct Apart {
 
 impl Mask {
     /// What the pixel shows whose centre is nearest. Nothing is shown beyond the picture.
-    fn at(&self, place: DVec2) -> bool {
+    pub fn at(&self, place: DVec2) -> bool {
         let [x, y] = place.round().to_array();
         let [width, height] = self.size.map(f64::from);
         let is_inside = x >= 0.0 && y >= 0.0 && x < width && y < height;
