@@ -42,8 +42,8 @@ pub struct Arguments {
     /// The command, for the pages that it writes
     #[arg(long, value_name = "PROGRAM", default_value = "target/release/relief")]
     relief: PathBuf,
-    /// Draw scenes of three.js instead: boxes cut the relief, it casts a shadow on a floor, and one mesh is in
-    /// three places, turned and scaled unevenly
+    /// Draw scenes of three.js instead: boxes cut the relief, it casts a shadow on a floor, and one mesh is
+    /// in three places, turned and scaled unevenly
     #[arg(long)]
     scene: bool,
     /// Folder for pictures of the scenes: what is shown, and in red what differs from the exact

@@ -1,4 +1,4 @@
-//! Boxes of three.js that stand in a relief and cut it. In the picture they are where they are nearer than the
+//! Boxes of three.js that stand in a relief and cut it. Exact are the pixels where they are nearer than the
 //! renderer's hits.
 
 use std::path::Path;

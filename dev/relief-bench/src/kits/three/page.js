@@ -87,7 +87,8 @@ function materialOf({ heights, functions, scale, beyond }, renderer) {
 }
 
 function boxOf(place) {
-    return placed(new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshBasicNodeMaterial({ color: 0 })), place);
+    const material = new THREE.MeshBasicNodeMaterial({ color: 0 });
+    return placed(new THREE.Mesh(new THREE.BoxGeometry(), material), place);
 }
 
 /** A floor and its sun, with a shadow map as sharp as it has. */

@@ -1,5 +1,7 @@
-//! What a scene of three.js does with a relief: other meshes cut it, it casts a shadow on a floor, and one mesh is
-//! in several places.
+//! What a scene of three.js does with a relief: other meshes cut it, it casts a shadow on a floor, and one mesh
+//! is in several places.
+
+use std::fs;
 
 use comfy_table::Table;
 use glam::DVec2;
@@ -52,6 +54,9 @@ impl Row {
 
 /// Prints the tables. Returns whether all bounds hold.
 pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<bool, String> {
+    if let Some(folder) = &arguments.pictures {
+        fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    }
     let mut edges = table(&["mesh", "method", "picture", "edge pixels", "differ", "farthest"]);
     let mut hits = table_of_hits();
     let mut holds = true;

@@ -1,5 +1,5 @@
-//! The shadow of a relief on a floor, by the shadow map of three.js. The renderer's picture from the light says
-//! where a ray to the light meets the relief.
+//! The shadow of a relief on a floor, by the shadow map of three.js. The renderer's picture from the light
+//! says where a ray to the light meets the relief.
 
 use std::path::Path;
 
