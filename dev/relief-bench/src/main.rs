@@ -98,7 +98,7 @@ enum Command {
     Ground(ground::Arguments),
     /// The exact judge of displaced meshes beside a tessellation: fails where they disagree
     Judge(judge::Arguments),
-    /// Kits for engines beside Relief, in Chromium: fails where a plane differs
+    /// Kits for engines beside Relief, in Chromium: fails where a bound is missed
     Kits(kits::Arguments),
     /// What the machine's vectors bring the CPU, beside the same work without them
     Lanes(lanes::Arguments),

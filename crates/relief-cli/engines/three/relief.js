@@ -7,8 +7,9 @@ import { DataTexture, FloatType, FrontSide, RedFormat, Vector2, Vector4 } from '
 import {
 	attribute, cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, cross, dFdx, dFdy, Fn, glslFn,
 	inverse, ivec2, lightTargetDirection, materialReference, modelNormalMatrix, modelViewMatrix, normalGeometry,
-	normalViewGeometry, positionView, select, sign, tangentGeometry, texture, uniform, uv, vec2, vec3, vec4,
-	viewZToOrthographicDepth, viewZToPerspectiveDepth, wgslFn,
+	normalLocal, normalViewGeometry, positionView, select, sign, tangentGeometry, texture, transformNormalToView,
+	uniform, uv, vec2, vec3, vec4, viewZToLogarithmicDepth, viewZToOrthographicDepth, viewZToPerspectiveDepth,
+	viewZToReversedOrthographicDepth, viewZToReversedPerspectiveDepth, wgslFn,
 } from 'three/tsl';
 
 /**
@@ -118,9 +119,6 @@ function sources( about ) {
 	return {
 		wgsl: {
 			tile: `fn ${ p }_tile_of_fragment(position: vec3f, uv: vec2f) -> vec2f { return ${ p }_tile(position, uv); }`,
-			curvature: `fn ${ p }_curvature_of_fragment(position: vec3f, n: vec3f, uv: vec2f) -> vec3f {
-	return ${ p }_curvature(position, n, uv);
-}`,
 			hit: `fn ${ p }_of_fragment(${ wgslOfPoint }, ${ passed }) -> mat3x3<f32> {${ wgslPoint }
 	let hit = ${ p }_hit(settings, at);
 	return mat3x3<f32>(vec3f(select(0.0, 1.0, hit.hit), hit.uv), hit.normal, vec3f(hit.depth, hit.height, 0.0));
@@ -132,9 +130,6 @@ function sources( about ) {
 		},
 		glsl: {
 			tile: `vec2 ${ p }_tile_of_fragment(vec3 position, vec2 uv) { return ${ p }_tile(position, uv); }`,
-			curvature: `vec3 ${ p }_curvature_of_fragment(vec3 position, vec3 n, vec2 uv) {
-	return ${ p }_curvature(position, n, uv);
-}`,
 			hit: `mat3 ${ p }_of_fragment(${ glslOfPoint }, ${ passedGlsl }) {${ glslPoint }
 	${ Hit } hit = ${ p }_hit(settings, at);
 	return mat3(vec3(hit.hit ? 1.0 : 0.0, hit.uv), hit.normal, vec3(hit.depth, hit.height, 0.0));
@@ -175,8 +170,31 @@ function ownCurvature() {
 }
 
 /**
- * The frame of a fragment in view space: along +u, along +v, and the normal. From the mesh's own frames, else from
- * derivatives.
+ * The curvature of a mesh from derivatives. The normal between vertices is the one that is linear on a triangle: of
+ * unit normals, differences from pixel to pixel say little where a triangle is seen from its edge.
+ */
+function curvatureOf( position, coordinates ) {
+
+	const normal = transformNormalToView( normalLocal ).toVarying();
+	const [ atX, atY ] = [ dFdx( coordinates ), dFdy( coordinates ) ];
+	const area = atX.x.mul( atY.y ).sub( atX.y.mul( atY.x ) );
+	const alongU = ( of ) => dFdx( of ).mul( atY.y ).sub( dFdy( of ).mul( atX.y ) ).div( area );
+	const alongV = ( of ) => dFdy( of ).mul( atX.x ).sub( dFdx( of ).mul( atY.x ) ).div( area );
+	const n = normal.normalize();
+	const turn = ( change ) => change.sub( n.mul( n.dot( change ) ) ).div( normal.length() );
+	const [ u, v ] = [ alongU( position ), alongV( position ) ];
+	const [ turnU, turnV ] = [ turn( alongU( normal ) ), turn( alongV( normal ) ) ];
+	return vec3( turnU.dot( u ), turnU.dot( v ).add( turnV.dot( u ) ), turnV.dot( v ) ).mul( - 0.5 );
+
+}
+
+/** Least squared sine of the angle between +u and +v. */
+const LEAST_TURN = 1e-6;
+
+/**
+ * The frame of a fragment in view space: what measures a direction along +u and along +v, and the normal. A mesh
+ * that is scaled unevenly has no right angle between +u and +v: one measures across the other. From the mesh's own
+ * frames, else from derivatives.
  */
 function frameOf( position, coordinates, normal ) {
 
@@ -187,19 +205,31 @@ function frameOf( position, coordinates, normal ) {
 	const upright = ( way ) => way.sub( n.mul( n.dot( way ) ) ).normalize();
 	const seen = ( changeX, changeY ) => dx.mul( changeY ).sub( dy.mul( changeX ) ).mul( turn );
 	const alongV = seen( atX.x, atY.x ).negate();
-	const t = Fn( ( builder ) => {
+	const u = Fn( ( builder ) => {
 
 		return hasFrames( builder ) ? ownTile( 0 ).normalize() : upright( seen( atX.y, atY.y ) );
 
 	}, 'vec3' )();
-	const b = Fn( ( builder ) => {
+	const v = Fn( ( builder ) => {
 
 		if ( ! hasFrames( builder ) ) return upright( alongV );
 		const own = ownTile( 1 );
 		return own.normalize().mul( sign( own.dot( alongV ) ) );
 
 	}, 'vec3' )();
-	return [ t.toVar(), b.toVar(), n ];
+	const [ t, b ] = [ u.toVar(), v.toVar() ];
+	const cosine = t.dot( b ).toVar();
+	const squaredSine = cosine.mul( cosine ).oneMinus().max( LEAST_TURN );
+	const across = ( way, other ) => way.sub( other.mul( cosine ) ).div( squaredSine );
+	return [ across( t, b ).toVar(), across( b, t ).toVar(), n ];
+
+}
+
+/** What the depth buffer of a renderer holds with parallel rays, and in perspective. */
+function depths( { reversedDepthBuffer, logarithmicDepthBuffer } ) {
+
+	if ( reversedDepthBuffer === true ) return [ viewZToReversedOrthographicDepth, viewZToReversedPerspectiveDepth ];
+	return [ viewZToOrthographicDepth, logarithmicDepthBuffer === true ? viewZToLogarithmicDepth : viewZToPerspectiveDepth ];
 
 }
 
@@ -271,7 +301,8 @@ export function applyRelief( material, { about, texts }, options ) {
 		curvature: Fn( ( builder ) => {
 
 			if ( ! about.point.some( ( { name } ) => name === 'curvature' ) ) return vec3( 0 );
-			if ( ! hasFrames( builder ) ) return native( source.curvature, [ functions ] )( { position: positionView, n, uv: ownUV } );
+			// Triangles with a normal of their own are flat.
+			if ( ! hasFrames( builder ) ) return builder.isFlatShading() ? vec3( 0 ) : curvatureOf( positionView, ownUV );
 			return ownCurvature().div( vec3( repeat.x.mul( repeat.x ), repeat.x.mul( repeat.y ), repeat.y.mul( repeat.y ) ) );
 
 		}, 'vec3' )().toVar(),
@@ -294,12 +325,13 @@ export function applyRelief( material, { about, texts }, options ) {
 	if ( options.aoMap ) material.aoNode = sampled( options.aoMap ).r;
 	if ( options.emissiveMap ) material.emissiveNode = factor( 'emissive', 'color' ).mul( sampled( options.emissiveMap ).rgb );
 	const bent = seen.element( 1 );
-	material.normalNode = t.mul( bent.x ).add( b.mul( bent.y ) ).add( n.mul( bent.z ) );
+	material.normalNode = t.mul( bent.x ).add( b.mul( bent.y ) ).add( n.mul( bent.z ) ).normalize();
 	material.maskNode = seen.element( 0 ).x.greaterThan( 0.5 );
+	const [ ofParallel, ofPerspective ] = depths( renderer );
 	material.depthNode = select(
 		isParallel,
-		viewZToOrthographicDepth( place.z, cameraNear, cameraFar ),
-		viewZToPerspectiveDepth( place.z, cameraNear, cameraFar ),
+		ofParallel( place.z, cameraNear, cameraFar ),
+		ofPerspective( place.z, cameraNear, cameraFar ),
 	);
 	material.receivedShadowPositionNode = inverse( cameraViewMatrix ).mul( vec4( place, 1 ) ).xyz;
 	// From behind, a point of the mesh has no relief.

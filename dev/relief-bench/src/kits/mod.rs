@@ -12,6 +12,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Args;
+use comfy_table::Table;
 use glam::{DVec3, Vec2};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{Builtin, Mesh};
@@ -41,6 +42,13 @@ pub struct Arguments {
     /// The command, for the pages that it writes
     #[arg(long, value_name = "PROGRAM", default_value = "target/release/relief")]
     relief: PathBuf,
+    /// Draw scenes of three.js instead: boxes cut the relief, it casts a shadow on a floor, and one mesh is
+    /// in three places, turned and scaled unevenly
+    #[arg(long)]
+    scene: bool,
+    /// Folder for pictures of the scenes: what is shown, and in red what differs from the exact
+    #[arg(long, value_name = "FOLDER")]
+    pictures: Option<PathBuf>,
     /// Width of the pictures; they are three quarters as high
     #[arg(long, default_value_t = 512)]
     width: u32,
@@ -73,45 +81,50 @@ const LEAST_FROM_DERIVATIVES: f64 = 0.995;
 /// moves hits is seen by the renderer's own picture, moved as far aside.
 const ASIDE_PIXELS: f64 = 1.0 / 32.0;
 
-/// Prints the table. Fails where a picture misses a bound.
+/// Prints the tables. Fails where a picture misses a bound.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
-    let size = [arguments.width, arguments.width * 3 / 4];
-    let mut rows = table(&["mesh", "method", "picture", "hits agree", "median", "p99", "within 0.02 texel"]);
+    let subjects = subjects(arguments)?;
+    let holds = match arguments.scene {
+        true => three::scene::run(arguments, &subjects)?,
+        false => {
+            let holds = hits(arguments, &subjects)?;
+            written(arguments)?;
+            holds
+        }
+    };
+    Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Prints how far each kit's hits are from the renderer's. Returns whether the bounds hold.
+fn hits(arguments: &Arguments, subjects: &[Subject]) -> Result<bool, String> {
+    let mut rows = table_of_hits();
     let mut holds = true;
-    let unknown = |name: &&String| MESHES.iter().all(|(builtin, ..)| builtin.name() != name.as_str());
-    if let Some(name) = arguments.mesh.iter().find(unknown) {
-        return Err(format!("--mesh: no '{name}' here"));
-    }
-    let is_asked = |builtin: Builtin| arguments.mesh.iter().any(|name| name == builtin.name());
-    for (builtin, tile, surface) in MESHES.into_iter().filter(|(builtin, ..)| is_asked(*builtin)) {
-        for method in &arguments.method {
-            let mut selection = Selection::method(method).map_err(|error| error.to_string())?;
-            for (key, name) in [("surface", surface), ("shadow", "none")] {
-                selection.choose(key, name).map_err(|error| error.to_string())?;
-            }
-            let mesh = builtin.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(tile));
-            let mesh = Arc::new(mesh.map_err(|error| error.to_string())?);
-            let heights = heights()?;
-            let of = |pixels| ours(&mesh, &heights, &selection, size, pixels);
-            let (ours, aside) = (of(0.0)?, of(ASIDE_PIXELS)?);
-            let itself = compare(&ours, &aside, heights.width());
-            rows.add_row(row(builtin, method, "Relief, aside", &itself));
-            for (name, frames, draw) in kits(arguments)? {
-                let (mesh, heights, selection) = (&mesh, &heights, &selection);
-                let job = Job { builtin, tile, method, mesh, frames, heights, selection, size };
-                let theirs = draw(arguments, &job)?;
-                let found = compare(&ours, &theirs, heights.width());
-                // From derivatives each triangle of a bent mesh has one curvature.
-                let is_near = match frames || builtin == Builtin::Plane {
-                    true => found.is_as_near_as(&itself),
-                    false => found.hits >= LEAST_FROM_DERIVATIVES,
-                };
-                holds &= is_near;
-                rows.add_row(row(builtin, method, &name, &found));
-            }
+    for subject in subjects {
+        let Subject { builtin, method, heights, .. } = subject;
+        let [ours, aside] = [ours(subject, 0.0)?, ours(subject, ASIDE_PIXELS)?];
+        let itself = compare(&ours, &aside, heights.width());
+        rows.add_row(row(*builtin, method, "Relief, aside", &itself));
+        for (name, frames, draw) in kits(arguments)? {
+            let theirs = draw(arguments, &subject.job(frames))?;
+            let found = compare(&ours, &theirs, heights.width());
+            holds &= is_near(*builtin, frames, &found, &itself);
+            rows.add_row(row(*builtin, method, &name, &found));
         }
     }
     println!("{rows}");
+    Ok(holds)
+}
+
+/// Whether hits are near enough. From derivatives each triangle of a bent mesh has one curvature.
+fn is_near(builtin: Builtin, frames: bool, found: &Apart, itself: &Apart) -> bool {
+    match frames || builtin == Builtin::Plane {
+        true => found.is_as_near_as(itself),
+        false => found.hits >= LEAST_FROM_DERIVATIVES,
+    }
+}
+
+/// Reads texts of engines, and shows what `relief engine` writes.
+fn written(arguments: &Arguments) -> Result<(), String> {
     if arguments.engine.iter().any(|engine| engine == "godot") {
         println!("Godot takes {} texts of methods", godot::texts::read_all(&arguments.chromium)?);
     }
@@ -120,13 +133,18 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         println!("what `relief engine bevy` writes is shown: mean steps of {step:.1}");
     }
     if arguments.engine.iter().all(|engine| engine == "bevy") {
-        return Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+        return Ok(());
     }
     let [three, godot] = pages::open(&arguments.relief, &arguments.chromium)?;
     println!(
         "what `relief engine` writes is shown: mean steps of {three:.1} in three.js, {godot:.1} in Godot"
     );
-    Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(())
+}
+
+/// Columns of hits beside the renderer's.
+fn table_of_hits() -> Table {
+    table(&["mesh", "method", "picture", "hits agree", "median", "p99", "within 0.02 texel"])
 }
 
 /// Whether meshes have frames of their own at their vertices, and what is said of it.
@@ -180,18 +198,70 @@ fn heights() -> Result<HeightMap, String> {
     natural.build(Wrap::Repeat).with_displacement(SCALE_M, -SCALE_M).map_err(|error| error.to_string())
 }
 
-/// The renderer's hits, in a picture that is moved aside.
-fn ours(
-    mesh: &Arc<Mesh>,
-    heights: &HeightMap,
-    selection: &Selection,
+/// A mesh under a relief, and a method that shows it.
+struct Subject {
+    builtin: Builtin,
+    tile: Vec2,
+    method: String,
+    mesh: Arc<Mesh>,
+    heights: HeightMap,
+    selection: Selection,
+    /// Width and height of its pictures.
     size: [u32; 2],
-    aside_pixels: f64,
-) -> Result<Shown, String> {
-    let pixel_m = 2.0 * EYE_M.length() * (FOV_DEGREES.to_radians() / 2.0).tan() / f64::from(size[1]);
-    let target = DVec3::Y.cross(EYE_M).normalize() * (pixel_m * aside_pixels);
-    let camera = Camera::with(EYE_M, target, Projection::Perspective { fov_degrees: FOV_DEGREES });
-    rendered::shown(mesh, heights, selection, camera.map_err(|error| error.to_string())?, size)
+}
+
+impl Subject {
+    fn of(builtin: Builtin, method: &str, size: [u32; 2]) -> Result<Self, String> {
+        let known = MESHES.into_iter().find(|(of, ..)| *of == builtin);
+        let (_, tile, surface) = known.ok_or_else(|| format!("--mesh: no '{builtin}' here"))?;
+        let mut selection = Selection::method(method).map_err(|error| error.to_string())?;
+        for (key, name) in [("surface", surface), ("shadow", "none")] {
+            selection.choose(key, name).map_err(|error| error.to_string())?;
+        }
+        let mesh = builtin.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(tile));
+        let mesh = Arc::new(mesh.map_err(|error| error.to_string())?);
+        Ok(Self { builtin, tile, method: method.to_owned(), mesh, heights: heights()?, selection, size })
+    }
+
+    /// The same with more tiles along u and v.
+    fn finer(&self, tiles: f32) -> Result<Self, String> {
+        let mesh = self.mesh.as_ref().clone().tiled(Vec2::splat(tiles)).map_err(|error| error.to_string())?;
+        let (heights, method, tile) = (self.heights.clone(), self.method.clone(), self.tile * tiles);
+        Ok(Self { mesh: Arc::new(mesh), heights, method, tile, ..*self })
+    }
+
+    /// The picture of it, of a mesh with frames of its own at its vertices or without them.
+    fn job(&self, frames: bool) -> Job<'_> {
+        let Self { builtin, tile, method, mesh, heights, selection, size } = self;
+        Job { builtin: *builtin, tile: *tile, method, mesh, frames, heights, selection, size: *size }
+    }
+}
+
+/// The meshes and methods that are asked for.
+fn subjects(arguments: &Arguments) -> Result<Vec<Subject>, String> {
+    let size = [arguments.width, arguments.width * 3 / 4];
+    let unknown = |name: &&String| MESHES.iter().all(|(builtin, ..)| builtin.name() != name.as_str());
+    if let Some(name) = arguments.mesh.iter().find(unknown) {
+        return Err(format!("--mesh: no '{name}' here"));
+    }
+    let is_asked = |builtin: &Builtin| arguments.mesh.iter().any(|name| name == builtin.name());
+    let asked = MESHES.into_iter().map(|(builtin, ..)| builtin).filter(is_asked);
+    asked.flat_map(|of| arguments.method.iter().map(move |name| Subject::of(of, name, size))).collect()
+}
+
+/// The renderer's hits, in a picture that is moved aside.
+fn ours(subject: &Subject, aside_pixels: f64) -> Result<Shown, String> {
+    let Subject { mesh, heights, selection, size, .. } = subject;
+    let camera = camera(EYE_M, aside_pixels, *size)?;
+    rendered::shown(mesh, heights, selection, camera, *size)
+}
+
+/// A camera that looks at the middle, some pixels aside.
+fn camera(eye: DVec3, aside_pixels: f64, size: [u32; 2]) -> Result<Camera, String> {
+    let pixel_m = 2.0 * eye.length() * (FOV_DEGREES.to_radians() / 2.0).tan() / f64::from(size[1]);
+    let target = DVec3::Y.cross(eye).normalize() * (pixel_m * aside_pixels);
+    let camera = Camera::with(eye, target, Projection::Perspective { fov_degrees: FOV_DEGREES });
+    camera.map_err(|error| error.to_string())
 }
 
 /// A picture that an engine's kit draws.
@@ -199,7 +269,7 @@ struct Job<'a> {
     builtin: Builtin,
     tile: Vec2,
     method: &'a str,
-    mesh: &'a Mesh,
+    mesh: &'a Arc<Mesh>,
     /// Whether the mesh has frames of its own at its vertices.
     frames: bool,
     heights: &'a HeightMap,

@@ -22,15 +22,25 @@ pub fn shown(
     heights: &HeightMap,
     selection: &Selection,
     camera: Camera,
-    [width, height]: [u32; 2],
+    size: [u32; 2],
 ) -> Result<Shown, String> {
+    let hit = |pixel: &PixelOut| (pixel.hit == 1).then(|| [f64::from(pixel.uv.x), f64::from(pixel.uv.y)]);
+    Ok(pixels(mesh, heights, selection, camera, size)?.iter().map(hit).collect())
+}
+
+/// All that the renderer knows of each pixel.
+pub fn pixels(
+    mesh: &Arc<Mesh>,
+    heights: &HeightMap,
+    selection: &Selection,
+    camera: Camera,
+    [width, height]: [u32; 2],
+) -> Result<Vec<PixelOut>, String> {
     let surface = Surface::new(Arc::clone(mesh), heights.clone()).with_selection(*selection);
     let scene = Scene::builder(surface).look(Look::Plain).camera(camera).size(width, height).samples(1);
     let scene = scene.build().map_err(|error| error.to_string())?;
     let rendered = Renderer::on_cpu().render(&scene, &mut Maps::in_memory(), &Watch::none());
-    let pixels = rendered.map_err(|error| error.to_string())?.rendering.pixels;
-    let hit = |pixel: &PixelOut| (pixel.hit == 1).then(|| [f64::from(pixel.uv.x), f64::from(pixel.uv.y)]);
-    Ok(pixels.iter().map(hit).collect())
+    Ok(rendered.map_err(|error| error.to_string())?.rendering.pixels)
 }
 
 /// A mesh for a page's script, with frames of its own at its vertices if asked for.
