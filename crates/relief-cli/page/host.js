@@ -2,25 +2,7 @@
 
 /** @import { Action, Applied, Drawn, Given, Host, Progress, Saved, State, Wish } from "./protocol.d.ts" */
 
-/** The host refused a request and said why. Nothing has changed. */
-export class Refused extends Error {}
-
-/** Another change ended the request: ask again. */
-export class Outdated extends Error {}
-
-/** The host does not answer. */
-export class Gone extends Error {
-    constructor() {
-        super("The program has ended. Start `relief view` again.");
-    }
-}
-
-/** A number for a group of requests. It also differs from the numbers of pages opened earlier. */
-let last = Date.now() * 1000;
-export function newNumber() {
-    last += 1;
-    return last;
-}
+import { Gone, Outdated, Refused, newNumber } from "./shared.js";
 
 /** @implements {Host} */
 export class HttpHost {

@@ -2,7 +2,7 @@
 
 /** @import { AboutPicture, Host } from "./protocol.d.ts" */
 
-import { Gone, Outdated } from "./host.js";
+import { Gone, Outdated } from "./shared.js";
 import { element, byId } from "./elements.js";
 
 /** Milliseconds after which a request shows its progress, and between two looks at it. */

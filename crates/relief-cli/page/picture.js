@@ -4,7 +4,7 @@
 /** @import { Session } from "./session.js" */
 /** @import { Messages } from "./messages.js" */
 
-import { Gone, Outdated } from "./host.js";
+import { Gone, Outdated } from "./shared.js";
 
 /** Milliseconds that a frame of a moving view may take. */
 const FRAME = 1000 / 30;

@@ -37,7 +37,7 @@ export function scaleOf(control) {
 /**
  * A scale from a tenth of a number to ten times the number.
  * @param {number} about
- * @param {Control} control
+ * @param {Pick<Control, "min" | "max" | "value">} control
  * @param {boolean} whole
  * @returns {Scale | null}
  */

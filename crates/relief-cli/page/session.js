@@ -2,7 +2,7 @@
 
 /** @import { Action, Applied, Host, State } from "./protocol.d.ts" */
 
-import { Gone, newNumber } from "./host.js";
+import { Gone, newNumber } from "./shared.js";
 
 /** Milliseconds without input after which the view is at rest. */
 const REST = 150;
@@ -76,17 +76,31 @@ export class Session {
         if (this.#gone) return Promise.reject(new Gone());
         if (drag !== null) this.#move();
         return new Promise((done, failed) => {
-            const last = this.#waiting.at(-1);
-            const merged = last && last.drag === drag && drag !== null ? gathered(last.action, action) : null;
-            if (last && merged) {
-                last.action = merged;
-                last.done.push(done);
-                last.failed.push(failed);
-            } else {
+            if (!this.#gather(action, drag, done, failed)) {
                 this.#waiting.push({ action, drag, done: [done], failed: [failed] });
             }
             this.flush();
         });
+    }
+
+    /**
+     * Adds an action to one of its drag that still waits. Returns whether there is one.
+     * @param {Action} action
+     * @param {number | null} drag
+     * @param {(applied: Applied) => void} done
+     * @param {(error: unknown) => void} failed
+     */
+    #gather(action, drag, done, failed) {
+        const end = this.#waiting.findLastIndex((waiting) => waiting.drag === null || waiting.drag !== drag);
+        for (const waiting of this.#waiting.slice(end + 1)) {
+            const both = gathered(waiting.action, action);
+            if (!both) continue;
+            waiting.action = both;
+            waiting.done.push(done);
+            waiting.failed.push(failed);
+            return true;
+        }
+        return false;
     }
 
     /** Sends what waits, if nothing is on its way. */
