@@ -36,7 +36,14 @@ export class ControlRow {
         this.#workshop = workshop;
         this.#control = control;
         this.#field = this.#makeField(control);
-        this.node = element("div", { class: "control" }, this.#head, this.#field.node, this.#error, this.#about);
+        this.node = element(
+            "div",
+            { class: "control" },
+            this.#head,
+            this.#field.node,
+            this.#error,
+            this.#about,
+        );
         this.#lose.addEventListener("click", () => {
             this.#field.focus();
             this.#takeAway();

@@ -49,7 +49,8 @@ export function newId() {
 }
 
 /**
- * Makes the children of a parent these, in this order. Those that stay are not moved, so that they keep the focus.
+ * Makes the children of a parent these, in this order. Children that stay are not moved, so that they keep
+ * the focus.
  * @param {Element} parent
  * @param {Element[]} wanted
  */

@@ -22,8 +22,8 @@ import { textOf, written } from "./values.js";
 /**
  * @typedef {object} Field
  * @property {HTMLElement} node
- * @property {(control: Control, back?: boolean) => void} show shows the control's value. What the user is typing
- * stays, unless the value goes back.
+ * @property {(control: Control, back?: boolean) => void} show shows the control's value. What the
+ * user is typing stays, unless the value goes back.
  * @property {() => void} focus
  * @property {HTMLElement} input the element that is invalid when a value is refused
  */
@@ -150,7 +150,12 @@ class TextField {
      */
     constructor(control, around) {
         this.#isWritten = control.kind === "other";
-        const attributes = { type: "text", id: around.id, "aria-describedby": around.about, spellcheck: "false" };
+        const attributes = {
+            type: "text",
+            id: around.id,
+            "aria-describedby": around.about,
+            spellcheck: "false",
+        };
         this.input = element("input", { ...attributes, autocomplete: "off", autocapitalize: "off" });
         this.node = element("div", { class: "field" }, this.input);
         if (control.kind === "name-or-file") this.#offer(control);
@@ -163,7 +168,9 @@ class TextField {
 
     /** @param {Control} control */
     #offer({ choices }) {
-        const options = choices.map(({ name, about }) => element("option", { value: name, label: about || name }));
+        const options = choices.map(({ name, about }) =>
+            element("option", { value: name, label: about || name }),
+        );
         this.#list.replaceChildren(...options);
         this.input.setAttribute("list", this.#list.id);
         this.node.append(this.#list);
@@ -186,7 +193,8 @@ class TextField {
         const isTyping = document.activeElement === this.input && this.input.value !== this.#shown;
         if (!isTyping || back || text !== this.#shown) this.input.value = text;
         this.#shown = text;
-        this.input.placeholder = control.default === null ? "default" : `default: ${textOf(control.default)}`;
+        const standard = control.is_file ? "none" : "default";
+        this.input.placeholder = control.default === null ? standard : `default: ${textOf(control.default)}`;
         this.input.title = text;
     }
 
@@ -202,7 +210,11 @@ class TextField {
  */
 function chooser({ label }, around) {
     const input = element("input", { type: "file", hidden: true, tabindex: "-1" });
-    const button = element("button", { type: "button", "aria-label": `Choose file for ${label}` }, "Choose file");
+    const button = element(
+        "button",
+        { type: "button", "aria-label": `Choose file for ${label}` },
+        "Choose file",
+    );
     button.addEventListener("click", () => input.click());
     input.addEventListener("change", () => {
         const file = input.files?.[0];

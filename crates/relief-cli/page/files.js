@@ -62,7 +62,10 @@ export class Files {
     }
 
     #takeChosen() {
-        for (const [what, several] of [["open-files", "files"], ["open-folder", "folder"]]) {
+        for (const [what, several] of [
+            ["open-files", "files"],
+            ["open-folder", "folder"],
+        ]) {
             const input = typed(`${several}-input`, HTMLInputElement);
             for (const button of document.querySelectorAll(`[data-do="${what}"]`)) {
                 button.addEventListener("click", () => input.click());
@@ -96,10 +99,11 @@ export class Files {
 
     /** @param {DataTransfer} transfer */
     async #dropped(transfer) {
-        // The entries must be asked for before the event ends.
+        // Entries and files must be asked for before the event ends.
         const entries = [...transfer.items].flatMap((item) => item.webkitGetAsEntry() ?? []);
+        const plain = [...transfer.files].map((file) => ({ path: file.name, file }));
         try {
-            this.give(await filesOf(entries));
+            this.give(entries.length > 0 ? await filesOf(entries) : plain);
         } catch (error) {
             this.#messages.error(error);
         }

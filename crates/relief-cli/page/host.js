@@ -25,7 +25,12 @@ export class HttpHost {
      * @returns {Promise<Drawn>}
      */
     async picture({ width, height, part, samples }) {
-        const query = new URLSearchParams({ width: `${width}`, height: `${height}`, part: `${part}`, samples });
+        const query = new URLSearchParams({
+            width: `${width}`,
+            height: `${height}`,
+            part: `${part}`,
+            samples,
+        });
         const answer = await ask(`picture?${query}`);
         return drawn(await arrived(answer.arrayBuffer()));
     }

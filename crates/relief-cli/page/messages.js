@@ -10,7 +10,11 @@ const SLOW = 300;
 const LOOK = 200;
 
 /** Words for the tasks that the host names. */
-const TASKS = new Map([["rendering", "Rendering"], ["sending", "Sending files"], ["", "Working"]]);
+const TASKS = new Map([
+    ["rendering", "Rendering"],
+    ["sending", "Sending files"],
+    ["", "Working"],
+]);
 
 export class Messages {
     /** @type {Host} */ #host;
@@ -37,7 +41,11 @@ export class Messages {
         const text = error instanceof Error ? error.message : String(error);
         const same = [...this.#errors.children].find((message) => message.firstChild?.textContent === text);
         same?.remove();
-        const close = element("button", { type: "button", class: "close", "aria-label": "Close message" }, "×");
+        const close = element(
+            "button",
+            { type: "button", class: "close", "aria-label": "Close message" },
+            "×",
+        );
         const message = element("div", { class: "message" }, element("p", {}, text), close);
         close.addEventListener("click", () => message.remove());
         this.#errors.append(message);

@@ -24,7 +24,12 @@ export class NumberField {
     /** @param {Around} around */
     constructor(around) {
         this.#around = around;
-        this.input = element("input", { type: "number", id: around.id, step: "any", "aria-describedby": around.about });
+        this.input = element("input", {
+            type: "number",
+            id: around.id,
+            step: "any",
+            "aria-describedby": around.about,
+        });
         this.node = element("div", { class: "field" }, this.#slider, this.input);
         this.#slider.setAttribute("aria-labelledby", around.label);
         this.#slider.setAttribute("aria-describedby", around.about);
@@ -74,6 +79,7 @@ export class NumberField {
     #slide(control, number) {
         this.#scale = scaleOf(control);
         this.#slider.hidden = this.#scale === null;
+        this.node.classList.toggle("unknown", number === null);
         if (!this.#scale) return;
         const { from, to } = this.#scale;
         this.#slider.value = `${Math.round(PLACES * placeOf(this.#scale, number ?? (from + to) / 2))}`;
@@ -142,13 +148,30 @@ export class NumbersField {
         this.#count = count;
         const described = { "aria-labelledby": around.label, "aria-describedby": around.about };
         this.#inputs = Array.from({ length: count }, () => element("input", { type: "number", step: "any" }));
-        this.#text = element("input", { type: "text", id: around.id, ...described, hidden: true, spellcheck: "false" });
-        this.#button = element("button", { type: "button", class: "as-text", "aria-pressed": "false" }, "Text");
-        this.node = element("fieldset", { class: "field", ...described }, ...this.#inputs, this.#text, this.#button);
+        this.#text = element("input", {
+            type: "text",
+            id: around.id,
+            ...described,
+            hidden: true,
+            spellcheck: "false",
+        });
+        this.#button = element(
+            "button",
+            { type: "button", class: "as-text", "aria-pressed": "false" },
+            "Text",
+        );
+        this.node = element(
+            "fieldset",
+            { class: "field", ...described },
+            ...this.#inputs,
+            this.#text,
+            this.#button,
+        );
         this.input = this.node;
         this.node.addEventListener("change", () => this.#changed());
         this.#button.addEventListener("click", () => this.#write(this.#text.hidden === true));
-        for (const input of this.#inputs) input.addEventListener("keydown", (event) => this.#key(event, input));
+        for (const input of this.#inputs)
+            input.addEventListener("keydown", (event) => this.#key(event, input));
     }
 
     /**
@@ -166,10 +189,12 @@ export class NumbersField {
             input.min = min === null ? "" : `${min}`;
             input.max = max === null ? "" : `${max}`;
             input.placeholder = "default";
-            if (back || shown !== this.#shown || !this.#isHalf()) input.value = numbers ? `${numbers[place]}` : "";
+            if (back || shown !== this.#shown || !this.#isHalf())
+                input.value = numbers ? `${numbers[place]}` : "";
             input.dataset["step"] = `${control.step ?? 1}`;
         });
-        if (back || document.activeElement !== this.#text || shown !== this.#shown) this.#text.value = textOf(now);
+        if (back || document.activeElement !== this.#text || shown !== this.#shown)
+            this.#text.value = textOf(now);
         this.#shown = shown;
         this.node.classList.toggle("default", control.value === null);
         if (control.value !== null && !numbers) this.#write(true);

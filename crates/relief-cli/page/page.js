@@ -23,7 +23,8 @@ export function start(host) {
     const failed = (/** @type {unknown} */ error) => messages.error(error);
     const canvas = typed("picture", HTMLCanvasElement);
     const files = new Files(host, session, messages);
-    const give = (/** @type {File} */ file, /** @type {string} */ key) => files.give([{ path: file.name, file }], key);
+    const give = (/** @type {File} */ file, /** @type {string} */ key) =>
+        files.give([{ path: file.name, file }], key);
     const panel = new PanelView({ session, give, failed });
     const camera = new Camera(canvas, session, failed);
     new Toolbar(host, session, camera);

@@ -1,4 +1,4 @@
-// The panel: a tab for each surface and for the scene, with the controls in groups, and a filter over all of them.
+// The panel: a tab for each surface and for the scene, with controls in groups, and a filter over all.
 
 /** @import { Control, Panel, State } from "./protocol.d.ts" */
 /** @import { Workshop } from "./controls.js" */
@@ -35,8 +35,14 @@ export class PanelView {
         });
         this.#known = new Map(sheets.map((sheet) => [sheet.id, sheet]));
         if (!this.#known.has(this.#chosen)) this.#chosen = "surface 0";
-        reconcile(this.#tabs, sheets.map(({ tab }) => tab));
-        reconcile(this.#sheets, sheets.map(({ node }) => node));
+        reconcile(
+            this.#tabs,
+            sheets.map(({ tab }) => tab),
+        );
+        reconcile(
+            this.#sheets,
+            sheets.map(({ node }) => node),
+        );
         this.#showFilter();
     }
 
@@ -74,7 +80,8 @@ export class PanelView {
             sheet.choose(sheet.id === this.#chosen, words !== "");
         }
         this.#tabs.hidden = words !== "";
-        this.#none.textContent = words !== "" && found === 0 ? `No control matches “${this.#filter.value.trim()}”.` : "";
+        this.#none.textContent =
+            words !== "" && found === 0 ? `No control matches “${this.#filter.value.trim()}”.` : "";
     }
 
     /** @param {KeyboardEvent} event */
@@ -158,7 +165,10 @@ class Sheet {
             return group;
         });
         this.#groups = new Map(groups.map((group) => [group.name, group]));
-        reconcile(this.#list, groups.map(({ node }) => node));
+        reconcile(
+            this.#list,
+            groups.map(({ node }) => node),
+        );
     }
 
     /**
@@ -208,14 +218,22 @@ class Group {
     constructor(name, isOpen) {
         this.name = name;
         const title = name === "" ? "Other" : name.charAt(0).toUpperCase() + name.slice(1).replace(/-/g, " ");
-        this.node = element("details", { class: "group" }, element("summary", {}, title, this.#count), this.#body);
+        this.node = element(
+            "details",
+            { class: "group" },
+            element("summary", {}, title, this.#count),
+            this.#body,
+        );
         this.node.open = isOpen;
     }
 
     /** @param {ControlRow[]} rows */
     show(rows) {
         this.#rows = rows;
-        reconcile(this.#body, rows.map(({ node }) => node));
+        reconcile(
+            this.#body,
+            rows.map(({ node }) => node),
+        );
         const set = rows.filter((row) => row.isSet).length;
         this.#count.textContent = set === 0 ? "" : `${set} set`;
     }

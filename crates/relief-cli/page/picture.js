@@ -1,4 +1,5 @@
-// The picture: asks for frames only when something has changed, one at a time, and puts their bytes on the canvas.
+// The picture: asks for frames only when something has changed, one at a time, and puts their bytes on the
+// canvas.
 
 /** @import { AboutPicture, Drawn, Host, Wish } from "./protocol.d.ts" */
 /** @import { Session } from "./session.js" */
@@ -105,7 +106,9 @@ export class Picture {
 
     /** @returns {Wish} */
     #wish() {
-        const [part, samples] = this.#quick ? [this.#part, /** @type {const} */ ("one")] : [1, /** @type {const} */ ("all")];
+        const [part, samples] = this.#quick
+            ? [this.#part, /** @type {const} */ ("one")]
+            : [1, /** @type {const} */ ("all")];
         return { ...this.#size, part, samples };
     }
 

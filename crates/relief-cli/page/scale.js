@@ -42,7 +42,9 @@ export function scaleOf(control) {
  * @returns {Scale | null}
  */
 function around(about, { min, max, value }, whole) {
-    const ends = [about / 10, about * 10].map((end) => Math.min(Math.max(end, min ?? -Infinity), max ?? Infinity));
+    const ends = [about / 10, about * 10].map((end) =>
+        Math.min(Math.max(end, min ?? -Infinity), max ?? Infinity),
+    );
     const [from = 0, to = 0] = about > 0 ? ends : ends.reverse();
     const scale = { from, to, logarithmic: from * to > 0, whole };
     const now = numberOf(value);

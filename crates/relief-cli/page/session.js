@@ -107,7 +107,8 @@ export class Session {
     flush() {
         const next = this.#waiting[0];
         if (this.#sending || !next) return;
-        const waitsForPicture = this.#moving && this.#waiting.every(({ drag }) => drag !== null) && this.#holds();
+        const waitsForPicture =
+            this.#moving && this.#waiting.every(({ drag }) => drag !== null) && this.#holds();
         if (waitsForPicture) return;
         this.#waiting.shift();
         this.#send(next);
@@ -213,7 +214,8 @@ export class Session {
  * @returns {Action | null}
  */
 function gathered(first, second) {
-    if (first.do === "zoom" && second.do === "zoom") return { do: "zoom", factor: first.factor * second.factor };
+    if (first.do === "zoom" && second.do === "zoom")
+        return { do: "zoom", factor: first.factor * second.factor };
     if (first.do === "pan" && second.do === "pan") return { do: "pan", by: sum(first.by, second.by) };
     if ((first.do === "orbit" || first.do === "turn-light") && second.do === first.do) {
         return { do: first.do, degrees: sum(first.degrees, second.degrees) };

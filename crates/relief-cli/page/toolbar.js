@@ -30,7 +30,12 @@ export class Toolbar {
         for (const mode of /** @type {const} */ (["pan", "light"])) onClick(mode, () => this.#switch(mode));
         onClick("help", () => typed("help-dialog", HTMLDialogElement).showModal());
         onClick("end", () => typed("end-dialog", HTMLDialogElement).showModal());
-        onClick("end-now", () => host.end().then(() => session.readState(), (error) => session.met(error)));
+        onClick("end-now", () =>
+            host.end().then(
+                () => session.readState(),
+                (error) => session.met(error),
+            ),
+        );
         session.listen({ undo: (undo) => this.#show(undo), gone: (gone) => gone && this.#closeAll() });
         document.querySelectorAll("details.menu").forEach(closesItself);
         document.addEventListener("keydown", (event) => this.#key(event));

@@ -1,7 +1,14 @@
 // Values as a scene file writes them (TOML), and numbers as people read them.
 
 /** What follows a backslash in a text. */
-const ESCAPES = /** @type {Record<string, string>} */ ({ b: "\b", t: "\t", n: "\n", f: "\f", r: "\r", e: "\x1b" });
+const ESCAPES = /** @type {Record<string, string>} */ ({
+    b: "\b",
+    t: "\t",
+    n: "\n",
+    f: "\f",
+    r: "\r",
+    e: "\x1b",
+});
 
 /**
  * The text in a written value: without quotation marks if it has some.
@@ -17,10 +24,13 @@ export function textOf(written) {
 
 /** @param {string} text */
 function unescaped(text) {
-    return text.replace(/\\(?:u([0-9A-Fa-f]{4})|U([0-9A-Fa-f]{8})|x([0-9A-Fa-f]{2})|([^]))/g, (_, four, eight, two, one) => {
-        const code = four ?? eight ?? two;
-        return code ? String.fromCodePoint(parseInt(code, 16)) : (ESCAPES[one] ?? one);
-    });
+    return text.replace(
+        /\\(?:u([0-9A-Fa-f]{4})|U([0-9A-Fa-f]{8})|x([0-9A-Fa-f]{2})|([^]))/g,
+        (_, four, eight, two, one) => {
+            const code = four ?? eight ?? two;
+            return code ? String.fromCodePoint(parseInt(code, 16)) : (ESCAPES[one] ?? one);
+        },
+    );
 }
 
 /**
@@ -50,7 +60,10 @@ export function numberOf(written) {
  */
 export function numbersOf(written, count) {
     const inner = /^\s*\[([^\]]*)\]\s*$/.exec(written ?? "")?.[1];
-    const numbers = inner?.split(",").filter((part) => part.trim() !== "").map(numberOf);
+    const numbers = inner
+        ?.split(",")
+        .filter((part) => part.trim() !== "")
+        .map(numberOf);
     if (numbers?.length !== count) return null;
     const all = numbers.filter((number) => number !== null);
     return all.length === count ? all : null;
