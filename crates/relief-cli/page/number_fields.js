@@ -32,7 +32,6 @@ export class NumberField {
         });
         this.node = element("div", { class: "field" }, this.#slider, this.input);
         this.#slider.setAttribute("aria-labelledby", around.label);
-        this.#slider.setAttribute("aria-describedby", around.about);
         this.input.addEventListener("change", () => this.#typed());
         this.input.addEventListener("keydown", (event) => this.#key(event));
         this.#slider.addEventListener("pointerdown", () => (this.#drag = newNumber()));
@@ -241,7 +240,8 @@ export class NumbersField {
         event.preventDefault();
         const { min, max } = input;
         const limits = { min: min === "" ? null : Number(min), max: max === "" ? null : Number(max) };
-        input.value = `${nextNumber({ ...limits, step: Number(input.dataset["step"]) }, numberOf(input.value), steps)}`;
+        const step = Number(input.dataset["step"]);
+        input.value = `${nextNumber({ ...limits, step }, numberOf(input.value), steps)}`;
         const numbers = this.#inputs.map((each) => numberOf(each.value)).filter((number) => number !== null);
         if (numbers.length === this.#count) this.#around.set(numbers, this.#around.burst());
     }

@@ -135,18 +135,24 @@ export class Picture {
         else this.#parts.drawable(error instanceof Error ? error.message : String(error));
     }
 
+    /**
+     * @param {number} width
+     * @param {number} height
+     */
+    #resize(width, height) {
+        if (width === this.#size.width && height === this.#size.height) return;
+        this.#size = { width, height };
+        this.ask();
+    }
+
     /** Asks for another picture when the pane has another size in device pixels. */
     #watchSize() {
         const { pane } = this.#parts;
         const observer = new ResizeObserver(([entry]) => {
             const box = entry?.devicePixelContentBoxSize?.[0];
-            const ratio = window.devicePixelRatio;
-            const width = box ? box.inlineSize : Math.round(pane.clientWidth * ratio);
-            const height = box ? box.blockSize : Math.round(pane.clientHeight * ratio);
-            if (width === this.#size.width && height === this.#size.height) return;
-            this.#size = { width, height };
-            this.ask();
+            this.#resize(pixels(pane.clientWidth, box?.inlineSize), pixels(pane.clientHeight, box?.blockSize));
         });
+        window.addEventListener("resize", () => this.#resize(pixels(pane.clientWidth), pixels(pane.clientHeight)));
         try {
             observer.observe(pane, { box: "device-pixel-content-box" });
         } catch {
@@ -154,6 +160,17 @@ export class Picture {
             observer.observe(pane);
         }
     }
+}
+
+/**
+ * A side of the pane in device pixels. What a browser measures counts if it is the nearest but for rounding: some
+ * measure without the factor that the page is magnified by.
+ * @param {number} side
+ * @param {number} [measured]
+ */
+function pixels(side, measured) {
+    const computed = Math.round(side * window.devicePixelRatio);
+    return measured !== undefined && Math.abs(measured - computed) <= 1 ? measured : computed;
 }
 
 /**
