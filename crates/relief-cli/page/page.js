@@ -1,0 +1,51 @@
+// Puts the parts of the page together.
+
+import { Camera } from "./camera.js";
+import { byId, typed } from "./elements.js";
+import { Files } from "./files.js";
+import { Messages } from "./messages.js";
+import { PanelView } from "./panel.js";
+import { Picture } from "./picture.js";
+import { Saves } from "./saves.js";
+import { Session } from "./session.js";
+import { Empty, Toolbar } from "./toolbar.js";
+
+/** @import { Host, State } from "./protocol.d.ts" */
+
+/**
+ * Shows the scene of a host.
+ * @param {Host} host
+ */
+export function start(host) {
+    const session = new Session(host);
+    const messages = new Messages(host);
+    const empty = new Empty();
+    const failed = (/** @type {unknown} */ error) => messages.error(error);
+    const canvas = typed("picture", HTMLCanvasElement);
+    const files = new Files(host, session, messages);
+    const give = (/** @type {File} */ file, /** @type {string} */ key) =>
+        files.give([{ path: file.name, file }], key);
+    const panel = new PanelView({ session, give, failed });
+    const camera = new Camera(canvas, session, failed);
+    new Toolbar(host, session, camera);
+    new Saves(host, session, messages);
+    new Picture({
+        ...{ canvas, host, session, messages },
+        pane: byId("pane"),
+        rested: (about) => messages.drawn(about),
+        drawable: (why) => empty.show(why),
+    });
+    session.listen({
+        state: (state) => (panel.show(state), named(state)),
+        gone: (gone) => messages.gone(gone),
+    });
+    session.readState();
+}
+
+/** @param {State} state */
+function named({ name }) {
+    const title = name || "Relief";
+    document.title = name ? `${name} – Relief` : title;
+    byId("name").textContent = title;
+    byId("picture").setAttribute("aria-label", name ? `Picture of ${name}` : "Picture");
+}

@@ -1,0 +1,118 @@
+// Types of what the page and its host say to each other. Only the type checker reads this file.
+
+/** A name to choose from. */
+export interface Choice {
+    name: string;
+    about: string;
+    /** Why it cannot be chosen with the other values. */
+    refused: string | null;
+}
+
+/** What the values of a control are. */
+export type Kind =
+    | "text" | "name" | "name-or-file" | "flag" | "number" | "whole" | "other"
+    | { numbers: number };
+
+/** A control for a key. Default and value are texts as a scene file writes them. */
+export interface Control {
+    key: string;
+    label: string;
+    about: string;
+    kind: Kind;
+    unit: string;
+    min: number | null;
+    max: number | null;
+    step: number | null;
+    default: string | null;
+    value: string | null;
+    choices: Choice[];
+    group: string;
+    is_file: boolean;
+}
+
+export interface Panel {
+    scene: Control[];
+    surfaces: Control[][];
+}
+
+/** A file that the host can make of the scene. */
+export interface Save {
+    what: string;
+    label: string;
+}
+
+export interface State {
+    revision: number;
+    name: string;
+    /** Whether there is something to undo, and to redo. */
+    undo: [boolean, boolean];
+    panel: Panel;
+    saves: Save[];
+}
+
+export interface Applied {
+    revision: number;
+    changed: string[];
+    undo: [boolean, boolean];
+}
+
+export type Value = string | number | boolean | number[];
+
+export type Action =
+    | { do: "set"; key: string; value: Value }
+    | { do: "lose"; key: string }
+    | { do: "remove-surface"; number: number }
+    | { do: "orbit" | "turn-light"; degrees: [number, number] }
+    | { do: "pan"; by: [number, number] }
+    | { do: "zoom"; factor: number }
+    | { do: "add-surface" | "fit" | "frame" | "undo" | "redo" | "reset" };
+
+/** The picture that is wanted: the pane's size in device pixels, and the factor on both sides. */
+export interface Wish {
+    width: number;
+    height: number;
+    part: number;
+    samples: "one" | "all";
+}
+
+export interface AboutPicture {
+    revision: number;
+    size: [number, number];
+    samples: number;
+    seconds: number;
+    backend: string;
+    device: string;
+    notes: string[];
+}
+
+export interface Drawn {
+    about: AboutPicture;
+    pixels: Uint8ClampedArray<ArrayBuffer>;
+}
+
+export interface Progress {
+    task: string;
+    part: number;
+}
+
+/** A file that a user gives, with its path below what was dropped. */
+export interface Given {
+    path: string;
+    file: File;
+}
+
+export interface Saved {
+    name: string;
+    blob: Blob;
+}
+
+/** What the page asks of the program that holds the scene. */
+export interface Host {
+    state(): Promise<State>;
+    apply(action: Action, drag: number | null): Promise<Applied>;
+    picture(wish: Wish): Promise<Drawn>;
+    progress(): Promise<Progress>;
+    give(files: Given[], key: string | null, sent: (part: number) => void): Promise<Applied>;
+    save(what: string): Promise<Saved>;
+    end(): Promise<void>;
+}
