@@ -26,7 +26,11 @@ pub struct Session {
     undo: Vec<Step>,
     redo: Vec<SceneSpec>,
     seen: Option<Seen>,
+    guard: Option<Guard>,
 }
+
+/// Says what speaks against a document, in a sentence.
+type Guard = Box<dyn Fn(&SceneSpec) -> Result<(), String> + Send>;
 
 impl Session {
     /// Begins with the text of a scene file. Relative paths in it stay as they are.
@@ -48,7 +52,7 @@ impl Session {
     }
 
     fn begun(spec: SceneSpec) -> Self {
-        Self { start: spec.clone(), spec, undo: Vec::new(), redo: Vec::new(), seen: None }
+        Self { start: spec.clone(), spec, undo: Vec::new(), redo: Vec::new(), seen: None, guard: None }
     }
 
     /// Returns the document, as a scene to be loaded and drawn.
@@ -74,6 +78,41 @@ impl Session {
     /// Tells what a picture of the document shows, so that its camera and light can be turned.
     pub fn shown(&mut self, seen: Seen) {
         self.seen = Some(seen);
+    }
+
+    /// Refuses documents that `guard` speaks against, from now on: such as those that name files which the
+    /// user has not given.
+    pub fn guard(&mut self, guard: impl Fn(&SceneSpec) -> Result<(), String> + Send + 'static) {
+        self.guard = Some(Box::new(guard));
+    }
+
+    /// Changes the document, and in the same way the one that [`Action::Reset`] goes back to: for files that
+    /// come in, which a reset should not lose.
+    ///
+    /// # Errors
+    ///
+    /// When the document would not be a scene any more. Then nothing has changed.
+    pub fn take(&mut self, change: &dyn Fn(&SceneSpec) -> SceneSpec) -> Result<Changed, Refused> {
+        self.taken(&|spec| crate::document::checked(change(spec)))
+    }
+
+    /// Gives a key a value, in the document and in the one that [`Action::Reset`] goes back to.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::take`].
+    pub fn take_value(&mut self, key: &str, value: &str) -> Result<Changed, Refused> {
+        self.taken(&|spec| with(spec, key, value))
+    }
+
+    fn taken(
+        &mut self,
+        change: &dyn Fn(&SceneSpec) -> Result<SceneSpec, Refused>,
+    ) -> Result<Changed, Refused> {
+        let new = self.guarded(change(&self.spec)?)?;
+        // What it began with may not go with them, where the document does.
+        self.start = change(&self.start).unwrap_or_else(|_| new.clone());
+        Ok(self.put(None, new))
     }
 
     /// Returns the controls of the document.
@@ -115,9 +154,22 @@ impl Session {
             _ => {}
         }
         let Some(new) = self.changed(action)? else { return Ok(Changed::default()) };
+        let new = self.guarded(new)?;
+        Ok(self.put(drag, new))
+    }
+
+    fn guarded(&self, new: SceneSpec) -> Result<SceneSpec, Refused> {
+        match self.guard.as_ref().map_or(Ok(()), |guard| guard(&new)) {
+            Ok(()) => Ok(new),
+            Err(said) => Err(Refused::Value(said)),
+        }
+    }
+
+    /// Puts a document in place of this one, as a change that can be undone.
+    fn put(&mut self, drag: Option<Drag>, new: SceneSpec) -> Changed {
         let keys = differing(&self.spec, &new);
         if keys.is_empty() {
-            return Ok(Changed::default());
+            return Changed::default();
         }
         let before = std::mem::replace(&mut self.spec, new);
         let is_same_drag = drag.is_some() && self.undo.last().is_some_and(|step| step.drag == drag);
@@ -125,7 +177,7 @@ impl Session {
             self.undo.push(Step { before, drag });
         }
         self.redo.clear();
-        Ok(Changed { keys })
+        Changed { keys }
     }
 
     /// The document after an action; none if it stays.

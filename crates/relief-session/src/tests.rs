@@ -322,3 +322,39 @@ fn actions_are_read_from_json() {
         Some(keys().iter().filter(|key| !key.of_surface).count())
     );
 }
+
+#[test]
+fn files_that_come_in_survive_a_reset() {
+    let mut session = Session::new("height = \"a.png\"\n").expect("a scene");
+    session.apply(&Action::set("scale", "0.2")).expect("a value");
+    let changed = session.take_value("color", "\"b.png\"").expect("a file");
+    assert_eq!(changed.keys, ["color"]);
+    let changed = session
+        .take(&|spec| {
+            let mut spec = spec.clone();
+            spec.surface.height = Some("c.png".into());
+            spec
+        })
+        .expect("a file");
+    assert_eq!(changed.keys, ["height"]);
+    assert_eq!(session.apply(&Action::Reset).expect("a change").keys, ["scale"]);
+    assert_eq!(session.value("height").as_deref(), Some("\"c.png\""));
+    for key in ["scale", "height", "color", "scale"] {
+        assert_eq!(session.apply(&Action::Undo).expect("a change").keys, [key]);
+    }
+    assert!(session.take_value("scale", "-1").is_err() && session.take_value("none", "1").is_err());
+}
+
+#[test]
+fn what_a_guard_speaks_against_changes_nothing() {
+    let mut session = Session::new("height = \"a.png\"\n").expect("a scene");
+    session.guard(|spec| match spec.files().all(|file| file.starts_with("a.png")) {
+        true => Ok(()),
+        false => Err("another file".to_owned()),
+    });
+    let before = session.text();
+    assert_eq!(session.apply(&Action::set("color", "b.png")), Err(Refused::Value("another file".to_owned())));
+    assert!(session.take_value("color", "b.png").is_err());
+    assert!(session.text() == before && session.can_undo() == [false; 2]);
+    session.apply(&Action::set("color", "a.png")).expect("a file that is given");
+}

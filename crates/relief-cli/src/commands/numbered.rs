@@ -51,8 +51,7 @@ impl<'a> Numbering<'a> {
     /// Returns the scene in a frame.
     pub fn spec(&self, spec: &SceneSpec, frame: u32) -> Result<SceneSpec, Failure> {
         let mut spec = spec.clone();
-        let surfaces = spec.surfaces.iter_mut().chain([&mut spec.surface]);
-        for file in surfaces.flat_map(|surface| surface.files_mut()).chain(&mut spec.environment) {
+        for file in spec.files_mut() {
             *file = self.path(file, frame)?;
         }
         Ok(spec)

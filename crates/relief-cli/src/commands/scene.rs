@@ -67,12 +67,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     tell_written(false, |out| Ok(writeln!(out, "{}", path.display())?))
 }
 
+/// Makes all paths absolute, so that the scene can be read from anywhere.
 pub fn make_absolute(spec: &mut SceneSpec) -> Result<(), Failure> {
-    for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
-        for file in surface.files_mut() {
-            *file =
-                absolute(&*file).map_err(|error| Failure::Work(format!("{}: {error}", file.display())))?;
-        }
+    for file in spec.files_mut() {
+        *file = absolute(&*file).map_err(|error| Failure::Work(format!("{}: {error}", file.display())))?;
     }
     Ok(())
 }

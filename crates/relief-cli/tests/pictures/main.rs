@@ -12,6 +12,7 @@ mod file_materials;
 mod frames;
 mod gltf_materials;
 mod notes;
+mod page;
 mod pictures;
 mod procedure;
 mod shown;

@@ -70,12 +70,9 @@ pub fn parse_values(text: &str, path: &Path) -> Result<SceneSpec, SceneError> {
         }
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
-        for file in surface.files_mut() {
-            *file = folder.join(&*file);
-        }
+    for file in spec.files_mut() {
+        *file = folder.join(&*file);
     }
-    spec.environment = spec.environment.take().map(|file| folder.join(file));
     Ok(spec)
 }
 

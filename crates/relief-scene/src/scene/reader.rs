@@ -163,11 +163,9 @@ fn surfaces_of(spec: &SceneSpec) -> SceneSpec {
 
 /// The files that a description names, as they are now.
 fn stamps(spec: &SceneSpec) -> Vec<Stamp> {
-    let surfaces = spec.each_surface();
-    let files = surfaces.iter().flat_map(|surface| surface.files()).chain(&spec.environment);
     let state = |path: &PathBuf| {
         let about = std::fs::metadata(path).ok()?;
         Some((about.len(), about.modified().ok()))
     };
-    files.map(|path| Stamp { state: state(path), path: path.clone() }).collect()
+    spec.files().map(|path| Stamp { state: state(path), path: path.clone() }).collect()
 }

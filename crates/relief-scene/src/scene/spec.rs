@@ -145,6 +145,18 @@ impl SceneSpec {
         Self { surface, ..Self::default() }
     }
 
+    /// Returns all files and folders that it names.
+    pub fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        let surfaces = self.surfaces.iter().chain([&self.surface]);
+        surfaces.flat_map(SurfaceSpec::files).chain(&self.environment)
+    }
+
+    /// Returns all files and folders that it names, to be changed.
+    pub fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
+        let Self { surfaces, surface, environment, .. } = self;
+        surfaces.iter_mut().chain([surface]).flat_map(SurfaceSpec::files_mut).chain(environment)
+    }
+
     /// Returns this description with the values of `over` in place of its own.
     ///
     /// Values for all surfaces in `over` override each surface. If `over` has surfaces, they

@@ -121,6 +121,13 @@ const DROPPED: [TextureRole; 10] = [
 /// A key of a surface that names a file.
 type FileKey = fn(&mut SurfaceSpec) -> &mut Option<PathBuf>;
 
+impl SurfaceSpec {
+    /// Returns the key's value for textures of a role; none if no key takes them.
+    pub fn map_of(&mut self, role: TextureRole) -> Option<&mut Option<PathBuf>> {
+        key_of(role).map(|key| key(self))
+    }
+}
+
 /// Returns the key for textures of a role.
 fn key_of(role: TextureRole) -> Option<FileKey> {
     let key: FileKey = match role {

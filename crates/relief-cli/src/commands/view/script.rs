@@ -1,9 +1,8 @@
-//! `relief view --script`: changes a scene by a script of actions, without a window, and draws it.
+//! Changes a scene by a script of actions, and draws it.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
 use relief_core::registry::UnknownName;
 use relief_io::{decode_text, write_atomically};
 use relief_render::RENDERING;
@@ -11,14 +10,15 @@ use relief_scene::{SceneSpec, parse_scene};
 use relief_session::{Action, Drag, Refused, Seen, Session};
 use serde_json::{Value, json};
 
-use super::numbered::files;
-use super::render::{CacheArguments, Outputs, PictureRenderer};
-use super::scene::make_absolute;
-use super::scene_arguments::{MachineArguments, SceneArguments, of_scene};
+use super::Arguments;
+use crate::commands::numbered::files;
+use crate::commands::render::{Outputs, PictureRenderer};
+use crate::commands::scene::make_absolute;
+use crate::commands::scene_arguments::of_scene;
 use crate::failure::Failure;
 use crate::progress::{Progress, TaskProgress};
 use crate::say;
-use crate::streams::{Files, tell_written};
+use crate::streams::tell_written;
 
 /// Longest script that is read, in bytes.
 const MAX_SCRIPT_BYTES: u64 = 16 << 20;
@@ -29,47 +29,6 @@ const PICTURE: &str = "picture.png";
 
 /// The entry of a script that draws.
 const DRAW: &str = "picture";
-
-/// Arguments of `relief view`.
-#[derive(Args)]
-#[command(after_help = "Examples:\n  relief view wall.png --script actions.json -o out\n  \
-    relief view scene.toml --script actions.json --json      # what each action changes\n\n\
-    A script is a list of actions in JSON:\n  \
-    [\n    { \"do\": \"set\", \"key\": \"method\", \"value\": \"cone\" },\n    \
-    { \"do\": \"frame\" },\n    \
-    { \"do\": \"orbit\", \"degrees\": [30, 10] },\n    \
-    { \"do\": \"picture\", \"file\": \"turned.png\" },\n    { \"do\": \"undo\" }\n  ]\n\n\
-    set gives a key of a scene file a value, and lose takes it away: scale, set.search.steps, surfaces[1].color.\n\
-    orbit turns the eye, turn-light the light, by degrees to the right and up. pan moves the picture by heights \
-    of it to the right and up. zoom has a factor: 2 is twice as large. frame shows all from the present \
-    direction, fit as the view does. add-surface, remove-surface (number, from 0 on), undo, redo, reset. picture \
-    draws what the scene is then. Actions in a row with the same \"drag\", a whole number, are undone together.")]
-pub struct Arguments {
-    /// Script of actions, in JSON
-    #[arg(long, value_name = "FILE.json")]
-    script: PathBuf,
-    /// Folder for the scene and the pictures, created if missing [default: nothing is written]
-    #[arg(short, long, value_name = "DIR")]
-    output: Option<PathBuf>,
-    /// Print the result as one JSON object: the keys that each action changed
-    #[arg(long)]
-    pub json: bool,
-
-    #[command(flatten)]
-    scene: SceneArguments,
-    #[command(flatten)]
-    machine: MachineArguments,
-    #[command(flatten)]
-    cache: CacheArguments,
-}
-
-impl Arguments {
-    /// Returns the files that may be standard input.
-    pub fn files(&mut self) -> Files<'_> {
-        let Self { script, scene, .. } = self;
-        Files { read: scene.files().into_iter().chain([script]).collect(), ..Files::default() }
-    }
-}
 
 /// An entry of a script.
 enum Entry {
@@ -85,8 +44,8 @@ struct Drawn {
 }
 
 /// Applies the script, and writes scene and pictures.
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let script = read(&arguments.script)?;
+pub fn run(arguments: &Arguments, path: &Path) -> Result<(), Failure> {
+    let script = read(path)?;
     let spec = arguments.machine.over(arguments.scene.spec()?);
     let mut session = Session::of(spec).map_err(Failure::usage)?;
     let mut changes = Vec::new();
@@ -97,10 +56,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             Entry::Picture(name) => {
                 if name == PICTURE {
                     let what = format!("{name} is drawn at the end: give another name");
-                    return Err(arguments.fault(number, &what));
+                    return Err(fault(path, number, &what));
                 }
                 if pictures.iter().any(|drawn| drawn.name == *name) {
-                    return Err(arguments.fault(number, &format!("{name} is drawn twice: give another name")));
+                    return Err(fault(path, number, &format!("{name} is drawn twice: give another name")));
                 }
                 pictures.push(Drawn { name: name.clone(), spec: session.spec().clone() });
                 changes.push(Vec::new());
@@ -115,7 +74,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                     }
                     applied => applied,
                 };
-                let changed = changed.map_err(|refused| arguments.fault(number, &refused.to_string()))?;
+                let changed = changed.map_err(|refused| fault(path, number, &refused.to_string()))?;
                 changes.push(changed.keys);
             }
         }
@@ -190,11 +149,11 @@ impl Arguments {
         written.push(path.display().to_string());
         Ok(written)
     }
+}
 
-    /// The failure of an entry of the script.
-    fn fault(&self, number: usize, what: &str) -> Failure {
-        Failure::Work(format!("{}, action {}: {what}", self.script.display(), number + 1))
-    }
+/// The failure of an entry of the script.
+fn fault(script: &Path, number: usize, what: &str) -> Failure {
+    Failure::Work(format!("{}, action {}: {what}", script.display(), number + 1))
 }
 
 /// Reads a script.
@@ -208,10 +167,7 @@ fn read(path: &Path) -> Result<Vec<Entry>, Failure> {
     let text = decode_text(bytes).ok_or_else(|| failed("it holds no text, so it is no script".to_owned()))?;
     let list: Vec<Value> = serde_json::from_str(&text)
         .map_err(|error| failed(format!("no list of actions in JSON: {error}: see `relief view --help`")))?;
-    let entry = |(number, value): (usize, Value)| {
-        entry(value)
-            .map_err(|what| Failure::Work(format!("{}, action {}: {what}", path.display(), number + 1)))
-    };
+    let entry = |(number, value): (usize, Value)| entry(value).map_err(|what| fault(path, number, &what));
     list.into_iter().enumerate().map(entry).collect()
 }
 

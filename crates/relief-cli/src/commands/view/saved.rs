@@ -1,0 +1,139 @@
+//! Files that the page saves. They are the commands' own: each is written by the command that a user would run.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use relief_io::write_atomically;
+use relief_scene::SceneSpec;
+use relief_shaders::{STAGES, Selection};
+use serde_json::{Value, json};
+
+use crate::commands::scene::make_absolute;
+
+/// A file to save: its name, and a label.
+struct Saved {
+    what: &'static str,
+    label: &'static str,
+    by: By,
+}
+
+/// What writes a file.
+enum By {
+    /// The scene's own text.
+    Scene,
+    /// `relief render`, into the picture.
+    Picture,
+    /// `relief render --aov`.
+    Aov,
+    /// `relief shader --entry functions`, in a language.
+    Functions(&'static str),
+}
+
+/// Everything that can be saved.
+const SAVED: [Saved; 10] = [
+    Saved { what: "picture.png", label: "Picture, PNG", by: By::Picture },
+    Saved { what: "picture.jpg", label: "Picture, JPEG", by: By::Picture },
+    Saved { what: "picture.exr", label: "Picture in linear light, EXR", by: By::Picture },
+    Saved { what: "aov.exr", label: "Hits, positions, normals and costs (AOVs), EXR", by: By::Aov },
+    Saved { what: "scene.toml", label: "Scene, TOML", by: By::Scene },
+    Saved { what: "relief.wgsl", label: "Method as functions, WGSL", by: By::Functions("wgsl") },
+    Saved { what: "relief.glsl", label: "Method as functions, GLSL", by: By::Functions("glsl") },
+    Saved { what: "relief.hlsl", label: "Method as functions, HLSL", by: By::Functions("hlsl") },
+    Saved { what: "relief.metal", label: "Method as functions, Metal", by: By::Functions("msl") },
+    Saved { what: "relief.gdshaderinc", label: "Method as functions, Godot", by: By::Functions("godot") },
+];
+
+/// What the page offers.
+pub fn offered() -> Value {
+    SAVED.iter().map(|saved| json!({ "what": saved.what, "label": saved.label })).collect()
+}
+
+/// A file's bytes.
+///
+/// `dropped` is the folder of the page's files: in a scene file they are named as the user knows them.
+pub fn saved(spec: &SceneSpec, what: &str, dropped: &Path) -> Result<Vec<u8>, String> {
+    let known = SAVED.iter().find(|saved| saved.what == what);
+    let known = known.ok_or_else(|| format!("'{what}' is nothing that can be saved"))?;
+    let folder = tempfile::tempdir().map_err(|error| format!("a folder for it cannot be made: {error}"))?;
+    let at = |name: &str| folder.path().join(name);
+    let mut words: Vec<String> = match known.by {
+        By::Scene => return Ok(scene_text(spec, dropped).into_bytes()),
+        By::Picture => vec!["render".into(), "-o".into(), at(what).display().to_string()],
+        By::Aov => {
+            let picture = at("picture.png").display().to_string();
+            vec!["render".into(), "-o".into(), picture, "--aov".into(), at(what).display().to_string()]
+        }
+        By::Functions(target) => {
+            let selection = spec.selections().map_err(|error| error.to_string())?;
+            let selection = selection.first().ok_or("the scene has no surface")?;
+            let mut words = function_words(selection);
+            words.extend(["--target", target, "-o"].map(str::to_owned));
+            words.extend([folder.path().display().to_string(), "--name".to_owned(), "relief".to_owned()]);
+            words
+        }
+    };
+    if matches!(known.by, By::Picture | By::Aov) {
+        let scene = at("scene.toml");
+        let mut spec = spec.clone();
+        make_absolute(&mut spec).map_err(|failure| format!("{failure:?}"))?;
+        let text = spec.to_toml();
+        write_atomically(&scene, |file| file.write_all(text.as_bytes()))
+            .map_err(|error| error.to_string())?;
+        words.insert(1, scene.display().to_string());
+    }
+    run(&words)?;
+    std::fs::read(at(what)).map_err(|error| format!("{what}: it cannot be read: {error}"))
+}
+
+/// Runs this program.
+fn run(words: &[String]) -> Result<(), String> {
+    let program = std::env::current_exe().map_err(|error| format!("this program is not found: {error}"))?;
+    let output = Command::new(program).args(words).args(["-q", "--json"]).stdin(Stdio::null()).output();
+    let output = output.map_err(|error| format!("this program cannot be started again: {error}"))?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let said: Option<Value> = serde_json::from_slice(&output.stderr).ok();
+    let said = said.and_then(|said| Some(said["error"].as_str()?.to_owned()));
+    Err(said.unwrap_or_else(|| String::from_utf8_lossy(&output.stderr).trim().to_owned()))
+}
+
+/// The words of the command that writes a selection as functions.
+fn function_words(selection: &Selection) -> Vec<String> {
+    let mut words = ["shader", "--entry", "functions"].map(str::to_owned).to_vec();
+    for (place, stage) in STAGES.iter().enumerate() {
+        let choice = &selection.choices[place];
+        let is_asked =
+            ["surface", "field", "search", "refine", "shadow", "shadow-search"].contains(&stage.key);
+        if is_asked && stage.has_key() && selection.uses(place) && stage.entries.len() > 1 {
+            words.extend([format!("--{}", stage.key), choice.entry.name.to_owned()]);
+        }
+    }
+    words
+}
+
+/// The scene as a file. Files of the page have their own names, since they do not stay where they are.
+pub fn scene_text(spec: &SceneSpec, dropped: &Path) -> String {
+    let mut spec = spec.clone();
+    let mut has_dropped = false;
+    for file in spec.files_mut() {
+        // A group has a folder with its number.
+        let inside = file.strip_prefix(dropped).map(|inside| inside.iter().skip(1).collect());
+        match inside {
+            Ok(inside) => {
+                *file = inside;
+                has_dropped = true;
+            }
+            Err(_) => {
+                if let Ok(whole) = std::path::absolute(&*file) {
+                    *file = whole;
+                }
+            }
+        }
+    }
+    let text = spec.to_toml();
+    match has_dropped {
+        true => format!("# Files that were dropped lie beside this one.\n\n{text}"),
+        false => text,
+    }
+}

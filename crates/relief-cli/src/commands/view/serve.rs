@@ -1,0 +1,241 @@
+//! The page and its requests.
+
+use std::io::Write;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use relief_scene::SceneSpec;
+use relief_session::Session;
+use serde_json::json;
+use tiny_http::{Header, Method, Request, Response};
+
+use super::Arguments;
+use super::answer::{Answer, BYTES, ENDED, REFUSED};
+use super::door::{Door, Shut};
+use super::drawing::{Asked, NotDrawn};
+use super::dropped::{Dropped, write};
+use super::given::Given;
+use super::page;
+use super::viewer::Viewer;
+use crate::failure::Failure;
+use crate::streams;
+use crate::{interrupt, say};
+
+/// Threads that answer: pictures take one of them, and the others stay free.
+const THREADS: usize = 4;
+
+/// Time after which a thread looks whether the program is to end.
+const TURN: Duration = Duration::from_millis(100);
+
+/// Longest request besides a file, in bytes.
+const MAX_REQUEST: u64 = 1 << 20;
+
+/// Longest side of a pane in pixels.
+const MAX_PANE: u32 = 8192;
+
+/// Opens the page, and answers it until the program is asked to end.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let spec = arguments.machine.over(arguments.scene.spec()?);
+    let dropped = Dropped::new()?;
+    let given = Given::of(&spec);
+    given.add(dropped.folder());
+    let mut session = Session::of(spec).map_err(Failure::usage)?;
+    session.guard(move |spec: &SceneSpec| given.check(spec));
+    let (maps, no_cache) = arguments.cache.maps();
+    no_cache.iter().for_each(say::note);
+    let door = Door::open(arguments.port)?;
+    let viewer = Viewer::new(session, maps, dropped);
+    let end = interrupt::catch()?;
+    let address = door.address();
+    streams::answer(|out| match arguments.json {
+        true => Ok(writeln!(out, "{:#}", json!({ "address": address }))?),
+        false => Ok(writeln!(out, "{address}")?),
+    })?;
+    say::note("Ctrl-C ends the page's program");
+    if !arguments.no_open
+        && let Err(error) = open::that_detached(&address)
+    {
+        say::note(format!("no browser was opened ({error}): open the address in one"));
+    }
+    std::thread::scope(|scope| {
+        for _ in 0..THREADS {
+            scope.spawn(|| answer_all(&door, &viewer, end));
+        }
+    });
+    Ok(())
+}
+
+/// Answers requests until the end.
+fn answer_all(door: &Door, viewer: &Viewer, end: &AtomicBool) {
+    while !end.load(Ordering::Relaxed) {
+        if let Ok(Some(mut request)) = door.server.recv_timeout(TURN) {
+            let answer = match door.admit(&request) {
+                Ok(path) => {
+                    let path = path.to_owned();
+                    answer(&mut request, &path, viewer, end)
+                }
+                Err(Shut::Foreign) => Answer::error(403, "this address is for the page alone"),
+                Err(Shut::Unknown) => {
+                    Answer::error(404, "there is no such page: open the address that `relief view` printed")
+                }
+            };
+            // A browser that has gone needs no answer.
+            let _ = request.respond(response(answer));
+        }
+    }
+    viewer.end();
+}
+
+/// The answer to a request for a path behind the secret.
+fn answer(request: &mut Request, path: &str, viewer: &Viewer, end: &AtomicBool) -> Answer {
+    let (path, query) = path.split_once('?').unwrap_or((path, ""));
+    let query = Query(query);
+    match (request.method(), path) {
+        (Method::Get, "state") => Answer::json(&viewer.state()),
+        (Method::Get, "progress") => Answer::json(&viewer.progress()),
+        (Method::Get, "picture") => picture(&query, viewer),
+        (Method::Get, "save") => save(&query, viewer),
+        (Method::Post, "apply") => match body(request) {
+            Ok(sent) => refusable(viewer.apply(&sent)),
+            Err(answer) => answer,
+        },
+        (Method::Post, "files") => match file(request, &query, viewer) {
+            Ok(()) => Answer::json(&json!({})),
+            Err(said) => Answer::error(REFUSED, said),
+        },
+        (Method::Post, "drop") => match body::<Taken>(request) {
+            Ok(Taken { drop, key }) => refusable(viewer.take(drop, key.as_deref())),
+            Err(answer) => answer,
+        },
+        (Method::Post, "end") => {
+            end.store(true, Ordering::Relaxed);
+            Answer::json(&json!({}))
+        }
+        (Method::Get, name) => match page::file(name) {
+            Some(file) => Answer::bytes(file.kind, file.text.as_bytes().to_vec()),
+            None => Answer::error(404, format!("there is no {name}")),
+        },
+        (method, name) => Answer::error(405, format!("{method} {name} is not answered")),
+    }
+}
+
+/// Files to be taken into the scene.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Taken {
+    drop: u64,
+    key: Option<String>,
+}
+
+fn refusable(applied: Result<serde_json::Value, String>) -> Answer {
+    applied.map_or_else(|said| Answer::error(REFUSED, said), |applied| Answer::json(&applied))
+}
+
+fn picture(query: &Query, viewer: &Viewer) -> Answer {
+    let side = |name| query.number(name).filter(|side| *side >= 1.0).map(|side| (side as u32).min(MAX_PANE));
+    let (Some(width), Some(height)) = (side("width"), side("height")) else {
+        return Answer::error(400, "a picture needs width and height, each at least 1");
+    };
+    let is_quick = query.text("samples").as_deref() == Some("one");
+    let asked = Asked { pane: [width, height], part: query.number("part").unwrap_or(1.0), is_quick };
+    match viewer.picture(asked) {
+        Ok(bytes) => Answer::bytes(BYTES, bytes),
+        Err(NotDrawn::Ended) => Answer::error(ENDED, "another change ended it"),
+        Err(NotDrawn::Failed(said)) => Answer::error(REFUSED, said),
+    }
+}
+
+fn save(query: &Query, viewer: &Viewer) -> Answer {
+    let what = query.text("what").unwrap_or_default();
+    match viewer.save(&what) {
+        Ok(bytes) => Answer { file: Some(what), ..Answer::bytes(BYTES, bytes) },
+        Err(said) => Answer::error(REFUSED, said),
+    }
+}
+
+/// Keeps a file that comes in.
+fn file(request: &mut Request, query: &Query, viewer: &Viewer) -> Result<(), String> {
+    let path = query.text("path").unwrap_or_default();
+    let number = query.text("drop").and_then(|number| number.parse().ok()).ok_or("a file needs a number")?;
+    let length = request.body_length().ok_or_else(|| format!("{path}: its length is not said"))? as u64;
+    let place = viewer.dropped().place(number, &path, length)?;
+    write(&place, length, request.as_reader())
+}
+
+/// What a request of JSON says.
+fn body<T: serde::de::DeserializeOwned>(request: &mut Request) -> Result<T, Answer> {
+    let mut bytes = Vec::new();
+    let read =
+        std::io::Read::read_to_end(&mut std::io::Read::take(request.as_reader(), MAX_REQUEST), &mut bytes);
+    read.map_err(|error| Answer::error(400, error))?;
+    serde_json::from_slice(&bytes)
+        .map_err(|error| Answer::error(400, format!("it is not understood: {error}")))
+}
+
+fn response(answer: Answer) -> Response<std::io::Cursor<Vec<u8>>> {
+    let mut response = Response::from_data(answer.bytes).with_status_code(answer.status);
+    let mut put = |name: &str, value: &str| {
+        if let Ok(header) = Header::from_bytes(name, value) {
+            response.add_header(header);
+        }
+    };
+    put("Content-Type", answer.kind);
+    put("Cache-Control", "no-store");
+    put("X-Content-Type-Options", "nosniff");
+    put("Referrer-Policy", "no-referrer");
+    put("Content-Security-Policy", POLICY);
+    if let Some(name) = answer.file {
+        put("Content-Disposition", &format!("attachment; filename=\"{name}\""));
+    }
+    response
+}
+
+/// The page loads nothing from elsewhere, and no other page shows it.
+const POLICY: &str = "default-src 'self'; img-src 'self' blob: data:; style-src 'self'; frame-ancestors 'none'; \
+                      base-uri 'none'; form-action 'none'";
+
+/// The part of an address behind the question mark.
+struct Query<'a>(&'a str);
+
+impl Query<'_> {
+    fn text(&self, name: &str) -> Option<String> {
+        let parts = self.0.split('&').filter_map(|part| part.split_once('='));
+        let found = parts.into_iter().find(|(known, _)| *known == name);
+        found.map(|(_, value)| decoded(value))
+    }
+
+    fn number(&self, name: &str) -> Option<f64> {
+        self.text(name)?.parse().ok().filter(|number: &f64| number.is_finite())
+    }
+}
+
+/// A text of an address, whose signs may be written as `%20`. What is no text becomes a sign that stands for
+/// that.
+fn decoded(text: &str) -> String {
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let [first, after @ ..] = rest {
+        let digits = after.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
+        let coded = digits.filter(|_| *first == b'%').and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        bytes.push(coded.unwrap_or(*first));
+        rest = if coded.is_some() { &after[2..] } else { after };
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signs_of_addresses_are_read() {
+        assert_eq!(decoded("a%20b%2Fc.png"), "a b/c.png");
+        assert_eq!(decoded("100%"), "100%");
+        assert_eq!(decoded("%zz%4"), "%zz%4");
+        assert_eq!(decoded("%C3%A4%ff"), "ä\u{fffd}");
+        let query = Query("width=12&path=a%26b&bad=nan");
+        assert_eq!(query.number("width"), Some(12.0));
+        assert_eq!(query.text("path").as_deref(), Some("a&b"));
+        assert_eq!((query.number("bad"), query.text("none")), (None, None));
+    }
+}
