@@ -81,7 +81,9 @@ pub struct Choice {
 
 impl Panel {
     pub(crate) fn of(spec: &SceneSpec) -> Self {
-        let (of_surface, of_scene): (Vec<Key>, Vec<Key>) = keys().into_iter().partition(|key| key.of_surface);
+        let mut keys = keys();
+        keys.sort_by_key(|key| (key.group as usize, key.rank));
+        let (of_surface, of_scene): (Vec<Key>, Vec<Key>) = keys.into_iter().partition(|key| key.of_surface);
         let values = values(spec);
         let control = |key: &Key, before: &str| {
             let name = format!("{before}{}", key.name);
@@ -96,12 +98,12 @@ impl Panel {
                 true => String::new(),
                 false => format!("surfaces[{number}]."),
             };
-            let keys = of_surface.iter().filter(|key| key.form != Form::Settings);
-            let mut controls: Vec<Control> = keys.map(|key| control(key, &before)).collect();
-            if let Some(selection) = selections.get(number) {
-                controls.extend(settings(selection, &before, &values));
-            }
-            controls
+            let controls = |key: &Key| match (&key.form, selections.get(number)) {
+                (Form::Settings, Some(selection)) => settings(selection, &before, &values),
+                (Form::Settings, None) => Vec::new(),
+                _ => vec![control(key, &before)],
+            };
+            of_surface.iter().flat_map(controls).collect()
         };
         Self {
             scene: of_scene.iter().map(|key| control(key, "")).collect(),

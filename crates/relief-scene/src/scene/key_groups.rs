@@ -51,21 +51,21 @@ impl KeyGroup {
     }
 }
 
-/// The keys of each group but [`KeyGroup::Method`], which has those of stages, too.
+/// The keys of each group, what is changed most first. [`KeyGroup::Method`] has the stages', too.
 const GROUPS: [(KeyGroup, &[&str]); 8] = [
     (
         KeyGroup::Relief,
         &[
             "height",
-            "volume",
-            "motif",
+            "scale",
             "textures",
             "object",
-            "scale",
+            "volume",
+            "motif",
+            "wrap",
             "bias",
             "exaggerate",
             "extinction",
-            "wrap",
         ],
     ),
     (KeyGroup::Method, &["method", "set"]),
@@ -117,6 +117,11 @@ const GROUPS: [(KeyGroup, &[&str]); 8] = [
     ),
     (KeyGroup::Picture, &["size", "samples", "exposure", "tone", "backend", "sampling", "max-memory"]),
 ];
+
+/// Returns a key's place in its group; stages stand at the end of theirs.
+pub(super) fn rank_of(key: &str) -> usize {
+    GROUPS.iter().find_map(|(_, keys)| keys.iter().position(|name| *name == key)).unwrap_or(usize::MAX)
+}
 
 /// Returns the group of a key.
 pub(super) fn group_of(key: &str) -> KeyGroup {

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use relief_core::Wrap;
 use relief_io::{BuiltinRamp, HeightRange, Up};
 
-use super::key_groups::{KeyGroup, group_of};
+use super::key_groups::{KeyGroup, group_of, rank_of};
 use super::key_numbers::{KeyNumber, number_of};
 use super::{
     BackendChoice, Look, PictureSize, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View,
@@ -75,6 +75,8 @@ pub struct Key {
     pub of_surface: bool,
     /// Group of keys that are shown together.
     pub group: KeyGroup,
+    /// Place in the group: what is changed most comes first.
+    pub rank: usize,
     /// Type of the value.
     pub form: Form,
     /// Default in TOML. Empty if no TOML value expresses it.
@@ -86,11 +88,29 @@ pub struct Key {
 }
 
 fn scene(name: &'static str, form: Form, default: &'static str, about: &'static str) -> Key {
-    Key { name, of_surface: false, group: group_of(name), form, default, about, number: number_of(name) }
+    Key {
+        name,
+        of_surface: false,
+        group: group_of(name),
+        rank: rank_of(name),
+        form,
+        default,
+        about,
+        number: number_of(name),
+    }
 }
 
 fn surface(name: &'static str, form: Form, default: &'static str, about: &'static str) -> Key {
-    Key { name, of_surface: true, group: group_of(name), form, default, about, number: number_of(name) }
+    Key {
+        name,
+        of_surface: true,
+        group: group_of(name),
+        rank: rank_of(name),
+        form,
+        default,
+        about,
+        number: number_of(name),
+    }
 }
 
 /// Returns all keys in the recommended order of a scene file: first keys of surfaces, then keys
