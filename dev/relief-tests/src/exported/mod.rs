@@ -5,6 +5,7 @@ mod bound;
 mod called;
 mod computed;
 mod drawn;
+mod include;
 mod languages;
 mod values;
 
@@ -13,4 +14,5 @@ pub use called::{
     Dialect, OnPath, Point, Seen, SeenOver, differing_hits, paths_of, shortened, size_of, surface_of,
 };
 pub use drawn::{Device, Language, draw};
+pub use include::{Include, compiled as compiled_hlsl};
 pub use languages::compiled;

@@ -38,8 +38,8 @@ pub const KIT: EngineKit = EngineKit {
 /// The file with the code of the node.
 const NODE: &str = "relief_node.hlsl";
 
-/// EXR with floats in red, green and blue, and in opacity if there are four. A channel alone is grey: an importer
-/// of colours takes that, too.
+/// EXR with floats in red, green and blue, and in opacity if there are four. A channel alone is grey: an
+/// importer of colours takes that, too.
 fn write_map(
     path: &Path,
     [width, height]: [u32; 2],

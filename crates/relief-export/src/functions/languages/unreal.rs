@@ -1,7 +1,7 @@
 //! HLSL of Unreal's materials: an include whose functions are methods of a struct, together with the textures
 //! that they read. A Custom node has textures as inputs and puts them into the struct.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use naga::{BinaryOperator, Expression as Value, Handle, ScalarKind, TypeInner};
 
@@ -104,14 +104,17 @@ pub fn check(checked: &Checked) -> Result<(), ExportError> {
 /// The include: structs and constants, and a struct of textures and functions.
 pub fn enclosed(text: &str, macros: &str, structure: &str) -> String {
     let mut declared = String::new();
-    let mut textures = String::new();
+    let mut textures = BTreeMap::new();
     let mut methods = String::new();
     let mut was_constant = false;
     for piece in pieces(text) {
         let head = piece.iter().find(|line| !line.starts_with("//")).copied().unwrap_or_default();
         if ["Texture", "SamplerState "].iter().any(|begin| head.starts_with(begin)) {
-            let (texture, _) = head.split_once(" : register(").unwrap_or((head.trim_end_matches(';'), ""));
-            textures += &format!("    {texture};\n");
+            let (texture, place) =
+                head.split_once(" : register(").unwrap_or((head.trim_end_matches(';'), ""));
+            let number = place.trim_start_matches(['t', 's']).split([',', ')']).next();
+            let number: u32 = number.and_then(|number| number.parse().ok()).unwrap_or_default();
+            textures.insert((number, texture), format!("    {texture};\n"));
         } else if ["struct ", "static const ", "typedef "].iter().any(|begin| head.starts_with(begin)) {
             let is_constant = head.starts_with("static const ");
             if !(is_constant && was_constant) {
@@ -129,6 +132,7 @@ pub fn enclosed(text: &str, macros: &str, structure: &str) -> String {
             methods += &piece.iter().map(indented).collect::<String>();
         }
     }
+    let textures: String = textures.into_values().collect();
     let macros = if macros.is_empty() { String::new() } else { format!("\n{macros}") };
     format!(
         "#pragma once\n{macros}{declared}\n// The textures of a relief, and the functions that read them. Give it the \
@@ -160,4 +164,68 @@ fn pieces(text: &str) -> Vec<Vec<&str>> {
 fn is_padding(line: &str) -> bool {
     let member = line.trim_start();
     ["int _pad", "int _end_pad"].iter().any(|begin| member.starts_with(begin))
+}
+
+#[cfg(test)]
+mod tests {
+    use relief_core::Wrap;
+    use relief_shaders::Selection;
+
+    use super::*;
+    use crate::{FunctionOptions, Profile, functions};
+
+    fn text(method: &str, sampling: relief_shaders::wgsl::Sampling) -> String {
+        let mut selection = Selection::method(method).expect("a method");
+        selection.choose("surface", "quadric-vertical").expect("a surface");
+        selection.choose("shadow", "none").expect("a shadow");
+        let options = FunctionOptions {
+            prefix: "rock_wall".to_owned(),
+            wrap: Some(Wrap::Repeat),
+            sampling,
+            profiles: vec![Profile::Unreal5],
+            ..FunctionOptions::default()
+        };
+        let exported = functions(&selection, &options).expect("functions");
+        assert!(exported.files[0].name.ends_with(".ush"));
+        String::from_utf8(exported.files[0].bytes.clone()).expect("text")
+    }
+
+    #[test]
+    fn textures_and_functions_are_members_of_a_struct() {
+        let text = text("cone", relief_shaders::wgsl::Sampling::Exact);
+        assert!(text.contains("\n#pragma once\n\n#define ROCK_WALL_HAS_CURVATURE\n\n"), "{text}");
+        // The head lists methods as well.
+        assert!(
+            text.contains("//   RockWallHit rock_wall_hit(RockWallSettings settings, RockWallPoint at)\n")
+        );
+        let (before, inside) = text.split_once("\nstruct RockWall\n{\n").expect("a struct");
+        assert!(inside.starts_with(
+            "    Texture2D<float4> rock_wall_height_map;\n    Texture2D<float4> rock_wall_search_map;\n\n"
+        ));
+        assert!(before.contains("\nstruct RockWallHit {\n") && before.contains("\nstatic const uint "));
+        assert!(inside.ends_with("\n    }\n};\n") && !inside.contains("\n}\n"), "{inside}");
+        for foreign in ["register", "_pad", "};\nstruct"] {
+            assert!(!text.contains(foreign), "{foreign}");
+        }
+    }
+
+    #[test]
+    fn a_sampler_is_a_member() {
+        let text = text("cone", relief_shaders::wgsl::Sampling::Fast);
+        let (_, inside) = text.split_once("\nstruct RockWall\n{\n").expect("a struct");
+        assert!(inside.contains("    SamplerState rock_wall_map_sampler;\n"), "{inside}");
+        assert!(!text.contains("nagaSampler"));
+    }
+
+    #[test]
+    fn choices_by_vectors_are_refused() {
+        let checked = |body: &str| {
+            let text = format!("fn f(a: vec2f, b: vec2i) -> vec2f {{\n    return {body};\n}}\n");
+            check(&Checked::read(&text).expect("a module")).map_err(|error| error.to_string())
+        };
+        assert_eq!(checked("select(a, a.yx, a.x > 0.0) / a"), Ok(()));
+        for wrong in ["select(a, a.yx, a > a.yx)", "vec2f(b % b.yx)", "vec2f(b / b.yx)"] {
+            assert!(checked(wrong).expect_err("a refusal").contains("'f'"), "{wrong}");
+        }
+    }
 }

@@ -1,0 +1,140 @@
+//! Functions for Unreal's materials: they compile as a Custom node has them, with the hits of WGSL.
+
+use rayon::prelude::*;
+use relief_core::Wrap;
+use relief_export::{ExportedFunctions, FunctionOptions, Profile, functions, unreal_node};
+use relief_shaders::Selection;
+use relief_tests::compilers;
+use relief_tests::exported::{
+    Dialect, Include, OnPath, compiled_hlsl, device, paths_of, shortened, surface_of,
+};
+
+use super::functions::{in_two, methods, named, pixel_of, points};
+
+/// Paths of a program.
+const PATHS: usize = 2_000;
+
+const SURFACES: [&str; 3] = ["plane", "quadric-vertical", "quadric-perpendicular"];
+
+/// Every method on every surface that has functions there, with a shadow and without.
+fn selections() -> Vec<(String, Selection)> {
+    let mut selections = Vec::new();
+    for surface in SURFACES {
+        for (number, (name, selection)) in methods(surface).into_iter().enumerate() {
+            for shadow in ["none", ["ray", "soft", "horizon", "heuristic"][number % 4]] {
+                let mut selection = selection;
+                selection.choose("shadow", shadow).expect("a shadow");
+                if functions(&selection, &FunctionOptions::default()).is_ok() {
+                    selections.push((format!("{name} on {surface}, {shadow}"), selection));
+                }
+            }
+        }
+    }
+    selections
+}
+
+fn exported(selection: &Selection, wrap: Wrap) -> ExportedFunctions {
+    let options =
+        FunctionOptions { wrap: Some(wrap), profiles: vec![Profile::Unreal5], ..FunctionOptions::default() };
+    functions(selection, &options).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn text_of(exported: &ExportedFunctions) -> String {
+    String::from_utf8(exported.files[0].bytes.clone()).expect("a text")
+}
+
+#[test]
+fn every_method_compiles_in_a_custom_node() {
+    if !compilers::are_there() {
+        return;
+    }
+    let selections = selections();
+    selections.par_iter().enumerate().for_each(|(number, (name, selection))| {
+        let exported = exported(selection, Wrap::ALL[number % Wrap::ALL.len()]);
+        let text = text_of(&exported);
+        assert!(text.contains("#pragma once\n") && !text.contains("register("), "{name}");
+        let include = Include::new(&text);
+        assert!(include.methods().contains("relief_hit"), "{name}: {:?}", include.methods());
+        let node = unreal_node(&exported.manifest, [100.0, 50.0]);
+        let program = include.in_node(&node);
+        compiled_hlsl(&program, "frag").unwrap_or_else(|error| panic!("{name}: {error}"));
+        if number % 16 == 0 {
+            let wrong = program.replace("relief.relief_hit(", "relief.relief_hits(");
+            assert!(compiled_hlsl(&wrong, "frag").is_err(), "{name}");
+        }
+    });
+    println!("{} selections", selections.len());
+    assert!(selections.len() > 100);
+}
+
+/// What stands before each question mark, back to the bracket that holds it.
+fn conditions(line: &str) -> Vec<&str> {
+    let before = |(end, _): (usize, &str)| {
+        let mut depth = 0;
+        let begin = line[..end].char_indices().rev().find(|(_, letter)| {
+            depth += match letter {
+                ')' => 1,
+                '(' => -1,
+                _ => 0,
+            };
+            depth < 0
+        });
+        &line[begin.map_or(0, |(place, _)| place)..end]
+    };
+    line.match_indices(" ? ").map(before).collect()
+}
+
+#[test]
+fn no_vector_is_a_condition() {
+    assert_eq!(conditions("x = f((a > 0) ? b : ((c.x < d) ? e : g))"), ["((a > 0)", "((c.x < d)"]);
+    for (number, (name, selection)) in selections().iter().enumerate() {
+        let text = text_of(&exported(selection, Wrap::ALL[number % Wrap::ALL.len()]));
+        for line in text.lines() {
+            for condition in conditions(line) {
+                let has_vector =
+                    ["float2(", "float3(", "int2(", "bool2"].iter().any(|of| condition.contains(of));
+                assert!(!has_vector, "{name}: {line}");
+            }
+        }
+    }
+}
+
+/// Holds every other method on a surface to WGSL's hits. How many there are.
+fn same_hits_on(surface: &str) -> usize {
+    let Some(device) = device().filter(|_| compilers::are_there()) else { return usize::MAX };
+    let methods = methods(surface);
+    for (number, (name, selection)) in methods.iter().enumerate() {
+        let selection = shortened(*selection);
+        let wrap = Wrap::ALL[number % Wrap::ALL.len()];
+        let map = named("natural 101x67", wrap).with_displacement(0.3, -0.3).expect("proper numbers");
+        let side = f64::from(map.width().max(map.height()));
+        let mut points = points(PATHS, [1.0, 1.0], 29);
+        for point in points.iter_mut().filter(|_| surface != "plane") {
+            point.curvature = [0.2, 0.1, -0.1];
+        }
+        let surface_of = surface_of(map, selection);
+        let paths = paths_of(&surface_of, &points.iter().map(pixel_of).collect::<Vec<_>>());
+        let both = in_two(&selection, Some(wrap), Profile::Unreal5);
+        let [own, other] =
+            [Dialect::Wgsl, Dialect::Unreal].map(|of| device.traced(&both, &surface_of, &paths, of));
+        let is_far = |(a, b): &(&OnPath, &OnPath)| {
+            let off = (0..2).map(|k| f64::from(a.uv[k] - b.uv[k]).abs() * side).fold(0.0, f64::max);
+            a.found != b.found || off > 1e-4
+        };
+        let far = own.iter().zip(&other).filter(is_far).count();
+        let hits = own.iter().filter(|hit| hit.found).count();
+        println!("{name} on {surface}, {wrap}: {far} of {} far, {hits} hit", own.len());
+        assert!(hits > own.len() / 2 && far * 1000 <= own.len(), "{name} on {surface}, {wrap}: {far}");
+    }
+    methods.len()
+}
+
+#[test]
+fn methods_of_a_struct_find_the_same_hits() {
+    assert!(same_hits_on("plane") > 25);
+}
+
+#[test]
+fn methods_of_a_struct_find_the_same_hits_on_bent_meshes() {
+    assert!(same_hits_on("quadric-vertical") > 20);
+}
