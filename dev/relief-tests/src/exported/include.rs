@@ -90,8 +90,9 @@ impl Include {
         [text, format!("{filled}    {}", self.calls(body, &format!("{value}.")))]
     }
 
-    /// A fragment shader with a function as Unreal makes it of a Custom node with this code.
-    pub fn in_node(&self, code: &str) -> String {
+    /// A fragment shader with a function as Unreal makes it of a Custom node with this code. `shown` makes four
+    /// numbers of what the node gives.
+    pub fn in_node(&self, code: &str, scale: f32, shown: &str) -> String {
         let mut text = format!("{}{SURFACE}", self.named());
         let [mut inputs, mut given] = [String::new(), String::new()];
         for (place, (of, name)) in self.textures.iter().enumerate() {
@@ -106,11 +107,11 @@ impl Include {
             "float3 CustomExpression0(float2 UV, float3 Way, float3 Normal, float PixelDepth, float Scale, \
              float3 Sun{inputs}, inout float Mask, inout float2 HitUV, inout float DepthOffset, \
              inout float Light)\n{{\n{code}\n}}\n\
-             float4 main(float4 place : SV_Position, float2 uv : TEXCOORD0, float3 way : TEXCOORD1, \
-             float3 normal : NORMAL) : SV_Target\n{{\n    float mask = 0.0;\n    float2 at = float2(0.0, 0.0);\n    \
-             float depth = 0.0;\n    float light = 0.0;\n    \
-             float3 bent = CustomExpression0(uv, way, normal, place.w, 3.0, normal{given}, mask, at, depth, light);\n    \
-             return float4(bent * light, depth) * mask + at.xyxy;\n}}\n"
+             float4 main(float2 uv : TEXCOORD0, float3 way : TEXCOORD1, float3 normal : TEXCOORD2, \
+             float depth : TEXCOORD3, float3 sun : TEXCOORD4) : SV_Target\n{{\n    \
+             float mask = 0.0;\n    float2 at = float2(0.0, 0.0);\n    float offset = 0.0;\n    \
+             float light = 1.0;\n    float3 bent = CustomExpression0(uv, way, normal, depth, {scale:?}, sun{given}, \
+             mask, at, offset, light);\n    return {shown};\n}}\n"
         )
     }
 }

@@ -7,6 +7,7 @@ mod computed;
 mod drawn;
 mod include;
 mod languages;
+mod node;
 mod values;
 
 pub use beside::{Difference, compare, device, exported, rendered};
@@ -16,3 +17,4 @@ pub use called::{
 pub use drawn::{Device, Language, draw};
 pub use include::{Include, compiled as compiled_hlsl};
 pub use languages::compiled;
+pub use node::{Plane, Sight};

@@ -1,12 +1,13 @@
 //! Functions for Unreal's materials: they compile as a Custom node has them, with the hits of WGSL.
 
+use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use relief_core::Wrap;
 use relief_export::{ExportedFunctions, FunctionOptions, Profile, functions, unreal_node};
 use relief_shaders::Selection;
 use relief_tests::compilers;
 use relief_tests::exported::{
-    Dialect, Include, OnPath, compiled_hlsl, device, paths_of, shortened, surface_of,
+    Dialect, Include, OnPath, Plane, Seen, Sight, compiled_hlsl, device, paths_of, shortened, surface_of,
 };
 
 use super::functions::{in_two, methods, named, pixel_of, points};
@@ -56,7 +57,7 @@ fn every_method_compiles_in_a_custom_node() {
         let include = Include::new(&text);
         assert!(include.methods().contains("relief_hit"), "{name}: {:?}", include.methods());
         let node = unreal_node(&exported.manifest, [100.0, 50.0]);
-        let program = include.in_node(&node);
+        let program = include.in_node(&node, 3.0, "float4(bent * light, offset) * mask + at.xyxy");
         compiled_hlsl(&program, "frag").unwrap_or_else(|error| panic!("{name}: {error}"));
         if number % 16 == 0 {
             let wrong = program.replace("relief.relief_hit(", "relief.relief_hits(");
@@ -137,4 +138,62 @@ fn methods_of_a_struct_find_the_same_hits() {
 #[test]
 fn methods_of_a_struct_find_the_same_hits_on_bent_meshes() {
     assert!(same_hits_on("quadric-vertical") > 20);
+}
+
+/// Planes that lie and are turned any way, with frames of both hands.
+fn planes() -> [Plane; 3] {
+    let plane = |normal: Vec3, turn: f32, hand: f32, eye: [f32; 3]| {
+        let normal = normal.normalize();
+        let aside = normal.any_orthonormal_vector();
+        let along_u = aside * turn.cos() + normal.cross(aside) * turn.sin();
+        let along_v = normal.cross(along_u) * hand;
+        let [right, up, out] = eye;
+        let eye = aside * right + normal.cross(aside) * up + normal * out;
+        let sun = (along_u + along_v * 0.4 + normal * 0.2).normalize();
+        Plane { along: [along_u, along_v], normal, tile: Vec2::new(1.0, 0.75), eye, sun }
+    };
+    [
+        plane(Vec3::new(0.1, 0.2, 1.0), 0.3, 1.0, [0.4, 0.2, 1.5]),
+        plane(Vec3::new(0.7, -0.2, 0.6), 2.0, -1.0, [0.5, -0.9, 1.0]),
+        plane(Vec3::new(-0.3, 0.9, 0.2), -1.0, -1.0, [-1.2, 0.1, 0.9]),
+    ]
+}
+
+#[test]
+fn a_custom_node_sees_the_plane_that_functions_see() {
+    let Some(device) = device().filter(|_| compilers::are_there()) else { return };
+    for (number, plane) in planes().into_iter().enumerate() {
+        let method = ["relief", "cone"][number % 2];
+        let surface = ["plane", "quadric-vertical"][number / 2];
+        let mut selection = shortened(Selection::method(method).expect("a method"));
+        selection.choose("surface", surface).expect("a surface");
+        selection.choose("shadow", "ray").expect("a shadow");
+        let map =
+            named("natural 128x128", Wrap::Repeat).with_displacement(0.1, -0.1).expect("proper numbers");
+        let texels = map.width() as f32;
+        let surface = surface_of(map, selection);
+        let both = in_two(&selection, Some(Wrap::Repeat), Profile::Unreal5);
+        let points = plane.points();
+        let given: Vec<_> = points.iter().map(|(point, ..)| *point).collect();
+        let seen = device.seen(&both, &surface, &given);
+        let shown = device.seen_by_node(&both, &surface, &plane);
+        let agrees = |(((_, way, depth), seen), shown): &((&(_, Vec3, f32), &Seen), &Sight)| {
+            let [u, v] = plane.along;
+            let [x, y, z] = seen.normal;
+            let bent = u * x + v * y + plane.normal * z;
+            // What Unreal makes of the offset: the depth along the view axis.
+            let hit = (*way + way.normalize() * seen.depth).length() / way.length() * depth;
+            shown.mask == 1.0
+                && (shown.uv - Vec2::from(seen.uv)).length() * texels < 0.05
+                && (shown.bent - bent).length() < 0.01
+                && (depth + shown.depth_offset - hit).abs() < 1e-3
+                && (shown.light > 0.5) == (seen.light > 0.5)
+        };
+        let pairs = points.iter().zip(&seen).zip(&shown);
+        let agreeing = pairs.filter(agrees).count();
+        let lit = shown.iter().filter(|sight| sight.light > 0.5).count();
+        println!("{method}, plane {number}: {agreeing} of {} agree, {lit} lit", points.len());
+        assert!(agreeing * 100 >= points.len() * 98, "{method}, plane {number}: {agreeing}");
+        assert!(lit > points.len() / 10 && lit < points.len() * 9 / 10, "{lit}");
+    }
 }
