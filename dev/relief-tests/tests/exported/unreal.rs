@@ -25,6 +25,11 @@ fn selections() -> Vec<(String, Selection)> {
             for shadow in ["none", ["ray", "soft", "horizon", "heuristic"][number % 4]] {
                 let mut selection = selection;
                 selection.choose("shadow", shadow).expect("a shadow");
+                let mut fading = selection;
+                fading.choose("detail", ["footprint", "fade"][number % 2]).expect("a level of detail");
+                if number % 3 == 0 && functions(&fading, &FunctionOptions::default()).is_ok() {
+                    selection = fading;
+                }
                 if functions(&selection, &FunctionOptions::default()).is_ok() {
                     selections.push((format!("{name} on {surface}, {shadow}"), selection));
                 }
@@ -64,8 +69,11 @@ fn every_method_compiles_in_a_custom_node() {
             assert!(compiled_hlsl(&wrong, "frag").is_err(), "{name}");
         }
     });
-    println!("{} selections", selections.len());
-    assert!(selections.len() > 100);
+    let with_footprint = selections.iter().filter(|(_, selection)| {
+        text_of(&exported(selection, Wrap::Repeat)).contains("#define RELIEF_HAS_FOOTPRINT\n")
+    });
+    println!("{} selections, {} with a footprint", selections.len(), with_footprint.clone().count());
+    assert!(selections.len() > 100 && with_footprint.count() > 10);
 }
 
 /// What stands before each question mark, back to the bracket that holds it.
@@ -181,7 +189,7 @@ fn a_custom_node_sees_the_plane_that_functions_see() {
             let [u, v] = plane.along;
             let [x, y, z] = seen.normal;
             let bent = u * x + v * y + plane.normal * z;
-            // What Unreal makes of the offset: the depth along the view axis.
+            // The hit's depth along the view axis, to which Unreal adds the offset.
             let hit = (*way + way.normalize() * seen.depth).length() / way.length() * depth;
             shown.mask == 1.0
                 && (shown.uv - Vec2::from(seen.uv)).length() * texels < 0.05
