@@ -30,10 +30,12 @@ pub fn points(
     options: &Options,
 ) -> Result<Vec<BindingPoint>, ExportError> {
     match target {
-        Target::Wgsl | Target::Wesl | Target::Godot | Target::Spirv | Target::Hlsl => {
+        Target::Wgsl | Target::Wesl | Target::Godot | Target::Unreal | Target::Spirv | Target::Hlsl => {
             let place = |Binding { group, number, kind, .. }: &Binding| match target {
-                Target::Wgsl | Target::Wesl | Target::Godot => checked(target, WGSL, [*group, *number])
-                    .map(|[group, binding]| BindingPoint::Group { group, binding }),
+                Target::Wgsl | Target::Wesl | Target::Godot | Target::Unreal => {
+                    checked(target, WGSL, [*group, *number])
+                        .map(|[group, binding]| BindingPoint::Group { group, binding })
+                }
                 Target::Spirv => checked(target, SPIRV, [*group, *number])
                     .map(|[set, binding]| BindingPoint::Set { set, binding }),
                 _ => checked(target, HLSL, [*group, *number]).map(|[space, number]| BindingPoint::Register {

@@ -50,7 +50,9 @@ mod writers;
 use relief_shaders::{GEOMETRY, SHADOW, STAGES, Selection};
 
 pub use error::ExportError;
-pub use functions::{ExportedFunctions, Form, FunctionOptions, FunctionsManifest, functions};
+pub use functions::{
+    ExportedFunctions, Form, FunctionOptions, FunctionsManifest, functions, unreal_input, unreal_node,
+};
 pub use manifest::Manifest;
 pub use options::{Options, Placement};
 pub use target::{Profile, Target};

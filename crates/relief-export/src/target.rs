@@ -22,6 +22,8 @@ pub enum Target {
     Wesl,
     /// The shading language of Godot: functions alone.
     Godot,
+    /// HLSL of Unreal's materials: functions alone.
+    Unreal,
 }
 
 impl Target {
@@ -29,8 +31,8 @@ impl Target {
     pub const ALL: [Target; 5] = [Target::Wgsl, Target::Glsl, Target::Hlsl, Target::Msl, Target::Spirv];
 
     /// Every target of functions, in the order in which help lists them.
-    pub const OF_FUNCTIONS: [Target; 6] =
-        [Target::Wgsl, Target::Wesl, Target::Glsl, Target::Hlsl, Target::Msl, Target::Godot];
+    pub const OF_FUNCTIONS: [Target; 7] =
+        [Target::Wgsl, Target::Wesl, Target::Glsl, Target::Hlsl, Target::Msl, Target::Godot, Target::Unreal];
 
     /// Returns the name on the command line and in manifests.
     pub const fn name(self) -> &'static str {
@@ -42,6 +44,7 @@ impl Target {
             Target::Spirv => "spirv",
             Target::Wesl => "wesl",
             Target::Godot => "godot",
+            Target::Unreal => "unreal",
         }
     }
 
@@ -53,7 +56,7 @@ impl Target {
             Target::Hlsl => &[Profile::Hlsl51, Profile::Hlsl60],
             Target::Msl => &[Profile::Msl20],
             Target::Spirv => &[Profile::Spirv13],
-            Target::Wesl | Target::Godot => &[],
+            Target::Wesl | Target::Godot | Target::Unreal => &[],
         }
     }
 
@@ -63,6 +66,7 @@ impl Target {
             Target::Wgsl => &[Profile::Wgsl],
             Target::Wesl => &[Profile::Wesl],
             Target::Godot => &[Profile::Godot4],
+            Target::Unreal => &[Profile::Unreal5],
             Target::Glsl => {
                 &[Profile::Core330, Profile::Es300, Profile::Vulkan450, Profile::Core450, Profile::Es310]
             }
@@ -74,7 +78,7 @@ impl Target {
 
     /// Every target.
     fn known() -> impl Iterator<Item = Target> {
-        Self::ALL.into_iter().chain([Target::Wesl, Target::Godot])
+        Self::ALL.into_iter().chain([Target::Wesl, Target::Godot, Target::Unreal])
     }
 }
 
@@ -120,6 +124,8 @@ pub enum Profile {
     Vulkan450,
     /// The shading language of Godot 4: functions alone.
     Godot4,
+    /// HLSL of Unreal Engine 5's materials: functions alone.
+    Unreal5,
 }
 
 impl Profile {
@@ -149,6 +155,7 @@ impl Profile {
             Profile::Es300 => "es300",
             Profile::Vulkan450 => "vulkan450",
             Profile::Godot4 => "godot4",
+            Profile::Unreal5 => "unreal5",
         }
     }
 
@@ -167,6 +174,7 @@ impl Profile {
             Profile::Es300 => "GLSL ES 3.00, of WebGL 2",
             Profile::Vulkan450 => "GLSL 4.50 of Vulkan",
             Profile::Godot4 => "the shading language of Godot 4",
+            Profile::Unreal5 => "HLSL of Unreal Engine 5's materials",
         }
     }
 
@@ -176,6 +184,7 @@ impl Profile {
             Profile::Wgsl => Target::Wgsl,
             Profile::Wesl => Target::Wesl,
             Profile::Godot4 => Target::Godot,
+            Profile::Unreal5 => Target::Unreal,
             Profile::Core450 | Profile::Es310 | Profile::Core330 | Profile::Es300 | Profile::Vulkan450 => {
                 Target::Glsl
             }

@@ -1,5 +1,5 @@
-//! The compilers and validators of shaders that tests run: `glslangValidator` and `spirv-val`, which Debian
-//! has in `glslang-tools` and `spirv-tools`.
+//! The compilers and validators of shaders that tests run: `glslangValidator`, and `spirv-val` and `spirv-opt`,
+//! which Debian has in `glslang-tools` and `spirv-tools`.
 
 use std::ffi::OsStr;
 use std::path::Path;
@@ -11,15 +11,19 @@ pub const GLSLANG: &str = "glslangValidator";
 /// Validator of SPIR-V.
 pub const SPIRV_VAL: &str = "spirv-val";
 
-/// Whether both are there. Where one is not the test says that it skips, unless the environment variable
+/// Optimiser of SPIR-V, which makes valid SPIR-V of HLSL that copies textures.
+pub const SPIRV_OPT: &str = "spirv-opt";
+
+/// Whether all are there. Where one is not the test says that it skips, unless the environment variable
 /// `RELIEF_REQUIRE_COMPILERS` is 1.
 ///
 /// # Panics
 ///
 /// When they are required and one is missing.
 pub fn are_there() -> bool {
-    let missing =
-        [GLSLANG, SPIRV_VAL].iter().find(|tool| Command::new(tool).arg("--version").output().is_err());
+    let missing = [GLSLANG, SPIRV_VAL, SPIRV_OPT]
+        .iter()
+        .find(|tool| Command::new(tool).arg("--version").output().is_err());
     let Some(tool) = missing else { return true };
     let is_required = std::env::var_os("RELIEF_REQUIRE_COMPILERS").is_some_and(|value| value == "1");
     assert!(!is_required, "RELIEF_REQUIRE_COMPILERS is 1: there is no {tool}");

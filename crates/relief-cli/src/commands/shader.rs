@@ -66,7 +66,7 @@ pub struct Arguments {
     #[arg(long)]
     depth: bool,
     /// Shading languages to write: wgsl, glsl, hlsl, msl, spirv; of functions wgsl, wesl, glsl, hlsl,
-    /// msl
+    /// msl, godot, unreal
     #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',', required = true)]
     target: Vec<String>,
     /// Versions of the targets: core450 or es310 of glsl, 5.1 or 6.0 of hlsl, 2.0 of msl, 1.3 of

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use relief_io::{MeshOptions, read_mesh};
+use relief_io::{HeightOptions, HeightRange, MeshOptions, read_height, read_mesh};
 use serde_json::Value;
 
 use crate::common::command::{Folder, json_of};
@@ -138,12 +138,91 @@ fn every_setting_of_a_program_begins_with_a_value() {
     assert!(count > 12, "{count}");
 }
 
+/// The names that the head of a node lists under a title.
+fn listed(node: &str, title: &str) -> BTreeSet<String> {
+    let (_, rest) = node.split_once(&format!("// {title}:\n")).expect("a list");
+    rest.lines()
+        .map_while(|line| line.strip_prefix("//   "))
+        .map(|line| line.split(':').next().unwrap_or_default().to_owned())
+        .collect()
+}
+
+#[test]
+fn a_node_of_unreal_reads_what_its_head_lists() {
+    let folder = folder();
+    let asked = "engine unreal stones.png --mesh torus --tile 4,2 --method cone --scale 3cm -o kit --json";
+    let written: BTreeSet<String> = files(&json_of(&folder.relief(asked).fine())).into_iter().collect();
+    let node = text(&folder, "kit/relief_node.hlsl");
+    let (head, code) = node.split_once("\n\n").expect("a head");
+    for file in ["relief.ush", "relief_surface.ush"] {
+        assert!(written.contains(file) && head.contains(&format!("/Project/{file}")), "{head}");
+    }
+    for map in ["stones_height_map.exr", "stones_search_map.exr"] {
+        assert!(written.contains(map) && head.contains(&format!("Texture Object of {map}")), "{head}");
+    }
+    assert!(head.contains("Scale: depth of the relief in centimetres: 3\n"), "{head}");
+    // Each input is read, each output is set, and nothing else.
+    let [inputs, outputs] = ["Inputs", "Additional Outputs"].map(|title| listed(&node, title));
+    let words: BTreeSet<String> = code
+        .lines()
+        .filter_map(|line| line.split("//").next())
+        .flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'))
+        .filter(|word| word.starts_with(|c: char| c.is_ascii_uppercase()))
+        .map(str::to_owned)
+        .collect();
+    let named: BTreeSet<String> = inputs.union(&outputs).cloned().collect();
+    let own = ["GetDimensions", "Relief", "ReliefSettings", "ReliefSurface"].map(str::to_owned);
+    assert_eq!(words, named.union(&BTreeSet::from(own)).cloned().collect());
+    assert_eq!(inputs.len() + outputs.len(), 12, "{head}");
+    for output in &outputs {
+        assert!(code.contains(&format!("\n{output} = ")), "{output}: {code}");
+    }
+    let unlit = asked.replace("-o kit", "--shadow none -o unlit");
+    folder.relief(&unlit).fine();
+    let node = text(&folder, "unlit/relief_node.hlsl");
+    assert!(!node.contains("Sun") && !node.contains("Light"), "{node}");
+}
+
+#[test]
+fn maps_of_unreal_keep_their_bits() {
+    let folder = folder();
+    folder.relief("engine unreal stones.png -o kit -q").fine();
+    let height = |path: &str| {
+        let range = path.ends_with(".exr").then_some(HeightRange::Between([0.0, 1.0]));
+        read_height(&folder.path(path), &HeightOptions { range, ..HeightOptions::default() })
+            .unwrap_or_else(|error| panic!("{path}: {error}"))
+    };
+    let [given, written] = ["stones.png", "kit/stones_height_map.exr"].map(height);
+    assert_eq!(given.texels(), written.texels());
+    let mesh = read_mesh(&folder.path("kit/stones.gltf"), &MeshOptions::default()).expect("a mesh").mesh;
+    assert_eq!(mesh.triangles().len(), 2);
+    assert!(!text(&folder, "kit/stones.gltf").contains(".png"));
+}
+
+#[test]
+fn every_setting_of_a_node_has_a_value() {
+    let folder = folder();
+    let mut count = 0;
+    for (number, method) in relief_shaders::METHODS.iter().enumerate() {
+        let shadow = ["none", "ray", "soft", "entry", "heuristic", "horizon", "visibility"][number % 7];
+        let asked =
+            format!("engine unreal stones.png --method {} --shadow {shadow} -o out --force -q", method.name);
+        if folder.relief(&asked).code == Some(0) {
+            count += 1;
+            let node = text(&folder, "out/relief_node.hlsl");
+            assert!(!node.contains(" = 0; "), "{}, {shadow}: {node}", method.name);
+        }
+    }
+    assert!(count > 12, "{count}");
+}
+
 #[test]
 fn what_has_no_kit_says_what_goes() {
     let folder = folder();
     for (asked, words) in [
         ("engine thre stones.png -o out", "did you mean 'three'"),
-        ("engine unreal stones.png -o out", "bake --for unreal"),
+        ("engine unity stones.png -o out", "bake --for unity"),
+        ("engine unreal stones.png --method voxels -o out", "--method"),
         ("engine three stones.png --method view-dependent -o out", "--method"),
         ("engine three stones.png --method voxels -o out", "--method"),
         ("engine godot stones.png --surface prism -o out", "--surface"),

@@ -303,7 +303,9 @@ pub fn head(
         let _ = writeln!(text, "// {}: {}, {} ({})", stage.stage, stage.name, stage.summary, stage.published);
     }
     text += "//\n// Functions:\n";
-    let mut lines = code.lines();
+    // Methods of a struct begin behind it.
+    let behind = if profile == Profile::Unreal5 { "    " } else { "" };
+    let mut lines = code.lines().map(|line| line.strip_prefix(behind).unwrap_or(line));
     while let Some(line) = lines.next() {
         if declares(line, manifest) {
             // Some languages have a line for each parameter.

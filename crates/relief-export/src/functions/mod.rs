@@ -16,6 +16,7 @@ mod reduce;
 mod settings;
 mod syntax;
 mod textures;
+mod unreal_node;
 
 use relief_core::{RayUse, Wrap};
 use relief_shaders::bindings::Binding;
@@ -31,6 +32,7 @@ pub use self::names::Prefix;
 use self::reduce::{Kept, reduce};
 use self::settings::Setting;
 use self::syntax::{Item, ItemKind, Member, Struct, Unit};
+pub use self::unreal_node::{unreal_input, unreal_node};
 use crate::{ExportError, File, Placement, Profile, Target};
 
 /// Options of a method as functions.
@@ -129,11 +131,12 @@ pub fn functions(selection: &Selection, options: &FunctionOptions) -> Result<Exp
         let (ending, text) = match profile.target() {
             Target::Wgsl => ("wgsl", reduced.text.clone()),
             Target::Wesl => ("wesl", reduced.text.clone()),
-            target @ (Target::Glsl | Target::Hlsl | Target::Msl | Target::Godot) => {
+            target @ (Target::Glsl | Target::Hlsl | Target::Msl | Target::Godot | Target::Unreal) => {
                 let text = languages::write(selection, &reduced, &prefix, *profile, options)?;
                 let ending = match target {
                     Target::Msl => "metal",
                     Target::Godot => "gdshaderinc",
+                    Target::Unreal => "ush",
                     _ => target.name(),
                 };
                 (ending, text)

@@ -15,7 +15,7 @@ use crate::{ExportError, Profile, Target};
 pub fn text_options(profile: Profile, bindings: impl Iterator<Item = (u32, u32)>) -> hlsl::Options {
     let mut options = hlsl::Options {
         shader_model: match profile {
-            Profile::Hlsl60 => hlsl::ShaderModel::V6_0,
+            Profile::Hlsl60 | Profile::Unreal5 => hlsl::ShaderModel::V6_0,
             _ => hlsl::ShaderModel::V5_1,
         },
         fake_missing_bindings: false,

@@ -60,7 +60,9 @@ pub fn write(
         Target::Hlsl => hlsl::write(program, profile, &points, name).map(|text| vec![text]),
         Target::Msl => msl::write(program, &points, name, options).map(|text| vec![text]),
         Target::Spirv => spirv::write(program, &points, name).map(|text| vec![text]),
-        Target::Wesl | Target::Godot => Err(ExportError::OnlyFunctions { profile: profile.name() }),
+        Target::Wesl | Target::Godot | Target::Unreal => {
+            Err(ExportError::OnlyFunctions { profile: profile.name() })
+        }
     }
 }
 

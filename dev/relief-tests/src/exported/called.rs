@@ -14,6 +14,7 @@ use relief_shaders::wgsl::Sampling;
 
 use super::Device;
 use super::bound::{texels_of, view_of};
+use super::include::{self, Include};
 use crate::baked::maps_for;
 use crate::compilers::{GLSLANG, run};
 use crate::one_source::cases::bare_surface;
@@ -95,6 +96,8 @@ pub enum Dialect {
     Glsl,
     /// The same.
     Hlsl,
+    /// HLSL of Unreal's materials, whose functions are methods of a struct.
+    Unreal,
 }
 
 impl Dialect {
@@ -108,7 +111,7 @@ impl Dialect {
         match self {
             Dialect::Wgsl => text.to_owned(),
             Dialect::Glsl => vectors(numbers(text), ["vec2", "vec3", "vec4"]),
-            Dialect::Hlsl => {
+            Dialect::Hlsl | Dialect::Unreal => {
                 let text = text.replace(&format!("{constructs}("), &format!("Construct{constructs}("));
                 vectors(numbers(&text), ["float2", "float3", "float4"])
             }
@@ -119,7 +122,7 @@ impl Dialect {
     fn declared(self, name: &str, of: &str, value: &str) -> String {
         match self {
             Dialect::Wgsl => format!("let {name} = {value};"),
-            Dialect::Glsl | Dialect::Hlsl => format!("{of} {name} = {value};"),
+            Dialect::Glsl | Dialect::Hlsl | Dialect::Unreal => format!("{of} {name} = {value};"),
         }
     }
 }
@@ -409,7 +412,14 @@ impl Device {
             return self.wgsl(wgsl(&text_of(exported), &settings, body, count).as_bytes());
         }
         let file = &exported.files[1];
-        let text = without_derivatives(&String::from_utf8(file.bytes.clone()).expect("a text"));
+        let text = String::from_utf8(file.bytes.clone()).expect("a text");
+        if dialect == Dialect::Unreal {
+            let include = Include::new(&text);
+            let [text, body] = include.in_compute(body);
+            let words = include::compiled(&hlsl(&text, &settings, &body, count), "comp");
+            return self.spirv(&words.unwrap_or_else(|error| panic!("{}: {error}", file.name)), "main");
+        }
+        let text = without_derivatives(&text);
         let (text, flags) = match dialect {
             Dialect::Glsl => (glsl(&text, &settings, body, count), &["-V", "-S", "comp"][..]),
             _ => (hlsl(&text, &settings, body, count), &["-D", "-V", "-Od", "-S", "comp", "-e", "main"][..]),

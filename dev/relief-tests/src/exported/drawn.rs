@@ -254,7 +254,7 @@ fn pipeline(
 }
 
 /// Draws the given numbers of vertices and instances, and reads the colours back.
-fn picture(
+pub(super) fn picture(
     Device { device, queue }: &Device,
     pipeline: &wgpu::RenderPipeline,
     bound: &[wgpu::BindGroup],

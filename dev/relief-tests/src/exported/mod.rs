@@ -5,7 +5,9 @@ mod bound;
 mod called;
 mod computed;
 mod drawn;
+mod include;
 mod languages;
+mod node;
 mod values;
 
 pub use beside::{Difference, compare, device, exported, rendered};
@@ -13,4 +15,6 @@ pub use called::{
     Dialect, OnPath, Point, Seen, SeenOver, differing_hits, paths_of, shortened, size_of, surface_of,
 };
 pub use drawn::{Device, Language, draw};
+pub use include::{Include, compiled as compiled_hlsl};
 pub use languages::compiled;
+pub use node::{Plane, Sight};

@@ -25,7 +25,7 @@ use relief_tests::pairs;
 const PATHS: usize = 100_000;
 
 /// Methods that have functions on a surface, over heights.
-fn methods(surface: &str) -> Vec<(&'static str, Selection)> {
+pub fn methods(surface: &str) -> Vec<(&'static str, Selection)> {
     let selections =
         METHODS.iter().map(|method| (method.name, Selection::of(method).expect("its own names")));
     let on = |(name, mut selection): (&'static str, Selection)| {
@@ -43,7 +43,7 @@ fn exported(selection: &Selection, wrap: Option<Wrap>) -> ExportedFunctions {
     functions(selection, &options).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn named(name: &str, wrap: Wrap) -> HeightMap {
+pub fn named(name: &str, wrap: Wrap) -> HeightMap {
     maps::ALL.iter().find(|map| map.name == name).expect("a map").build(wrap)
 }
 
@@ -112,7 +112,7 @@ fn wrong_functions_are_noticed() {
 }
 
 /// Points with rays from upright to grazing, over a flat mesh.
-fn points(count: usize, tile: [f32; 2], seed: u64) -> Vec<Point> {
+pub fn points(count: usize, tile: [f32; 2], seed: u64) -> Vec<Point> {
     let mut rng = Rng::new(seed);
     let point = |_| {
         let (turn, down) = (rng.between(0.0, std::f64::consts::TAU), rng.between(0.15, 1.0));
@@ -168,7 +168,7 @@ fn errors(surface: &JobSurface, points: &[Point], seen: &[Seen]) -> Vec<f64> {
 }
 
 /// A point's ray, and a triangle with the same frame.
-fn pixel_of(point: &Point) -> PixelIn {
+pub fn pixel_of(point: &Point) -> PixelIn {
     let Point { uv, view, tile, curvature, .. } = *point;
     let corner = |u: f32, v: f32| {
         let place = [u * tile[0], v * tile[1], 0.0];
@@ -463,7 +463,7 @@ fn the_documents_shader_calls_functions() {
 }
 
 /// The functions of a selection in WGSL and another profile.
-fn in_two(selection: &Selection, wrap: Option<Wrap>, profile: Profile) -> ExportedFunctions {
+pub fn in_two(selection: &Selection, wrap: Option<Wrap>, profile: Profile) -> ExportedFunctions {
     let profiles = vec![Profile::Wgsl, profile];
     let options = FunctionOptions { wrap, profiles, ..FunctionOptions::default() };
     functions(selection, &options).unwrap_or_else(|error| panic!("{error}"))

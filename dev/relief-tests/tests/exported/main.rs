@@ -5,3 +5,4 @@ mod exported_shaders;
 mod exported_slices;
 mod functions;
 mod triangle_functions;
+mod unreal;

@@ -5,6 +5,7 @@ mod bevy;
 mod godot;
 mod kit;
 mod three;
+mod unreal;
 mod viewed;
 
 use std::path::PathBuf;
@@ -27,12 +28,13 @@ use crate::streams::Files;
 use crate::{say, units, values};
 
 /// All kits.
-const KITS: [&EngineKit; 3] = [&three::KIT, &godot::KIT, &bevy::KIT];
+const KITS: [&EngineKit; 4] = [&three::KIT, &godot::KIT, &bevy::KIT, &unreal::KIT];
 
 const EXAMPLES: &str = "Examples:\n  relief engine three bricks.png -o page          # a page to open\n  \
     relief engine godot Bricks090 --mesh sphere --tile 4,2 -o project/bricks\n  \
     relief engine three rock.png --mesh lamp.glb --method cone --scale 2cm -o lamp\n  \
-    relief engine bevy bricks.png --mesh torus --tile 6,2 -o program\n\n\
+    relief engine bevy bricks.png --mesh torus --tile 6,2 -o program\n  \
+    relief engine unreal bricks.png --mesh sphere --tile 4,2 -o bricks\n\n\
     `relief bake --for ENGINE` writes the textures alone. `relief shader --entry \
     functions` writes the functions alone, for other engines and for shaders of your own. Give each relief a \
     folder of its own.";
@@ -41,7 +43,8 @@ const EXAMPLES: &str = "Examples:\n  relief engine three bricks.png -o page     
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Engine: three (three.js, a page), godot (Godot 4, a scene) or bevy (a program)
+    /// Engine: three (three.js, a page), godot (Godot 4, a scene), bevy (a program) or unreal (Unreal Engine 5,
+    /// includes and a node for a material)
     #[arg(value_name = "ENGINE")]
     engine: String,
     /// Height map, or a folder of textures

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use relief_core::Wrap;
 use relief_shaders::wgsl::Sampling;
 
-use super::{Source, glsl};
+use super::{Source, glsl, macros};
 use crate::functions::form::Form;
 use crate::functions::names::Prefix;
 use crate::functions::reduce::Types;
@@ -47,7 +47,8 @@ pub fn write(source: &Source, uniforms: &Uniforms) -> Result<String, ExportError
             }
         }
     }
-    Ok(macros(uniforms) + &own + "\n" + &settings(uniforms))
+    let Uniforms { unit, prefix, form, .. } = *uniforms;
+    Ok(macros::of(unit, prefix, form) + &own + "\n" + &settings(uniforms))
 }
 
 /// The function through which counts of bits go; its name in the sources.
@@ -99,27 +100,6 @@ fn int_counts(text: &str, prefix: &Prefix) -> String {
         is_inside = is_head || (is_inside && line != "}");
     }
     own
-}
-
-/// What the text has, for the preprocessor: shaders that include it ask for it.
-fn macros(uniforms: &Uniforms) -> String {
-    let light = uniforms.prefix.of(uniforms.form.light());
-    let point = uniforms.prefix.of("ReliefPoint");
-    let point = uniforms.unit.structs().find(|structure| structure.name == point);
-    let takes = |name: &str| {
-        point.is_some_and(|structure| structure.members.iter().any(|member| member.name == name))
-    };
-    let mut text = String::new();
-    for (name, has) in [
-        ("HAS_LIGHT", uniforms.unit.functions().any(|function| function.name == light)),
-        ("HAS_CURVATURE", takes("curvature")),
-        ("HAS_FOOTPRINT", takes("footprint")),
-    ] {
-        if has {
-            let _ = writeln!(text, "#define {}", uniforms.prefix.of(name));
-        }
-    }
-    text
 }
 
 /// Texels that are loaded one by one need no filter; `fast` reads through one.

@@ -7,7 +7,9 @@ mod comments;
 mod glsl;
 mod godot;
 mod hlsl;
+mod macros;
 mod msl;
+mod unreal;
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -43,6 +45,7 @@ pub fn write(
     let entry = prefix.of("entry");
     let functions = match profile.target() {
         Target::Godot => print(&godot::with_counts(&reduced.unit, prefix)),
+        Target::Unreal => print(&unreal::with_scalar_choices(&reduced.unit, prefix)),
         _ => reduced.text.clone(),
     };
     let text = format!("{functions}\n{}", entry_point(selection, reduced, prefix, &entry, options.form));
@@ -56,6 +59,7 @@ pub fn write(
     let text = match profile.target() {
         Target::Glsl => glsl::write(&source, profile),
         Target::Hlsl => hlsl::write(&source, profile),
+        Target::Unreal => unreal::check(&source.checked).and_then(|()| hlsl::write(&source, profile)),
         Target::Msl => msl::write(&source),
         Target::Godot => godot::write(
             &source,
@@ -71,7 +75,14 @@ pub fn write(
         target @ (Target::Wgsl | Target::Wesl | Target::Spirv) => Err(ExportError::NoFunctionsIn { target }),
     }?;
     let lent: Vec<String> = options.form.called(selection).into_iter().map(|name| prefix.of(name)).collect();
-    Ok(with_own_parameters(&text, &lent))
+    let text = with_own_parameters(&text, &lent);
+    Ok(match profile.target() {
+        Target::Unreal => {
+            let macros = macros::of(&reduced.unit, prefix, options.form);
+            unreal::enclosed(&text, &macros, &prefix.of(unreal::STRUCT))
+        }
+        _ => text,
+    })
 }
 
 /// The parameters of the functions that programs call.

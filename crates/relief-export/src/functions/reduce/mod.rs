@@ -16,7 +16,7 @@ mod values;
 use std::collections::BTreeSet;
 
 pub use fold::declared;
-pub use types::Types;
+pub use types::{Types, width};
 pub use values::Values;
 
 use super::syntax::Unit;

@@ -93,7 +93,8 @@ impl Types {
             },
             Expression::Binary(operator, left, right) => {
                 if ["==", "!=", "<", ">", "<=", ">=", "&&", "||"].contains(operator) {
-                    return Some("bool".to_owned());
+                    let width = self.type_of(left, locals).and_then(|of| width(&of));
+                    return Some(width.map_or("bool".to_owned(), |width| format!("vec{width}<bool>")));
                 }
                 let left = self.type_of(left, locals)?;
                 // The right side of a shift counts bits.
@@ -147,6 +148,11 @@ fn element(of: &str) -> Option<String> {
         _ => return None,
     };
     Some(scalar.to_owned())
+}
+
+/// The number of a vector's components.
+pub fn width(of: &str) -> Option<usize> {
+    of.strip_prefix("vec")?.get(..1)?.parse().ok()
 }
 
 /// Whether a type's text holds a name.
