@@ -33,16 +33,17 @@ export class Bench {
     async run(test) {
         const folder = mkdtempSync(join(tmpdir(), "relief-view-"));
         for (const map of ["cobbles.png", "bricks.png"]) cpSync(join(DATA, map), join(folder, map));
-        const program = await Program.start(this.relief, folder, test.scene ?? SCENE);
         const context = await this.browser.createBrowserContext();
-        const seat = new Seat(await context.newPage(), program, folder, this.relief);
+        let program;
         try {
+            program = await Program.start(this.relief, folder, test.scene ?? SCENE);
+            const seat = new Seat(await context.newPage(), program, folder, this.relief);
             await seat.sit();
             await test(seat);
             seat.checkQuiet();
         } finally {
+            program?.kill();
             await context.close();
-            program.kill();
             rmSync(folder, { recursive: true });
         }
     }

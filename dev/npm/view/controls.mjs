@@ -56,7 +56,11 @@ export async function each_control_changes_the_scene_and_its_button_takes_it_awa
         kinds.add(typeof control.kind === "object" ? "numbers" : control.kind);
         await (await row.$(`[aria-label="default of ${control.label}"]`)).click();
         await seat.rest();
-        assert.ok(!isSet(await seat.control(control.key)), `${control.key} has still a value`);
+        if (!isSet(await seat.control(control.key))) continue;
+        // Another value may need this one; then the control says so.
+        assert.match(await row.$eval("[role=alert]", ({ textContent }) => textContent), /needs/, control.key);
+        await seat.click("[data-do=undo]");
+        assert.equal(await seat.scene(), before, control.key);
     }
     const all = ["flag", "name", "name-or-file", "number", "numbers", "other", "text", "whole"];
     assert.deepEqual([...kinds].sort(), all);
@@ -113,7 +117,7 @@ export async function the_focus_stays_when_the_panel_changes(seat) {
     const select = await (await seat.row("method")).$("select");
     const before = (await seat.controls()).map(({ key }) => key);
     await select.focus();
-    await select.select("cone");
+    await select.select("relief");
     await seat.rest();
     assert.notDeepEqual((await seat.controls()).map(({ key }) => key), before, "the panel has the same controls");
     assert.equal(await seat.page.evaluate((node) => document.activeElement === node, select), true);

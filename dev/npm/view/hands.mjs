@@ -13,7 +13,7 @@ async function found(seat) {
     if (!has) await seat.page.evaluate(AXE);
     const violations = await seat.page.evaluate(async () => (await window.axe.run()).violations);
     const grave = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
-    return grave.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).slice(0, 3).join(" ")}`);
+    return grave.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(({ target, any }) => `${target} ${any[0]?.message ?? ""}`).join("; ")}`);
 }
 
 async function openAll(seat, isOpen) {
@@ -40,11 +40,12 @@ export async function axe_finds_nothing_grave(seat) {
         }
     }
     const client = await seat.page.createCDPSession();
-    const features = [{ name: "forced-colors", value: "active" }];
-    await client.send("Emulation.setEmulatedMedia", { features });
-    assert.equal(await seat.page.evaluate(() => matchMedia("(forced-colors: active)").matches), true);
-    assert.deepEqual(await found(seat), [], "forced colours");
-    await client.send("Emulation.setEmulatedMedia", { features: [] });
+    for (const value of ["light", "dark"]) {
+        const features = [{ name: "forced-colors", value: "active" }, { name: "prefers-color-scheme", value }];
+        await client.send("Emulation.setEmulatedMedia", { features });
+        assert.equal(await seat.page.evaluate(() => matchMedia("(forced-colors: active)").matches), true);
+        assert.deepEqual(await found(seat), [], `forced colours, ${value}`);
+    }
 }
 
 export async function axe_finds_nothing_grave_in_messages_and_dialogs(seat) {
