@@ -82,7 +82,7 @@ enum Command {
     Render(Box<commands::render::Arguments>),
     /// Write a scene file of render's flags, with every key
     Scene(Box<commands::scene::Arguments>),
-    /// Change a scene by a script of actions, as a viewer changes it, and draw it
+    /// Show a scene on a page in the browser, to turn and to change; or change it by a script
     View(Box<commands::view::Arguments>),
     /// Report on a height map (size, depth, range, used levels, histogram, whether it tiles), a mesh
     /// (size, charts, seams, hard edges, tile sizes) or a volume

@@ -16603,17 +16603,22 @@ fn relief_tile(position: vec3f, uv: vec2f) -> vec2f {
         name: "relief_curvature",
         sampling: None,
         uses: &[],
-        text: r#"// The curvature of a mesh, for `ReliefPoint`, from its position, its unit normal and its texture coordinates.
-// Normals that are interpolated over a triangle give the mean curvature of the triangle. For fragment
-// functions alone.
+        text: r#"// The curvature of a mesh, for `ReliefPoint`, from its position, its normal and its texture coordinates. A
+// normal that is interpolated over a triangle, and not brought to the length 1 again, gives the mean curvature
+// of the triangle. Unit normals do where the triangle is seen from its face; from its edge they bend from a
+// pixel to the next. For fragment functions alone.
 fn relief_curvature(position: vec3f, normal: vec3f, uv: vec2f) -> vec3f {
     let du = vec2f(dpdx(uv.x), dpdy(uv.x));
     let dv = vec2f(dpdx(uv.y), dpdy(uv.y));
     let area = du.x * dv.y - du.y * dv.x;
     let along_u = (dpdx(position) * dv.y - dpdy(position) * dv.x) / area;
     let along_v = (dpdy(position) * du.x - dpdx(position) * du.y) / area;
-    let turn_u = (dpdx(normal) * dv.y - dpdy(normal) * dv.x) / area;
-    let turn_v = (dpdy(normal) * du.x - dpdx(normal) * du.y) / area;
+    let n = normalize(normal);
+    let change_u = (dpdx(normal) * dv.y - dpdy(normal) * dv.x) / area;
+    let change_v = (dpdy(normal) * du.x - dpdx(normal) * du.y) / area;
+    // How the direction turns, whatever the length.
+    let turn_u = (change_u - n * dot(n, change_u)) / length(normal);
+    let turn_v = (change_v - n * dot(n, change_v)) / length(normal);
     return vec3f(
         -0.5 * dot(turn_u, along_u),
         -0.5 * (dot(turn_u, along_v) + dot(turn_v, along_u)),

@@ -15,7 +15,7 @@ mod links;
 mod methods;
 mod page;
 mod picture;
-mod run;
+pub mod run;
 
 use crate::output;
 use page::{Item, Page};

@@ -1,5 +1,6 @@
 //! Developer commands: `cargo xtask link` writes the linked shaders, `cargo xtask data` the sample maps,
-//! `cargo xtask guide` the guide's pictures, `cargo xtask dist` a release; `cargo xtask words` counts words.
+//! `cargo xtask guide` the guide's pictures, `cargo xtask dist` a release; `cargo xtask web-test` uses the page of
+//! `relief view` in a browser, `cargo xtask words` counts words.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -11,6 +12,7 @@ mod dist;
 mod guide;
 mod link;
 mod output;
+mod web_test;
 mod words;
 
 #[derive(Parser)]
@@ -41,6 +43,18 @@ enum Command {
         #[arg(short, long)]
         output: Option<PathBuf>,
     },
+    /// Use the page of `relief view` in headless Chromium, as a person does.
+    WebTest {
+        /// Program to run [default: relief, built in the profile of xtask].
+        #[arg(long)]
+        relief: Option<PathBuf>,
+        /// Chromium or Chrome.
+        #[arg(long, default_value = "chromium")]
+        browser: PathBuf,
+        /// Run the tests whose names hold this.
+        #[arg(long)]
+        only: Option<String>,
+    },
     /// Count worn phrases in comments, and sentence lengths of pages.
     Words {
         /// Folders with Rust sources.
@@ -64,6 +78,9 @@ fn main() -> ExitCode {
         Command::Data => data::files(&root).and_then(settle),
         Command::Guide { relief } => guide::settle(&root, relief.as_deref(), arguments.check),
         Command::Dist { output } => dist::make(&root, output.as_deref()),
+        Command::WebTest { relief, browser, only } => {
+            web_test::run(&root, relief.as_deref(), &browser, only.as_deref())
+        }
         Command::Words { folders } => words::print(&folders),
     };
     match done {

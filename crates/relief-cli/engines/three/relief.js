@@ -119,6 +119,9 @@ function sources( about ) {
 	return {
 		wgsl: {
 			tile: `fn ${ p }_tile_of_fragment(position: vec3f, uv: vec2f) -> vec2f { return ${ p }_tile(position, uv); }`,
+			curvature: `fn ${ p }_curvature_of_fragment(position: vec3f, n: vec3f, uv: vec2f) -> vec3f {
+	return ${ p }_curvature(position, n, uv);
+}`,
 			hit: `fn ${ p }_of_fragment(${ wgslOfPoint }, ${ passed }) -> mat3x3<f32> {${ wgslPoint }
 	let hit = ${ p }_hit(settings, at);
 	return mat3x3<f32>(vec3f(select(0.0, 1.0, hit.hit), hit.uv), hit.normal, vec3f(hit.depth, hit.height, 0.0));
@@ -130,6 +133,9 @@ function sources( about ) {
 		},
 		glsl: {
 			tile: `vec2 ${ p }_tile_of_fragment(vec3 position, vec2 uv) { return ${ p }_tile(position, uv); }`,
+			curvature: `vec3 ${ p }_curvature_of_fragment(vec3 position, vec3 n, vec2 uv) {
+	return ${ p }_curvature(position, n, uv);
+}`,
 			hit: `mat3 ${ p }_of_fragment(${ glslOfPoint }, ${ passedGlsl }) {${ glslPoint }
 	${ Hit } hit = ${ p }_hit(settings, at);
 	return mat3(vec3(hit.hit ? 1.0 : 0.0, hit.uv), hit.normal, vec3(hit.depth, hit.height, 0.0));
@@ -166,25 +172,6 @@ function ownTile( axis ) {
 function ownCurvature() {
 
 	return attribute( '_curvature', 'vec3' ).div( modelNormalMatrix.mul( normalGeometry ).length() ).toVarying();
-
-}
-
-/**
- * The curvature of a mesh from derivatives. The normal between vertices is the one that is linear on a triangle: of
- * unit normals, differences from pixel to pixel say little where a triangle is seen from its edge.
- */
-function curvatureOf( position, coordinates ) {
-
-	const normal = transformNormalToView( normalLocal ).toVarying();
-	const [ atX, atY ] = [ dFdx( coordinates ), dFdy( coordinates ) ];
-	const area = atX.x.mul( atY.y ).sub( atX.y.mul( atY.x ) );
-	const alongU = ( of ) => dFdx( of ).mul( atY.y ).sub( dFdy( of ).mul( atX.y ) ).div( area );
-	const alongV = ( of ) => dFdy( of ).mul( atX.x ).sub( dFdx( of ).mul( atY.x ) ).div( area );
-	const n = normal.normalize();
-	const turn = ( change ) => change.sub( n.mul( n.dot( change ) ) ).div( normal.length() );
-	const [ u, v ] = [ alongU( position ), alongV( position ) ];
-	const [ turnU, turnV ] = [ turn( alongU( normal ) ), turn( alongV( normal ) ) ];
-	return vec3( turnU.dot( u ), turnU.dot( v ).add( turnV.dot( u ) ), turnV.dot( v ) ).mul( - 0.5 );
 
 }
 
@@ -301,8 +288,15 @@ export function applyRelief( material, { about, texts }, options ) {
 		curvature: Fn( ( builder ) => {
 
 			if ( ! about.point.some( ( { name } ) => name === 'curvature' ) ) return vec3( 0 );
-			// Triangles with a normal of their own are flat.
-			if ( ! hasFrames( builder ) ) return builder.isFlatShading() ? vec3( 0 ) : curvatureOf( positionView, ownUV );
+			if ( ! hasFrames( builder ) ) {
+
+				// Triangles with a normal of their own are flat.
+				if ( builder.isFlatShading() ) return vec3( 0 );
+				// As it is between vertices, not brought to the length 1.
+				const between = transformNormalToView( normalLocal ).toVarying();
+				return native( source.curvature, [ functions ] )( { position: positionView, n: between, uv: ownUV } );
+
+			}
 			return ownCurvature().div( vec3( repeat.x.mul( repeat.x ), repeat.x.mul( repeat.y ), repeat.y.mul( repeat.y ) ) );
 
 		}, 'vec3' )().toVar(),

@@ -4,7 +4,9 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
+use std::process::Stdio;
 use std::sync::OnceLock;
 
 use crate::common::command::{Folder, Ran, json_of};
@@ -315,9 +317,25 @@ fn run(is_one: impl Fn(&str) -> bool) {
     assert!(!chosen.is_empty());
     for line in chosen {
         let line = made_small(line);
+        if begins(&line, &["view"]) && !line.contains("--script") {
+            opens(folder, &line);
+            continue;
+        }
         let ran = folder.relief(&line);
         check(folder, &line, &ran);
     }
+}
+
+/// Runs an example that answers until it is ended: it says where.
+fn opens(folder: &Folder, line: &str) {
+    let line = line.replace(" --no-open", "").replace("--port 8000", "--port 0");
+    let mut command = folder.command();
+    command.args(line.split_ascii_whitespace()).arg("--no-open").stdout(Stdio::piped());
+    let mut child = command.spawn().expect("the command starts");
+    let mut said = String::new();
+    BufReader::new(child.stdout.take().expect("a pipe")).read_line(&mut said).expect("a line");
+    child.kill().and_then(|()| child.wait()).expect("it ends");
+    assert!(said.starts_with("http://127.0.0.1:"), "relief {line}: {said}");
 }
 
 fn begins(line: &str, commands: &[&str]) -> bool {
