@@ -37,7 +37,8 @@ export async function the_picture_fills_the_pane(seat) {
     assert.deepEqual(sizes.slice(0, 2), sizes.slice(2));
     await seat.page.setViewport({ width: 900, height: 500, deviceScaleFactor: 2 });
     await seat.rest();
-    const pane = await seat.page.$eval("#pane", ({ clientWidth, clientHeight }) => [clientWidth, clientHeight]);
+    const sides = ({ clientWidth, clientHeight }) => [clientWidth, clientHeight];
+    const pane = await seat.page.$eval("#pane", sides);
     const { width, height } = await seat.canvas();
     assert.deepEqual([width, height], pane.map((side) => 2 * side));
 }
