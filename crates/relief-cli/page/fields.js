@@ -192,7 +192,7 @@ class TextField {
         const text = this.#isWritten ? (control.value ?? "") : textOf(control.value);
         const isTyping = document.activeElement === this.input && this.input.value !== this.#shown;
         if (!isTyping || back || text !== this.#shown) this.input.value = text;
-        this.#shown = text;
+        this.#shown = this.input.defaultValue = text;
         const standard = control.is_file ? "none" : "default";
         this.input.placeholder = control.default === null ? standard : `default: ${textOf(control.default)}`;
         this.input.title = text;

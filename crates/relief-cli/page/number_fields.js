@@ -53,7 +53,7 @@ export class NumberField {
         const isTyping = document.activeElement === this.input && this.input.value !== this.#shown;
         const shown = number !== null && !isText ? `${number}` : isText ? text : "";
         if (!isTyping || back || shown !== this.#shown) this.input.value = shown;
-        this.#shown = shown;
+        this.#shown = this.input.defaultValue = shown;
         this.input.placeholder = control.default === null ? "default" : text;
         this.node.classList.toggle("default", control.value === null);
         this.#control = control;
@@ -94,9 +94,14 @@ export class NumberField {
     #slid() {
         if (!this.#scale) return;
         const number = numberAt(this.#scale, Number(this.#slider.value) / PLACES);
-        this.input.value = this.#shown = `${number}`;
+        this.#enter(`${number}`);
         this.#say(number);
         this.#around.set(number, this.#drag ?? this.#around.burst());
+    }
+
+    /** @param {string} text what the field shows, and the scene gets */
+    #enter(text) {
+        this.input.value = this.input.defaultValue = this.#shown = text;
     }
 
     #released() {
@@ -120,7 +125,7 @@ export class NumberField {
         if (steps === 0 || this.input.type !== "number" || !this.#control) return;
         event.preventDefault();
         const number = nextNumber(this.#control, numberOf(this.input.value), steps);
-        this.input.value = this.#shown = `${number}`;
+        this.#enter(`${number}`);
         this.#around.set(number, this.#around.burst());
     }
 
@@ -181,22 +186,32 @@ export class NumbersField {
         const now = control.value ?? control.default;
         const numbers = numbersOf(now, this.#count);
         const shown = now ?? "";
-        const { label, min, max } = control;
-        this.#button.setAttribute("aria-label", `Write ${label} as text`);
+        const isOther = back || shown !== this.#shown;
+        const stays = !isOther && this.#isHalf();
+        this.#button.setAttribute("aria-label", `Write ${control.label} as text`);
         this.#inputs.forEach((input, place) => {
-            input.setAttribute("aria-label", `${label} ${place + 1} of ${this.#count}`);
-            input.min = min === null ? "" : `${min}`;
-            input.max = max === null ? "" : `${max}`;
-            input.placeholder = "default";
-            if (back || shown !== this.#shown || !this.#isHalf())
-                input.value = numbers ? `${numbers[place]}` : "";
-            input.dataset["step"] = `${control.step ?? 1}`;
+            this.#describe(input, place, control);
+            input.defaultValue = numbers ? `${numbers[place]}` : "";
+            if (!stays) input.value = input.defaultValue;
         });
-        if (back || document.activeElement !== this.#text || shown !== this.#shown)
-            this.#text.value = textOf(now);
+        this.#text.defaultValue = textOf(now);
+        if (isOther || document.activeElement !== this.#text) this.#text.value = textOf(now);
         this.#shown = shown;
         this.node.classList.toggle("default", control.value === null);
         if (control.value !== null && !numbers) this.#write(true);
+    }
+
+    /**
+     * @param {HTMLInputElement} input
+     * @param {number} place
+     * @param {Control} control
+     */
+    #describe(input, place, { label, min, max, step }) {
+        input.setAttribute("aria-label", `${label} ${place + 1} of ${this.#count}`);
+        input.min = min === null ? "" : `${min}`;
+        input.max = max === null ? "" : `${max}`;
+        input.placeholder = "default";
+        input.dataset["step"] = `${step ?? 1}`;
     }
 
     /** Whether some of the numbers have been entered and others not. */

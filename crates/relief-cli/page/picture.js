@@ -148,11 +148,12 @@ export class Picture {
     /** Asks for another picture when the pane has another size in device pixels. */
     #watchSize() {
         const { pane } = this.#parts;
-        const observer = new ResizeObserver(([entry]) => {
-            const box = entry?.devicePixelContentBoxSize?.[0];
-            this.#resize(pixels(pane.clientWidth, box?.inlineSize), pixels(pane.clientHeight, box?.blockSize));
-        });
-        window.addEventListener("resize", () => this.#resize(pixels(pane.clientWidth), pixels(pane.clientHeight)));
+        const measure = (/** @type {ResizeObserverSize | undefined} */ box) => {
+            const { clientWidth, clientHeight } = pane;
+            this.#resize(pixels(clientWidth, box?.inlineSize), pixels(clientHeight, box?.blockSize));
+        };
+        const observer = new ResizeObserver(([entry]) => measure(entry?.devicePixelContentBoxSize?.[0]));
+        window.addEventListener("resize", () => measure(undefined));
         try {
             observer.observe(pane, { box: "device-pixel-content-box" });
         } catch {
@@ -163,7 +164,7 @@ export class Picture {
 }
 
 /**
- * A side of the pane in device pixels. What a browser measures counts if it is the nearest but for rounding: some
+ * A side of the pane in device pixels. What a browser measures counts if it differs by rounding alone: some
  * measure without the factor that the page is magnified by.
  * @param {number} side
  * @param {number} [measured]

@@ -100,12 +100,12 @@ function onClick(name, act) {
 }
 
 /**
- * Whether a text is being changed, which browsers undo by themselves.
+ * Whether a text has been changed but not entered: browsers undo that by themselves.
  * @param {EventTarget | null} target
  */
 function isTyping(target) {
     if (!(target instanceof HTMLInputElement)) return false;
-    return !["range", "checkbox", "file"].includes(target.type);
+    return !["range", "checkbox", "file"].includes(target.type) && target.value !== target.defaultValue;
 }
 
 /**

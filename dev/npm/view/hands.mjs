@@ -13,7 +13,8 @@ async function found(seat) {
     if (!has) await seat.page.evaluate(AXE);
     const violations = await seat.page.evaluate(async () => (await window.axe.run()).violations);
     const grave = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
-    return grave.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(({ target, any }) => `${target} ${any[0]?.message ?? ""}`).join("; ")}`);
+    const said = ({ target, any }) => `${target} ${any[0]?.message ?? ""}`;
+    return grave.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(said).join("; ")}`);
 }
 
 async function openAll(seat, isOpen) {
@@ -41,7 +42,8 @@ export async function axe_finds_nothing_grave(seat) {
     }
     const client = await seat.page.createCDPSession();
     for (const value of ["light", "dark"]) {
-        const features = [{ name: "forced-colors", value: "active" }, { name: "prefers-color-scheme", value }];
+        const scheme = { name: "prefers-color-scheme", value };
+        const features = [{ name: "forced-colors", value: "active" }, scheme];
         await client.send("Emulation.setEmulatedMedia", { features });
         assert.equal(await seat.page.evaluate(() => matchMedia("(forced-colors: active)").matches), true);
         assert.deepEqual(await found(seat), [], `forced colours, ${value}`);
@@ -74,8 +76,8 @@ export async function every_control_has_role_name_and_description(seat) {
     for (const tab of ["Surface", "Scene"]) {
         await showTab(seat, tab);
         const poor = await seat.page.evaluate(() => {
-            const fields = [...document.querySelectorAll("[data-key]")].filter((row) => row.checkVisibility());
-            return fields.filter((row) => {
+            const rows = [...document.querySelectorAll("[data-key]")];
+            return rows.filter((row) => row.checkVisibility()).filter((row) => {
                 const field = row.querySelector("select, fieldset, input:not([type=range], [hidden])");
                 const about = (field.getAttribute("aria-describedby") ?? "").split(" ");
                 const words = about.map((id) => document.getElementById(id)?.textContent ?? "").join("");
@@ -114,7 +116,9 @@ export async function tab_reaches_everything_and_the_focus_is_seen(seat) {
         return rows.map(({ dataset }) => dataset.key);
     });
     const names = [...(await reached(seat, 60 + 4 * wanted.length))];
-    for (const name of ["/picture", "/undo", "/light", "/help", "/filter"]) assert.ok(names.includes(name), name);
+    for (const name of ["/picture", "/undo", "/light", "/help", "/filter"]) {
+        assert.ok(names.includes(name), name);
+    }
     const keys = new Set(names.map((name) => name.split("/")[0]));
     assert.deepEqual(wanted.filter((key) => !keys.has(key)), []);
 }

@@ -3,8 +3,6 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
-import { createServer, request } from "node:http";
-import { once } from "node:events";
 import { setTimeout as pause } from "node:timers/promises";
 import { join } from "node:path";
 import { decoded } from "./png.mjs";
@@ -37,7 +35,8 @@ export async function the_picture_fills_the_pane(seat) {
     assert.deepEqual(sizes.slice(0, 2), sizes.slice(2));
     await seat.page.setViewport({ width: 900, height: 500, deviceScaleFactor: 2 });
     await seat.rest();
-    const pane = await seat.page.$eval("#pane", ({ clientWidth, clientHeight }) => [clientWidth, clientHeight]);
+    const sides = ({ clientWidth, clientHeight }) => [clientWidth, clientHeight];
+    const pane = await seat.page.$eval("#pane", sides);
     const { width, height } = await seat.canvas();
     assert.deepEqual([width, height], pane.map((side) => 2 * side));
 }
@@ -65,47 +64,3 @@ export async function an_empty_scene_offers_to_open_files(seat) {
     assert.ok(new Set((await seat.canvas()).bytes).size > 8);
 }
 an_empty_scene_offers_to_open_files.scene = ["--samples", "1", "--backend", "cpu"];
-
-/** A way to the program that can be cut, so that it goes and comes back at the same address. */
-async function bridge(address) {
-    const { host, origin, pathname } = new URL(address);
-    const server = createServer((asked, answer) => {
-        const headers = { ...asked.headers, host };
-        if (headers.origin) headers.origin = origin;
-        const onward = request(origin + asked.url, { method: asked.method, headers }, (answered) => {
-            answer.writeHead(answered.statusCode, answered.headers);
-            answered.pipe(answer);
-        });
-        asked.pipe(onward);
-        onward.on("error", () => answer.destroy());
-    });
-    const open = async (port) => {
-        server.listen(port, "127.0.0.1");
-        await once(server, "listening");
-        return server.address().port;
-    };
-    const port = await open(0);
-    const close = () => (server.closeAllConnections(), server.close());
-    return { address: `http://127.0.0.1:${port}${pathname}`, close, open: () => open(port) };
-}
-
-export async function a_host_that_goes_is_missed_and_found_again(seat) {
-    seat.mayFail = true;
-    const { page } = seat;
-    const way = await bridge(seat.program.address);
-    await page.goto(way.address);
-    await seat.rest();
-    way.close();
-    await (await page.$("canvas")).press("ArrowRight");
-    await page.waitForSelector("#gone:not([hidden])");
-    assert.match(await page.$eval("#gone", ({ textContent }) => textContent), /The program has ended/);
-    await way.open();
-    await page.waitForSelector("#gone[hidden]");
-    await seat.rest();
-    const text = await seat.scene();
-    await (await page.$("canvas")).press("ArrowRight");
-    await seat.rest();
-    assert.notEqual(await seat.scene(), text);
-    await page.goto("about:blank");
-    way.close();
-}
