@@ -5,6 +5,7 @@
 // The page's types are checked first. Each test has a page and a program of its own, in an empty folder.
 
 import { execFileSync } from "node:child_process";
+import { resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { fileURLToPath } from "node:url";
 import { Bench } from "./view/bench.mjs";
@@ -19,7 +20,7 @@ const { values: options, positionals } = parseArgs({
     allowPositionals: true,
     options: { browser: { type: "string", default: "/usr/bin/chromium" }, only: { type: "string" } },
 });
-const relief = positionals[0];
+const relief = positionals[0] && resolve(positionals[0]);
 if (!relief) {
     console.error("usage: node view.mjs PATH/TO/relief [--browser PROGRAM] [--only NAME]");
     process.exit(2);

@@ -105,6 +105,11 @@ pub fn srgb(linear: [f32; 3]) -> [f32; 3] {
     linear.map(|linear| linear_to_srgb(f64::from(linear.clamp(0.0, 1.0))) as f32)
 }
 
+/// Converts a linear colour to the bytes of sRGB, rounded to the nearest as in files of eight bits.
+pub fn bytes_of(linear: [f32; 3]) -> [u8; 3] {
+    srgb(linear).map(|part| (f64::from(part) * 255.0).round() as u8)
+}
+
 /// Returns the linear colours of a scene's picture, row by row from the top.
 pub fn linear(rendering: &Rendering, scene: &Scene) -> Vec<[f32; 3]> {
     let (display, width) = (Display::of(scene), rendering.width.max(1) as usize);
@@ -129,8 +134,7 @@ pub fn linear(rendering: &Rendering, scene: &Scene) -> Vec<[f32; 3]> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn srgb8(rendering: &Rendering, scene: &Scene) -> Vec<u8> {
-    let byte = |part: f32| (part * 255.0 + 0.5) as u8;
-    linear(rendering, scene).into_iter().flat_map(|colour| srgb(colour).map(byte)).collect()
+    linear(rendering, scene).into_iter().flat_map(bytes_of).collect()
 }
 
 /// Returns the numbers of a pixel, one for each of [`AOV_CHANNELS`]. All but the last are 0 where its

@@ -144,6 +144,17 @@ pub fn without(spec: &SceneSpec, key: &str) -> Result<Option<SceneSpec>, Refused
         }
         return Ok(None);
     }
+    // Search and refinement came as a pair, so they go as one.
+    let pair = [STAGES[SEARCH].key, STAGES[REFINE].key];
+    if pair.contains(&place.key) {
+        let table = match place.surface {
+            None => Some(&mut document),
+            Some(number) => document.get_mut(SURFACES).and_then(|all| all.get_mut(number)?.as_table_mut()),
+        };
+        if let Some(table) = table {
+            pair.iter().for_each(|key| drop(table.remove(*key)));
+        }
+    }
     read(&document.to_string()).map(Some)
 }
 

@@ -358,3 +358,14 @@ fn what_a_guard_speaks_against_changes_nothing() {
     assert!(session.text() == before && session.can_undo() == [false; 2]);
     session.apply(&Action::set("color", "a.png")).expect("a file that is given");
 }
+
+#[test]
+fn search_and_refinement_come_and_go_as_a_pair() {
+    let mut session = Session::new("height = \"a.png\"\n").expect("a scene");
+    let before = session.text();
+    for key in ["search", "refine"] {
+        session.apply(&Action::set("search", "linear")).expect("a search");
+        assert_eq!(session.apply(&Action::lose(key)).expect("a loss").keys, ["refine", "search"]);
+        assert!(session.text() == before);
+    }
+}

@@ -1,17 +1,16 @@
 //! The way in: an address of this machine with a secret in it, and nothing else.
 
-use std::net::{IpAddr, Ipv4Addr, SocketAddr};
+use std::net::{Ipv4Addr, TcpListener};
 
-use tiny_http::{Request, Server};
-
+use super::http::Request;
 use crate::failure::Failure;
 
 /// Bytes of the secret.
 const SECRET_BYTES: usize = 16;
 
-/// A server on this machine's own address.
+/// A port on this machine's own address.
 pub struct Door {
-    pub server: Server,
+    pub listener: TcpListener,
     port: u16,
     secret: String,
 }
@@ -28,20 +27,20 @@ pub enum Shut {
 impl Door {
     /// Opens a port; a free one without a number.
     pub fn open(port: Option<u16>) -> Result<Self, Failure> {
-        let at = SocketAddr::new(IpAddr::V4(Ipv4Addr::LOCALHOST), port.unwrap_or_default());
         let failed = |error: &dyn std::fmt::Display| match port {
             Some(port) => Failure::Work(format!(
                 "port {port} cannot be opened: {error}: give another with --port, or leave it out"
             )),
             None => Failure::Work(format!("no port of this machine can be opened: {error}")),
         };
-        let server = Server::http(at).map_err(|error| failed(&error))?;
-        let port = server.server_addr().to_ip().ok_or_else(|| failed(&"it has no number"))?.port();
+        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port.unwrap_or_default()));
+        let listener = listener.map_err(|error| failed(&error))?;
+        let port = listener.local_addr().map_err(|error| failed(&error))?.port();
         let mut secret = [0; SECRET_BYTES];
         getrandom::fill(&mut secret)
             .map_err(|error| Failure::Work(format!("the system gives no random numbers: {error}")))?;
         let secret = secret.iter().map(|byte| format!("{byte:02x}")).collect();
-        Ok(Self { server, port, secret })
+        Ok(Self { listener, port, secret })
     }
 
     /// The address of the page.
@@ -51,11 +50,8 @@ impl Door {
 
     /// The part of a request's address behind the secret, if it may be answered.
     pub fn admit<'a>(&self, request: &'a Request) -> Result<&'a str, Shut> {
-        let header = |name: &'static str| {
-            let found = request.headers().iter().find(|header| header.field.equiv(name));
-            found.map(|header| header.value.as_str())
-        };
-        admit(request.url(), header("Host"), header("Origin"), self.port, &self.secret)
+        let Request { url, host, origin, .. } = request;
+        admit(url, host.as_deref(), origin.as_deref(), self.port, &self.secret)
     }
 }
 

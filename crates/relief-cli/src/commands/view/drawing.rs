@@ -7,7 +7,7 @@ use std::time::Instant;
 use rayon::prelude::*;
 use relief_core::{Cancelled, Watch};
 use relief_maps::Maps;
-use relief_render::picture::{Display, srgb};
+use relief_render::picture::{Display, bytes_of};
 use relief_render::{RenderError, RenderInfo, Renderer};
 use relief_scene::{BackendChoice, Sampling, Scene, SceneReader, SceneSpec};
 use relief_session::Seen;
@@ -174,8 +174,8 @@ fn has_same_maps(before: &Scene, scene: &Scene) -> bool {
         })
 }
 
-/// A colour in eight bits, as files of eight bits have it.
+/// A colour of the page.
 fn bytes(linear: [f32; 3]) -> [u8; 4] {
-    let [red, green, blue] = srgb(linear).map(|part| (part * 255.0 + 0.5) as u8);
+    let [red, green, blue] = bytes_of(linear);
     [red, green, blue, u8::MAX]
 }

@@ -43,6 +43,14 @@ impl Dropped {
         Ok(Self { folder, groups: BTreeMap::new() })
     }
 
+    /// Removes all files. Threads that still wait for a request hold them, so nobody else would.
+    pub fn remove(&self) -> Result<(), Failure> {
+        let folder = self.folder.path();
+        fs::remove_dir_all(folder).map_err(|error| {
+            Failure::Work(format!("{}: the dropped files cannot be removed: {error}", folder.display()))
+        })
+    }
+
     /// The folder of all files.
     pub fn folder(&self) -> &Path {
         self.folder.path()

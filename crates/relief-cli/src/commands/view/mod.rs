@@ -5,6 +5,7 @@ mod door;
 mod drawing;
 mod dropped;
 mod given;
+mod http;
 mod page;
 mod saved;
 mod script;

@@ -1,13 +1,14 @@
 //! The page and its requests.
 
-use std::io::Write;
+use std::io::{Read, Write};
+use std::net::TcpStream;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use relief_scene::SceneSpec;
 use relief_session::Session;
 use serde_json::json;
-use tiny_http::{Header, Method, Request, Response};
 
 use super::Arguments;
 use super::answer::{Answer, BYTES, ENDED, REFUSED};
@@ -15,17 +16,18 @@ use super::door::{Door, Shut};
 use super::drawing::{Asked, NotDrawn};
 use super::dropped::{Dropped, write};
 use super::given::Given;
+use super::http::Request;
 use super::page;
 use super::viewer::Viewer;
 use crate::failure::Failure;
 use crate::streams;
 use crate::{interrupt, say};
 
-/// Threads that answer: pictures take one of them, and the others stay free.
-const THREADS: usize = 4;
+/// Time after which the program looks whether it is to end.
+const TURN: Duration = Duration::from_millis(50);
 
-/// Time after which a thread looks whether the program is to end.
-const TURN: Duration = Duration::from_millis(100);
+/// Time that an answer has which was begun before the end.
+const LAST: Duration = Duration::from_millis(200);
 
 /// Longest request besides a file, in bytes.
 const MAX_REQUEST: u64 = 1 << 20;
@@ -44,7 +46,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (maps, no_cache) = arguments.cache.maps();
     no_cache.iter().for_each(say::note);
     let door = Door::open(arguments.port)?;
-    let viewer = Viewer::new(session, maps, dropped);
+    let viewer = Arc::new(Viewer::new(session, maps, dropped));
     let end = interrupt::catch()?;
     let address = door.address();
     streams::answer(|out| match arguments.json {
@@ -57,61 +59,65 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     {
         say::note(format!("no browser was opened ({error}): open the address in one"));
     }
-    std::thread::scope(|scope| {
-        for _ in 0..THREADS {
-            scope.spawn(|| answer_all(&door, &viewer, end));
-        }
-    });
-    Ok(())
+    let answering = Arc::clone(&viewer);
+    std::thread::spawn(move || answer_all(&Arc::new(door), &answering, end));
+    while !end.load(Ordering::Relaxed) {
+        std::thread::sleep(TURN);
+    }
+    std::thread::sleep(LAST);
+    viewer.end()
 }
 
-/// Answers requests until the end.
-fn answer_all(door: &Door, viewer: &Viewer, end: &AtomicBool) {
-    while !end.load(Ordering::Relaxed) {
-        if let Ok(Some(mut request)) = door.server.recv_timeout(TURN) {
-            let answer = match door.admit(&request) {
-                Ok(path) => {
-                    let path = path.to_owned();
-                    answer(&mut request, &path, viewer, end)
-                }
-                Err(Shut::Foreign) => Answer::error(403, "this address is for the page alone"),
-                Err(Shut::Unknown) => {
-                    Answer::error(404, "there is no such page: open the address that `relief view` printed")
-                }
-            };
-            // A browser that has gone needs no answer.
-            let _ = request.respond(response(answer));
-        }
+/// Answers requests, each on a thread of its own.
+fn answer_all(door: &Arc<Door>, viewer: &Arc<Viewer>, end: &'static AtomicBool) {
+    for stream in door.listener.incoming().flatten() {
+        let (door, viewer) = (Arc::clone(door), Arc::clone(viewer));
+        // Where no thread can be had, the page asks again.
+        let _ = std::thread::Builder::new().spawn(move || answer_one(stream, &door, &viewer, end));
     }
-    viewer.end();
+}
+
+fn answer_one(stream: TcpStream, door: &Door, viewer: &Viewer, end: &AtomicBool) {
+    let Some(mut request) = Request::read(stream) else { return };
+    let answer = match door.admit(&request) {
+        Ok(path) => {
+            let path = path.to_owned();
+            answer(&mut request, &path, viewer, end)
+        }
+        Err(Shut::Foreign) => Answer::error(403, "this address is for the page alone"),
+        Err(Shut::Unknown) => {
+            Answer::error(404, "there is no such page: open the address that `relief view` printed")
+        }
+    };
+    request.answer(&answer);
 }
 
 /// The answer to a request for a path behind the secret.
 fn answer(request: &mut Request, path: &str, viewer: &Viewer, end: &AtomicBool) -> Answer {
     let (path, query) = path.split_once('?').unwrap_or((path, ""));
     let query = Query(query);
-    match (request.method(), path) {
-        (Method::Get, "state") => Answer::json(&viewer.state()),
-        (Method::Get, "progress") => Answer::json(&viewer.progress()),
-        (Method::Get, "picture") => picture(&query, viewer),
-        (Method::Get, "save") => save(&query, viewer),
-        (Method::Post, "apply") => match body(request) {
+    match (request.method.as_str(), path) {
+        ("GET", "state") => Answer::json(&viewer.state()),
+        ("GET", "progress") => Answer::json(&viewer.progress()),
+        ("GET", "picture") => picture(&query, viewer),
+        ("GET", "save") => save(&query, viewer),
+        ("POST", "apply") => match body(request) {
             Ok(sent) => refusable(viewer.apply(&sent)),
             Err(answer) => answer,
         },
-        (Method::Post, "files") => match file(request, &query, viewer) {
+        ("POST", "files") => match file(request, &query, viewer) {
             Ok(()) => Answer::json(&json!({})),
             Err(said) => Answer::error(REFUSED, said),
         },
-        (Method::Post, "drop") => match body::<Taken>(request) {
+        ("POST", "drop") => match body::<Taken>(request) {
             Ok(Taken { drop, key }) => refusable(viewer.take(drop, key.as_deref())),
             Err(answer) => answer,
         },
-        (Method::Post, "end") => {
+        ("POST", "end") => {
             end.store(true, Ordering::Relaxed);
             Answer::json(&json!({}))
         }
-        (Method::Get, name) => match page::file(name) {
+        ("GET", name) => match page::file(name) {
             Some(file) => Answer::bytes(file.kind, file.text.as_bytes().to_vec()),
             None => Answer::error(404, format!("there is no {name}")),
         },
@@ -157,42 +163,19 @@ fn save(query: &Query, viewer: &Viewer) -> Answer {
 fn file(request: &mut Request, query: &Query, viewer: &Viewer) -> Result<(), String> {
     let path = query.text("path").unwrap_or_default();
     let number = query.text("drop").and_then(|number| number.parse().ok()).ok_or("a file needs a number")?;
-    let length = request.body_length().ok_or_else(|| format!("{path}: its length is not said"))? as u64;
+    let length = request.length.ok_or_else(|| format!("{path}: its length is not said"))?;
     let place = viewer.dropped().place(number, &path, length)?;
-    write(&place, length, request.as_reader())
+    write(&place, length, request)
 }
 
 /// What a request of JSON says.
 fn body<T: serde::de::DeserializeOwned>(request: &mut Request) -> Result<T, Answer> {
     let mut bytes = Vec::new();
-    let read =
-        std::io::Read::read_to_end(&mut std::io::Read::take(request.as_reader(), MAX_REQUEST), &mut bytes);
+    let read = request.take(MAX_REQUEST).read_to_end(&mut bytes);
     read.map_err(|error| Answer::error(400, error))?;
     serde_json::from_slice(&bytes)
         .map_err(|error| Answer::error(400, format!("it is not understood: {error}")))
 }
-
-fn response(answer: Answer) -> Response<std::io::Cursor<Vec<u8>>> {
-    let mut response = Response::from_data(answer.bytes).with_status_code(answer.status);
-    let mut put = |name: &str, value: &str| {
-        if let Ok(header) = Header::from_bytes(name, value) {
-            response.add_header(header);
-        }
-    };
-    put("Content-Type", answer.kind);
-    put("Cache-Control", "no-store");
-    put("X-Content-Type-Options", "nosniff");
-    put("Referrer-Policy", "no-referrer");
-    put("Content-Security-Policy", POLICY);
-    if let Some(name) = answer.file {
-        put("Content-Disposition", &format!("attachment; filename=\"{name}\""));
-    }
-    response
-}
-
-/// The page loads nothing from elsewhere, and no other page shows it.
-const POLICY: &str = "default-src 'self'; img-src 'self' blob: data:; style-src 'self'; frame-ancestors 'none'; \
-                      base-uri 'none'; form-action 'none'";
 
 /// The part of an address behind the question mark.
 struct Query<'a>(&'a str);

@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 use super::drawing::{Asked, Drawing, NotDrawn, shown};
 use super::dropped::Dropped;
 use super::saved::{offered, saved};
+use crate::failure::Failure;
 
 /// What the page looks at. Changes do not wait for pictures.
 pub struct Viewer {
@@ -169,9 +170,10 @@ impl Viewer {
         locked(&self.dropped)
     }
 
-    /// Ends all work.
-    pub fn end(&self) {
+    /// Ends all work, and removes the files of the page.
+    pub fn end(&self) -> Result<(), Failure> {
         self.stop.store(true, Ordering::Relaxed);
+        self.dropped().remove()
     }
 
     /// A message with files as the user knows them.
