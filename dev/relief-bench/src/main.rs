@@ -2,7 +2,7 @@
 //! `embree`, `frame`, `functions`, `fuzz`, `ground`, `impostors`, `judge`, `kits`, `lanes`, `levels`,
 //! `loaders`, `look`, `looks`, `materials`, `mesh`, `object-slices`, `probe`, `pyramid`, `quadrics`,
 //! `readers`, `remesh`, `shadow`, `shell-map`, `sheet`, `slices`, `solids`, `surfaces`, `tessellate`,
-//! `trace`, `units`, `view-dependent` and `volumes`. Results are kept in `docs/measurements/`.
+//! `trace`, `units`, `view`, `view-dependent` and `volumes`. Results are kept in `docs/measurements/`.
 
 use std::process::ExitCode;
 
@@ -52,6 +52,7 @@ mod table;
 mod tessellate;
 mod trace;
 mod units;
+mod view;
 mod view_dependent;
 mod volumes;
 
@@ -146,6 +147,8 @@ enum Command {
     Trace(trace::Arguments),
     /// Units of coordinate systems by their EPSG codes, beside pyproj: fails where one differs
     Units(units::Arguments),
+    /// Times of the page of `relief view`: to the first picture, and from the pointer to the picture
+    View(view::Arguments),
     /// View-dependent maps of several sizes beside other methods: fails where a free way ends behind a hit
     ViewDependent(view_dependent::Arguments),
     /// Rays through volumes beside the judge, and what each method over volumes costs: fails where `voxels` errs
@@ -193,6 +196,7 @@ fn main() -> ExitCode {
         Command::Tessellate(arguments) => tessellate::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Units(arguments) => units::run(&arguments),
+        Command::View(arguments) => view::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::ViewDependent(arguments) => view_dependent::run(&arguments),
         Command::Volumes(arguments) => volumes::run(&arguments),
     };

@@ -73,3 +73,13 @@ fn a_file_that_changed_is_read_again() {
     copy("data/noise.png");
     assert_eq!(reader.load(&spec).expect("a scene").surfaces()[0].height_map().width(), 128);
 }
+
+#[test]
+fn all_files_of_a_scene_are_named() {
+    let text = "height = \"a.png\"\nenvironment = \"sky.hdr\"\n[[surfaces]]\nmesh = \"b.obj\"\n[[surfaces]]\ncolor = \"c.png\"\n";
+    let mut scene = parse_scene(text, Path::new("/there/scene.toml")).expect("a scene");
+    scene.files_mut().for_each(|file| file.push("x"));
+    let named: BTreeSet<&Path> = scene.files().map(PathBuf::as_path).collect();
+    let expected = ["a.png", "sky.hdr", "b.obj", "c.png"].map(|name| Path::new("/there").join(name).join("x"));
+    assert_eq!(named, expected.iter().map(PathBuf::as_path).collect());
+}
