@@ -113,7 +113,7 @@ impl Drawing {
 }
 
 impl Drawn {
-    /// What the page is told of the picture.
+    /// What the page learns of the picture.
     pub fn about(&self, revision: u64) -> serde_json::Value {
         json!({
             "revision": revision, "size": self.size, "samples": self.samples, "seconds": self.seconds,
