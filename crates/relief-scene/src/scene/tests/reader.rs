@@ -80,6 +80,7 @@ fn all_files_of_a_scene_are_named() {
     let mut scene = parse_scene(text, Path::new("/there/scene.toml")).expect("a scene");
     scene.files_mut().for_each(|file| file.push("x"));
     let named: BTreeSet<&Path> = scene.files().map(PathBuf::as_path).collect();
-    let expected = ["a.png", "sky.hdr", "b.obj", "c.png"].map(|name| Path::new("/there").join(name).join("x"));
+    let expected =
+        ["a.png", "sky.hdr", "b.obj", "c.png"].map(|name| Path::new("/there").join(name).join("x"));
     assert_eq!(named, expected.iter().map(PathBuf::as_path).collect());
 }
