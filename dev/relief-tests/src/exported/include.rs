@@ -48,8 +48,7 @@ impl Include {
         &self.methods
     }
 
-    /// The text as glslang compiles it: where the only argument of a method is made of several values, it forgets
-    /// the struct, unless it is named.
+    /// The text as glslang 12 compiles it: it is safe with calls of methods whose struct is named.
     fn named(&self) -> String {
         let line = |line: &str| match line.starts_with("        ") {
             true => self.calls(line, "this."),
